@@ -1,0 +1,44 @@
+# What all targets of this project have in common.
+
+add_library(project_options INTERFACE)
+target_include_directories(project_options INTERFACE ${CMAKE_SOURCE_DIR})
+target_compile_options(project_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Werror
+  # Equal bits on every machine of one kind: no fused operations behind our back.
+  -ffp-contract=off)
+target_compile_definitions(project_options INTERFACE TASKC_VERSION="${PROJECT_VERSION}")
+if(TASKC_SANITIZE)
+  target_compile_options(project_options INTERFACE
+    -fsanitize=${TASKC_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  target_link_options(project_options INTERFACE -fsanitize=${TASKC_SANITIZE})
+endif()
+
+# project_library(NAME SOURCES file... [PUBLIC library...] [PRIVATE library...])
+function(project_library name)
+  cmake_parse_arguments(arg "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  add_library(${name} STATIC ${arg_SOURCES})
+  target_link_libraries(${name} PUBLIC project_options ${arg_PUBLIC} PRIVATE ${arg_PRIVATE})
+endfunction()
+
+# project_program(NAME SOURCES file... [LIBRARIES library...])
+function(project_program name)
+  cmake_parse_arguments(arg "" "" "SOURCES;LIBRARIES" ${ARGN})
+  add_executable(${name} ${arg_SOURCES})
+  target_link_libraries(${name} PRIVATE project_options ${arg_LIBRARIES})
+endfunction()
+
+# project_test(NAME SOURCES file... [LIBRARIES library...]): a GoogleTest program, registered whole.
+function(project_test name)
+  cmake_parse_arguments(arg "" "" "SOURCES;LIBRARIES" ${ARGN})
+  add_executable(${name} ${arg_SOURCES})
+  target_link_libraries(${name} PRIVATE project_options ${arg_LIBRARIES} GTest::gmock_main)
+  set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
+  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 300)
+endfunction()
+
+# add_subdirectory for folders that exist.
+function(include_if_there folder)
+  if(EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/CMakeLists.txt)
+    add_subdirectory(${folder})
+  endif()
+endfunction()
