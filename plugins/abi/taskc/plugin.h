@@ -1,0 +1,166 @@
+// The contract between a compiled task and the program that runs it.
+//
+// `taskc` turns a `.task` file into a shared object that exports one function, `taskc_plugin_get`.
+// It returns a description of the task (what it reads, remembers, pays and measures) and one
+// function per event. Everything here is plain C: a host in any language can use it.
+//
+// Ownership: the plugin owns the `taskc_plugin` and all it points to; they are constant and live as
+// long as the shared object is loaded. The host owns every `taskc_frame` and all it points to. A
+// plugin has no state of its own, so any number of instances can run side by side, one frame each.
+//
+// Units: SI throughout (m, kg, s, rad). Matrices are row major, quaternions are (w, x, y, z).
+//
+// Stability: `abi_version` is the first field of `taskc_plugin` in every version, and a host refuses
+// a version it was not built for. Any change of a struct or of a meaning raises TASKC_ABI_VERSION.
+#ifndef TASKC_PLUGIN_H
+#define TASKC_PLUGIN_H
+
+#define TASKC_ABI_VERSION 1u
+#define TASKC_PLUGIN_ENTRY "taskc_plugin_get"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef int taskc_int32;
+typedef unsigned int taskc_uint32;
+typedef long long taskc_int64;
+
+// The moments at which a task computes. A time step is one control step (5 ms for the humanoid); a
+// physics step is one step of the simulator.
+enum {
+  TASKC_START_OF_EPISODE,
+  TASKC_END_OF_EPISODE,
+  TASKC_START_OF_ACTION,
+  TASKC_END_OF_ACTION,
+  TASKC_START_OF_TIME_STEP,
+  TASKC_END_OF_TIME_STEP,
+  TASKC_START_OF_PHYSICS_STEP,
+  TASKC_END_OF_PHYSICS_STEP,
+  TASKC_EVENT_COUNT
+};
+
+// Besides the events: the evaluation of the metrics. Used as a bit number in `taskc_sensor.read_by`.
+enum { TASKC_MEASURE = TASKC_EVENT_COUNT };
+
+// How one scalar lies in memory: a bool is one byte (0 or 1), an int 8 bytes, a real a double.
+enum { TASKC_BOOL, TASKC_INT, TASKC_REAL };
+
+// A sensor that the task reads. Its elements lie one behind the other, `rows * columns` of them.
+typedef struct taskc_sensor {
+  const char* name;        // as the task writes it: "base.velocity"
+  const char* type;        // as the task writes it: "vec3", "bool[link]"; compared when binding
+  const char* unit;        // "m/s"; "" for a plain number
+  taskc_int32 scalar;      // TASKC_BOOL, TASKC_INT or TASKC_REAL
+  taskc_uint32 rows;       // 1 for a scalar, n for vectors, arrays and quaternions
+  taskc_uint32 columns;    // 1 except for matrices
+  taskc_uint32 read_by;    // bit e is set: event e (or TASKC_MEASURE) reads the sensor
+} taskc_sensor;
+
+// A number that can be set while the task runs. Passed as a double, whatever its type.
+typedef struct taskc_param {
+  const char* name;
+  const char* doc;
+  const char* unit;
+  taskc_int32 scalar;
+  double initial;
+  double minimum;          // -infinity where the task gives no range
+  double maximum;
+} taskc_param;
+
+enum { TASKC_PER_RUN, TASKC_PER_EPISODE, TASKC_PER_ACTION };
+
+// A variable in the instance's memory block.
+typedef struct taskc_memory {
+  const char* name;
+  const char* type;
+  const char* unit;
+  taskc_int32 scalar;
+  taskc_uint32 rows;
+  taskc_uint32 columns;
+  taskc_int32 scope;       // TASKC_PER_RUN, TASKC_PER_EPISODE or TASKC_PER_ACTION
+  taskc_uint32 offset;     // bytes from the start of the memory block
+} taskc_memory;
+
+// A named part of the reward.
+typedef struct taskc_reward_term {
+  const char* name;
+  const char* doc;
+  taskc_uint32 line;       // of its first statement in the source
+} taskc_reward_term;
+
+enum { TASKC_LAST, TASKC_SUM, TASKC_MAX, TASKC_MIN, TASKC_MEAN };
+
+// What the user really wants: one number per episode, reduced over its time steps.
+typedef struct taskc_metric {
+  const char* name;
+  const char* doc;
+  const char* unit;
+  taskc_int32 reduction;   // TASKC_LAST ... TASKC_MEAN
+} taskc_metric;
+
+enum { TASKC_SUCCESS, TASKC_FAILURE, TASKC_TRUNCATED };
+
+// One statement that ends an episode.
+typedef struct taskc_end {
+  const char* reason;
+  taskc_int32 kind;        // success and failure are terminal; truncated is a mere limit
+  taskc_uint32 line;
+} taskc_end;
+
+// All that an event function reads and writes. The host fills it once when it binds the task, and
+// before each call sets `time_step`, `reward = 0`, `end = -1` and `fault = -1`.
+typedef struct taskc_frame {
+  const void* const* sensors;  // one pointer for each entry of `taskc_plugin.sensors`
+  const double* params;        // one value for each entry of `taskc_plugin.params`
+  void* memory;                // `memory_size` bytes, aligned to 16
+  double time_step;            // length of the step that ends or starts [s]; 0 for other events
+  double* terms;               // one sum for each reward term: the plugin adds, the host zeroes
+  double* metrics;             // one value for each metric: written by `measure`
+  double reward;               // out: what this call pays
+  taskc_int32 end;             // out: index of the first end that was reached, or -1
+  taskc_int32 fault;           // out: index of the first term whose value was not finite, or -1;
+                               //      such a value is not paid
+} taskc_frame;
+
+typedef void (*taskc_event_function)(taskc_frame* frame);
+
+typedef struct taskc_plugin {
+  taskc_uint32 abi_version;    // TASKC_ABI_VERSION
+  taskc_uint32 struct_size;    // sizeof(taskc_plugin)
+  const char* compiler;        // "taskc 0.1.0"
+  const char* name;
+  const char* doc;
+  const char* robot;           // "" where the task declares its own sensors
+  const char* start_pose;      // "" where the task names none
+  const char* source_file;
+  const char* source;          // the whole text
+  const char* source_hash;     // SHA-256 of the text, in hexadecimal
+
+  const taskc_sensor* sensors;
+  const taskc_param* params;
+  const taskc_memory* memory;
+  const taskc_reward_term* terms;
+  const taskc_metric* metrics;
+  const taskc_end* ends;
+  taskc_uint32 sensor_count;
+  taskc_uint32 param_count;
+  taskc_uint32 memory_count;
+  taskc_uint32 term_count;
+  taskc_uint32 metric_count;
+  taskc_uint32 end_count;
+  taskc_uint32 memory_size;    // bytes; 0 where the task remembers nothing
+
+  taskc_event_function initialize;                 // gives all memory its initial value
+  taskc_event_function events[TASKC_EVENT_COUNT];  // null where the task has nothing to do
+  taskc_event_function measure;                    // null where the task has no metric
+} taskc_plugin;
+
+// The one exported symbol. Never returns null.
+typedef const taskc_plugin* (*taskc_plugin_entry)(void);
+
+#ifdef __cplusplus
+}  // extern "C"
+#endif
+
+#endif  // TASKC_PLUGIN_H
