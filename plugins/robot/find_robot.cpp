@@ -1,0 +1,62 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "plugins/robot/robot_description.h"
+#include "plugins/robot/toml_value.h"
+
+namespace robot {
+namespace {
+
+constexpr const char* kFileName = "robot.toml";
+
+std::vector<std::string> RobotsIn(const std::vector<std::filesystem::path>& folders) {
+  std::vector<std::string> names;
+  for (const std::filesystem::path& folder : folders) {
+    std::error_code ignored;  // a folder that cannot be read has no robots
+    for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
+      if (std::filesystem::exists(entry.path() / kFileName, ignored)) {
+        names.push_back(entry.path().filename().string());
+      }
+    }
+  }
+  std::sort(names.begin(), names.end());
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+  return names;
+}
+
+}  // namespace
+
+std::filesystem::path FindRobotFile(std::string_view name,
+                                    const std::vector<std::filesystem::path>& folders) {
+  for (const std::filesystem::path& folder : folders) {
+    const std::filesystem::path file = folder / name / kFileName;
+    std::error_code ignored;
+    if (std::filesystem::exists(file, ignored)) return file;
+  }
+  const std::vector<std::string> names = RobotsIn(folders);
+  std::string suggestion;
+  if (!names.empty()) suggestion = fmt::format("{}; ", SuggestName(name, names));
+  std::string places;
+  for (const std::filesystem::path& folder : folders) places += fmt::format(" {}", folder.string());
+  throw DescriptionError(fmt::format(
+      "there is no robot `{}`\n  help: {}looked in{} (set TASKC_ROBOT_PATH to look elsewhere)",
+      name, suggestion, places));
+}
+
+std::vector<std::filesystem::path> DefaultRobotFolders() {
+  std::vector<std::filesystem::path> folders;
+  if (const char* path = std::getenv("TASKC_ROBOT_PATH")) {
+    for (std::string_view rest = path; !rest.empty();) {
+      const size_t end = rest.find(':');
+      if (end != 0) folders.emplace_back(rest.substr(0, end));
+      rest = end == std::string_view::npos ? std::string_view{} : rest.substr(end + 1);
+    }
+  }
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe");
+  folders.push_back(program.parent_path().parent_path() / "share/taskc/robots");
+  return folders;
+}
+
+}  // namespace robot

@@ -1,0 +1,61 @@
+#include <fstream>
+#include <sstream>
+
+#include "plugins/robot/read_parts.h"
+
+namespace robot {
+namespace {
+
+toml::table Parse(const std::string& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream text;
+  if (!stream || !(text << stream.rdbuf())) {
+    throw DescriptionError(file +
+                           ": error: cannot read the robot's description\n  help: check that "
+                           "the file is there, is not empty and may be read");
+  }
+  try {
+    return toml::parse(text.str(), file);
+  } catch (const toml::parse_error& error) {
+    const toml::source_position& place = error.source().begin;
+    throw DescriptionError(fmt::format(
+        "{}:{}:{}: error: {}\n  help: the file is written in TOML 1.0, see https://toml.io", file,
+        place.line, place.column, error.description()));
+  }
+}
+
+Controller ReadController(const TomlValue& root) {
+  const TomlValue value = root.At("controller").Called("`controller`");
+  value.AllowKeys({"stiffness", "damping", "max_torque", "time_step"});
+  Controller controller;
+  controller.stiffness = value.At("stiffness").PositiveNumber();
+  controller.damping = value.At("damping").PositiveNumber();
+  controller.max_torque = value.At("max_torque").PositiveNumber();
+  controller.time_step = value.At("time_step").PositiveNumber();
+  return controller;
+}
+
+}  // namespace
+
+RobotDescription ReadRobot(const std::filesystem::path& file) {
+  const std::string file_name = file.string();
+  const toml::table table = Parse(file_name);
+  const TomlValue root(file_name, table, "the robot");
+  root.AllowKeys({"name", "doc", "links", "joints", "controller", "poses", "link_groups",
+                  "joint_groups", "dof_configurations", "nets"});
+  RobotDescription robot;
+  robot.file = file;
+  robot.name = root.At("name").Name();
+  robot.doc = root.At("doc").Text();
+  robot.links = ReadLinks(root);
+  robot.joints = ReadJoints(root, robot);
+  robot.controller = ReadController(root);
+  robot.poses = ReadPoses(root, robot);
+  robot.link_groups = ReadGroups(root, "link_groups", "link", NamesOf(robot.links));
+  robot.joint_groups = ReadGroups(root, "joint_groups", "joint", NamesOf(robot.joints));
+  robot.dof_configurations = ReadDofConfigurations(root, robot);
+  robot.nets = ReadNets(root, robot);
+  return robot;
+}
+
+}  // namespace robot

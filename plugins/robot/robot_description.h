@@ -1,0 +1,142 @@
+// A robot as its description file says it: body, joints, controller, poses, names. One TOML file
+// describes one robot; plugins/humanoid/robot.toml is the model to copy.
+//
+// Units: m, kg, s, rad, N m. World frame: x forward, y left, z up; the robot faces +x.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace robot {
+
+using Vector3 = std::array<double, 3>;
+using Quaternion = std::array<double, 4>;  // w, x, y, z
+
+enum class ShapeKind { kBox, kCapsule, kSphere };
+
+struct LinkShape {
+  ShapeKind kind = ShapeKind::kSphere;
+  Vector3 size{};     // box: full extents
+  double radius = 0;  // capsule, sphere
+  double length = 0;  // capsule: total length, both caps included
+  int axis = 2;       // capsule: 0, 1, 2 = along x, y, z of the zero pose
+};
+
+struct Link {
+  std::string name;
+  double mass = 0;
+  Vector3 position{};  // centre of mass relative to the base link's centre, zero pose
+  LinkShape shape;
+};
+
+// A hinge. A positive angle turns the child by -angle about `axis` (ODE's own measure when the
+// parent is attached first).
+struct Joint {
+  std::string name;
+  int parent = 0;  // link index
+  int child = 0;
+  Vector3 axis{};    // unit vector, world frame, zero pose
+  Vector3 anchor{};  // relative to the base link's centre, zero pose
+  double low = 0;    // stops
+  double high = 0;
+};
+
+// Joint-level PD control: torque = clip(stiffness * (target - angle) - damping * rate, max_torque).
+struct Controller {
+  double stiffness = 0;   // N m / rad
+  double damping = 0;     // N m s / rad
+  double max_torque = 0;  // N m
+  double time_step = 0;   // of the tasks and the learner [s]
+};
+
+struct Pose {
+  std::string name;
+  Vector3 position{};
+  Quaternion orientation{1, 0, 0, 0};
+  std::vector<double> joint_angles;  // one for each joint
+};
+
+// A named set of links or joints, as indices in ascending order.
+struct Group {
+  std::string name;
+  std::vector<int> members;
+};
+
+// joint_j = factor * coordinate: one summand of a coupling.
+struct Coupling {
+  int joint = 0;
+  int coordinate = 0;
+  double factor = 1;
+};
+
+// A way to drive the joints by fewer coordinates. Joints without a coupling are held at 0.
+struct DofConfiguration {
+  std::string name;
+  std::vector<int>
+      representatives;  // for each coordinate the joint whose angle and rate stand for it
+  std::vector<Coupling> couplings;
+
+  int dof() const { return static_cast<int>(representatives.size()); }
+};
+
+enum class NetKind { kGrid, kBubble };
+
+// How the basis functions of a normalised Gaussian network are laid out in the space of a DoF
+// configuration's coordinates.
+struct NetDescription {
+  std::string name;
+  NetKind kind = NetKind::kGrid;
+  std::string dof;                // name of the DoF configuration; others with the same
+                                  // representatives fit as well
+  std::vector<double> low, high;  // one for each coordinate
+  std::vector<int> counts;        // grid: centres along each coordinate
+  int units = 0;                  // bubble: number of centres
+};
+
+struct RobotDescription {
+  std::string name;
+  std::string doc;
+  std::filesystem::path file;  // where it was read from
+  std::vector<Link> links;     // links[0] is the base
+  std::vector<Joint> joints;
+  Controller controller;
+  std::vector<Pose> poses;  // the first is the default
+  std::vector<Group> link_groups;
+  std::vector<Group> joint_groups;
+  std::vector<DofConfiguration> dof_configurations;
+  std::vector<NetDescription> nets;
+
+  std::optional<int> FindLink(std::string_view link) const;
+  std::optional<int> FindJoint(std::string_view joint) const;
+  const Pose* FindPose(std::string_view pose) const;
+  const DofConfiguration* FindDof(std::string_view dof) const;
+  const NetDescription* FindNet(std::string_view net) const;
+};
+
+// A mistake in a description file: the message names file, line and remedy.
+class DescriptionError : public std::exception {
+ public:
+  explicit DescriptionError(std::string message) : message_(std::move(message)) {}
+  const char* what() const noexcept override { return message_.c_str(); }
+
+ private:
+  std::string message_;
+};
+
+// Reads and checks a description. Throws DescriptionError.
+RobotDescription ReadRobot(const std::filesystem::path& file);
+
+// The file that describes the robot called `name`: `name`/robot.toml in the first of the folders
+// that has it. Throws DescriptionError with the robots that there are, nearest name first.
+std::filesystem::path FindRobotFile(std::string_view name,
+                                    const std::vector<std::filesystem::path>& folders);
+
+// Where robots are looked for: the folders of the environment variable TASKC_ROBOT_PATH (separated
+// by ':'), then share/taskc/robots beside the running program's bin folder.
+std::vector<std::filesystem::path> DefaultRobotFolders();
+
+}  // namespace robot

@@ -1,0 +1,44 @@
+// The sensors that every robot described by a file offers to its tasks: the one list from which the
+// compiler knows names, types and units, and the environment knows what to compute.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "plugins/robot/robot_description.h"
+
+namespace robot {
+
+enum class SensorId {
+  kTime,
+  kBasePosition,
+  kBaseOrientation,
+  kBaseRotation,
+  kBaseForward,
+  kBaseLeft,
+  kBaseUp,
+  kBaseVelocity,
+  kBaseAngularVelocity,
+  kJointAngle,
+  kJointVelocity,
+  kJointTorque,
+  kContact,
+  kCount
+};
+
+struct SensorDescription {
+  SensorId id;
+  std::string_view name;  // "base.velocity"
+  std::string_view type;  // in the task language: "vec3", "real[joint]", "bool[link]"
+  std::string_view unit;  // "m/s"; "" for a plain number
+  std::string_view doc;   // with its frame
+};
+
+// In the order of SensorId.
+std::span<const SensorDescription> Sensors();
+
+// The number of elements that a sensor of this type has for this robot: 3 for "vec3", 9 for "mat3",
+// the number of links for "bool[link]".
+int ElementCount(const SensorDescription& sensor, const RobotDescription& robot);
+
+}  // namespace robot

@@ -1,0 +1,111 @@
+#include "plugins/robot/robot_description.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace robot {
+namespace {
+
+using testing::DoubleEq;
+using testing::ElementsAre;
+
+RobotDescription Hopper() { return ReadRobot(ROBOTS "/hopper/robot.toml"); }
+
+TEST(RobotDescription, KeepsWhatTheFileSays) {
+  const RobotDescription robot = Hopper();
+  EXPECT_EQ(robot.name, "hopper");
+  EXPECT_EQ(robot.doc, "A body on one leg with a hip and a knee.");
+  EXPECT_EQ(robot.file, ROBOTS "/hopper/robot.toml");
+  ASSERT_EQ(robot.links.size(), 3u);
+  EXPECT_EQ(robot.links[0].shape.kind, ShapeKind::kBox);
+  EXPECT_THAT(robot.links[0].shape.size, ElementsAre(0.1, 0.2, 0.1));
+  EXPECT_EQ(robot.links[1].shape.kind, ShapeKind::kCapsule);
+  EXPECT_EQ(robot.links[1].shape.axis, 2);
+  EXPECT_EQ(robot.links[1].shape.radius, 0.02);
+  EXPECT_EQ(robot.links[1].shape.length, 0.14);
+  EXPECT_EQ(robot.links[2].shape.kind, ShapeKind::kSphere);
+  EXPECT_EQ(robot.links[2].mass, 0.1);
+  EXPECT_THAT(robot.links[2].position, ElementsAre(0, 0, -0.2));
+  EXPECT_EQ(robot.controller.stiffness, 20);
+  EXPECT_EQ(robot.controller.damping, 0.5);
+  EXPECT_EQ(robot.controller.max_torque, 3);
+  EXPECT_EQ(robot.controller.time_step, 0.01);
+}
+
+TEST(RobotDescription, NamesBecomeIndices) {
+  const RobotDescription robot = Hopper();
+  ASSERT_EQ(robot.joints.size(), 2u);
+  EXPECT_EQ(robot.joints[1].parent, 1);
+  EXPECT_EQ(robot.joints[1].child, 2);
+  EXPECT_EQ(robot.FindLink("shank"), 2);
+  EXPECT_EQ(robot.FindLink("hip"), std::nullopt);
+  EXPECT_EQ(robot.FindJoint("knee"), 1);
+  EXPECT_EQ(robot.FindJoint("shank"), std::nullopt);
+}
+
+TEST(RobotDescription, StopsAreReadInDegrees) {
+  const Joint knee = Hopper().joints[1];
+  EXPECT_DOUBLE_EQ(knee.low, -2 * std::numbers::pi / 3);
+  EXPECT_DOUBLE_EQ(knee.high, std::numbers::pi / 360);
+}
+
+TEST(RobotDescription, AxesAreUnitVectors) {
+  const RobotDescription robot = Hopper();
+  EXPECT_THAT(robot.joints[0].axis, ElementsAre(0, 1, 0));
+  EXPECT_THAT(robot.joints[1].axis, ElementsAre(0, 1, 0));  // written as [0, 2, 0]
+}
+
+TEST(RobotDescription, PosesMayLeaveJointsOut) {
+  const RobotDescription robot = Hopper();
+  ASSERT_EQ(robot.poses.size(), 2u);
+  EXPECT_EQ(robot.poses[0].name, "upright");
+  EXPECT_THAT(robot.poses[0].orientation, ElementsAre(1, 0, 0, 0));
+  EXPECT_THAT(robot.poses[0].joint_angles, ElementsAre(0, 0));
+  const Pose* bent = robot.FindPose("bent");
+  ASSERT_NE(bent, nullptr);
+  EXPECT_THAT(bent->position, ElementsAre(0.5, 0, 1));
+  EXPECT_THAT(bent->orientation, ElementsAre(0.5, 0.5, 0.5, 0.5));
+  EXPECT_THAT(bent->joint_angles, ElementsAre(0.5, -1.5));
+  EXPECT_EQ(robot.FindPose("lying"), nullptr);
+}
+
+TEST(RobotDescription, GroupsKeepTheOrderOfTheFileAndListMembersInAscendingOrder) {
+  const RobotDescription robot = Hopper();
+  ASSERT_EQ(robot.link_groups.size(), 2u);
+  EXPECT_EQ(robot.link_groups[0].name, "leg");
+  EXPECT_THAT(robot.link_groups[0].members, ElementsAre(1, 2));
+  EXPECT_EQ(robot.link_groups[1].name, "all");
+  EXPECT_THAT(robot.link_groups[1].members, ElementsAre(0, 1, 2));
+  EXPECT_TRUE(robot.joint_groups.empty());
+}
+
+TEST(RobotDescription, ACoordinateDrivesItsOwnJointByOne) {
+  const RobotDescription robot = Hopper();
+  const DofConfiguration* dof = robot.FindDof("1");
+  ASSERT_NE(dof, nullptr);
+  EXPECT_EQ(dof->dof(), 1);
+  EXPECT_THAT(dof->representatives, ElementsAre(0));
+  ASSERT_EQ(dof->couplings.size(), 2u);
+  EXPECT_EQ(dof->couplings[0].joint, 0);
+  EXPECT_EQ(dof->couplings[0].factor, 1);
+  EXPECT_EQ(dof->couplings[1].joint, 1);
+  EXPECT_EQ(dof->couplings[1].coordinate, 0);
+  EXPECT_EQ(dof->couplings[1].factor, -2);
+}
+
+TEST(RobotDescription, NetsLieInTheSpaceOfTheirConfiguration) {
+  const RobotDescription robot = Hopper();
+  const NetDescription* net = robot.FindNet("g3");
+  ASSERT_NE(net, nullptr);
+  EXPECT_EQ(net->kind, NetKind::kGrid);
+  EXPECT_EQ(net->dof, "1");
+  EXPECT_THAT(net->counts, ElementsAre(3));
+  EXPECT_THAT(net->low, ElementsAre(-1));
+  EXPECT_THAT(net->high, ElementsAre(1));
+  EXPECT_EQ(robot.FindNet("g4"), nullptr);
+}
+
+}  // namespace
+}  // namespace robot

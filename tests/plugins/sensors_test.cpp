@@ -1,0 +1,43 @@
+#include "plugins/robot/sensors.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+
+namespace robot {
+namespace {
+
+TEST(Sensors, AreListedInTheOrderOfTheirIds) {
+  ASSERT_EQ(Sensors().size(), static_cast<size_t>(SensorId::kCount));
+  for (size_t i = 0; i < Sensors().size(); ++i) {
+    EXPECT_EQ(Sensors()[i].id, static_cast<SensorId>(i));
+  }
+}
+
+TEST(Sensors, HaveNamesOfTheirOwnAndADocumentation) {
+  std::set<std::string_view> names;
+  for (const SensorDescription& sensor : Sensors()) {
+    EXPECT_TRUE(names.insert(sensor.name).second) << sensor.name;
+    EXPECT_FALSE(sensor.doc.empty()) << sensor.name;
+  }
+}
+
+TEST(Sensors, ElementCountFollowsTypeAndRobot) {
+  RobotDescription robot;
+  robot.links.resize(18);
+  robot.joints.resize(17);
+  const std::map<std::string_view, int> counts = {
+      {"time", 1},          {"base.position", 3},   {"base.orientation", 4},
+      {"base.rotation", 9}, {"base.forward", 3},    {"base.left", 3},
+      {"base.up", 3},       {"base.velocity", 3},   {"base.angular_velocity", 3},
+      {"joint.angle", 17},  {"joint.velocity", 17}, {"joint.torque", 17},
+      {"contact", 18}};
+  ASSERT_EQ(counts.size(), Sensors().size());
+  for (const SensorDescription& sensor : Sensors()) {
+    EXPECT_EQ(ElementCount(sensor, robot), counts.at(sensor.name)) << sensor.name;
+  }
+}
+
+}  // namespace
+}  // namespace robot
