@@ -1,0 +1,65 @@
+// What the compiler has to say about a task: errors and warnings as data, with places in the
+// source.
+#pragma once
+
+#include <exception>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "compiler/source/diagnostic_table.h"
+#include "compiler/source/source_file.h"
+
+namespace compiler {
+
+enum class Severity { kError, kWarning };
+
+// A further place that explains a diagnostic, e.g. "declared here".
+struct Label {
+  Span span;
+  std::string text;
+};
+
+struct Diagnostic {
+  Severity severity = Severity::kError;
+  std::string code;     // "E0203": one per kind of mistake, listed in diagnostic_table.def
+  std::string message;  // lower case, backticks around code, no final period
+  Span span;            // what the carets point at
+  std::string note;     // written behind the carets; may be empty
+  std::vector<Label> labels;
+  std::string help;  // the likely fix; may be empty
+};
+
+// A diagnostic of the kind `code` (one of compiler::code); "W..." is a warning, all else an error.
+// The caller adds note, labels and help where they say something new.
+Diagnostic MakeDiagnostic(std::string_view code, Span span, std::string message);
+
+// Collects the diagnostics of one file.
+class Diagnostics {
+ public:
+  // The code must be in the table.
+  void Add(Diagnostic diagnostic);
+  bool has_errors() const { return has_errors_; }
+  // In the order of their places in the source.
+  const std::vector<Diagnostic>& list() const { return list_; }
+
+ private:
+  std::vector<Diagnostic> list_;
+  bool has_errors_ = false;
+};
+
+// The diagnostics as a person reads them: file:line:column, the line, carets, help.
+std::string Render(const SourceFile& source, const Diagnostics& diagnostics, bool color);
+
+// A mistake in the call rather than in the task: a missing file, an unwritable folder.
+class CallError : public std::exception {
+ public:
+  explicit CallError(std::string message) : message_(std::move(message)) {}
+  const char* what() const noexcept override { return message_.c_str(); }
+
+ private:
+  std::string message_;
+};
+
+}  // namespace compiler

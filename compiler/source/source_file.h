@@ -1,0 +1,60 @@
+// The text of one `.task` file, and places in it.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace compiler {
+
+// A stretch of the source text: byte offsets, the end exclusive. An empty span marks a place
+// between two characters.
+struct Span {
+  uint32_t begin = 0;
+  uint32_t end = 0;
+
+  bool operator==(const Span&) const = default;
+};
+
+// The smallest span that covers both.
+Span Cover(Span first, Span second);
+
+// A place as a reader counts it: lines and columns from 1; a column is one UTF-8 code point.
+struct Position {
+  uint32_t line = 1;
+  uint32_t column = 1;
+
+  bool operator==(const Position&) const = default;
+};
+
+class SourceFile {
+ public:
+  // A file that is larger is read no further: the parser refuses it.
+  static constexpr uint32_t kMaxSize = 1'000'000;  // bytes
+
+  SourceFile(std::string path, std::string text);
+
+  // Reads a file (at most a little more than kMaxSize of it). Throws compiler::CallError naming the
+  // file and the reason.
+  static SourceFile Read(const std::string& path);
+
+  const std::string& path() const { return path_; }
+  const std::string& text() const { return text_; }
+
+  // An offset beyond the text means its end; one inside a code point counts as that code point, one
+  // inside a line's end as the end of the line.
+  Position PositionOf(uint32_t offset) const;
+  // The offset at which a line begins.
+  uint32_t LineStart(uint32_t line) const { return line_starts_[line - 1]; }
+  // A line's text without its end ("\n" or "\r\n"); lines count from 1.
+  std::string_view Line(uint32_t line) const;
+  uint32_t line_count() const { return static_cast<uint32_t>(line_starts_.size()); }
+
+ private:
+  std::string path_;
+  std::string text_;
+  std::vector<uint32_t> line_starts_;  // never empty
+};
+
+}  // namespace compiler

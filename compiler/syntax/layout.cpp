@@ -1,0 +1,316 @@
+#include "compiler/syntax/layout.h"
+
+#include <TaskParser.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "compiler/syntax/lexical_errors.h"
+#include "compiler/syntax/parse.h"
+
+namespace compiler {
+namespace {
+
+using grammar::TaskParser;
+
+TokenType ClosingOf(TokenType opening) {
+  switch (opening) {
+    case TaskParser::LEFT_PARENTHESIS:
+      return TaskParser::RIGHT_PARENTHESIS;
+    case TaskParser::LEFT_BRACKET:
+      return TaskParser::RIGHT_BRACKET;
+    default:
+      return TaskParser::RIGHT_BRACE;
+  }
+}
+
+bool IsOpening(TokenType type) {
+  return type == TaskParser::LEFT_PARENTHESIS || type == TaskParser::LEFT_BRACKET ||
+         type == TaskParser::LEFT_BRACE;
+}
+
+bool IsClosing(TokenType type) {
+  return type == TaskParser::RIGHT_PARENTHESIS || type == TaskParser::RIGHT_BRACKET ||
+         type == TaskParser::RIGHT_BRACE;
+}
+
+bool IsPrefix(TokenType type) { return type == TaskParser::NOT || type == TaskParser::MINUS; }
+
+// Words that can begin a line without beginning a statement.
+bool ContinuesStatement(TokenType type) {
+  return type == TaskParser::LEFT_BRACE || type == TaskParser::ELSE || type == TaskParser::IN ||
+         type == TaskParser::PER;
+}
+
+bool AnnouncesBlock(TokenType type) {
+  return type == TaskParser::IF || type == TaskParser::ELSE || type == TaskParser::ON;
+}
+
+bool IsBlockContent(TokenType type) {
+  return IsStatementKeyword(type) || type == TaskParser::REWARD;
+}
+
+bool BeginsStatementBehind(TokenType last) {
+  return last == TaskParser::LEFT_BRACE || last == TaskParser::RIGHT_BRACE ||
+         last == TaskParser::ELSE;
+}
+
+std::string Quoted(TokenType type) { return fmt::format("`{}`", Spelling(type)); }
+
+}  // namespace
+
+TokenList Layout::Run(antlr4::TokenSource& lexer) {
+  while (result_.is_parseable) {
+    auto token = lexer.nextToken();
+    auto& common = static_cast<antlr4::CommonToken&>(*token);
+    if (token->getType() == TaskParser::DOC_COMMENT) {
+      AddDocumentation(*token);
+      continue;
+    }
+    if (!RepairToken(common, report_)) continue;
+    const bool is_end = token->getType() == antlr4::Token::EOF;
+    token.release();
+    Add(std::unique_ptr<antlr4::CommonToken>(&common));
+    if (is_end) break;
+  }
+  return std::move(result_);
+}
+
+void Layout::Add(std::unique_ptr<antlr4::CommonToken> token) {
+  const TokenType type = token->getType();
+  const bool is_first_in_line = last_ == nullptr || token->getLine() != last_->getLine();
+  if (last_ != nullptr && (is_first_in_line || type == antlr4::Token::EOF)) BeginLine(*token);
+  const bool begins_block =
+      type == TaskParser::LEFT_BRACE && IsInBrackets() && EndsOperand(last_->getType());
+  if (begins_block) EndExpression(*token);
+  if (IsClosing(type) && !Close(*token)) return;
+  if (IsOpening(type)) Open(*token);
+  ExpectBlock(*token);
+  CountNesting(*token);
+  if (!doc_.empty()) result_.docs[SpanOf(*token).begin] = std::exchange(doc_, "");
+  last_ = token.get();
+  result_.tokens.push_back(std::move(token));
+}
+
+void Layout::ExpectBlock(const antlr4::CommonToken& token) {
+  const TokenType type = token.getType();
+  const bool begins_statement = last_ == nullptr || token.getLine() != last_->getLine() ||
+                                BeginsStatementBehind(last_->getType());
+  if (AnnouncesBlock(type) && begins_statement) {
+    awaits_block_ = true;
+  } else if (awaits_block_ && EndsOperand(last_->getType()) && IsBlockContent(type)) {
+    awaits_block_ = false;  // `if a reward b = 1`
+    braceless_line_ = token.getLine();
+  }
+}
+
+// An empty token behind the last one.
+void Layout::AddSynthetic(TokenType type) {
+  auto token = std::make_unique<antlr4::CommonToken>(type);
+  const size_t place = last_->getStopIndex() + 1;
+  token->setStartIndex(place);
+  token->setStopIndex(place - 1);
+  token->setLine(last_->getLine());
+  last_ = token.get();
+  result_.tokens.push_back(std::move(token));
+}
+
+// `///` behind something in the same line, and `////`, are ordinary comments.
+void Layout::AddDocumentation(const antlr4::Token& token) {
+  if (last_ != nullptr && last_->getLine() == token.getLine()) return;
+  const Span span = SpanOf(token);
+  std::string text = report_.source().text().substr(span.begin + 3, span.end - span.begin - 3);
+  if (text.starts_with('/')) return;
+  if (text.starts_with(' ')) text.erase(0, 1);
+  text.erase(text.find_last_not_of(" \t\f") + 1);
+  if (!doc_.empty()) doc_ += '\n';
+  doc_ += text;
+}
+
+// ---- Lines -------------------------------------------------------------------------------------
+
+void Layout::BeginLine(const antlr4::CommonToken& next) {
+  const TokenType type = next.getType();
+  const bool is_end = type == antlr4::Token::EOF;
+  const bool is_keyword = IsStatementKeyword(type) || IsDeclarationKeyword(type);
+  if (IsInBrackets()) {
+    const bool begins_statement =
+        is_end || is_keyword || (EndsOperand(last_->getType()) && StartsOperand(type));
+    if (!begins_statement) return;
+    EndExpression(next);
+    if (!is_keyword) report_.MarkFaulty(SpanOf(next));  // perhaps the rest of the expression
+  }
+  const bool is_headed = EndsOperand(last_->getType()) || last_->getType() == TaskParser::ELSE;
+  if (awaits_block_ && is_headed && type != TaskParser::LEFT_BRACE) OpenMissingBlock();
+  const bool ends_block = is_end || (IsDeclarationKeyword(type) && !open_.empty() &&
+                                     IndentationOf(next) <= open_.front().indentation);
+  if (ends_block) CloseUnclosed(0, next);
+  const TokenType last = last_->getType();
+  if (is_end || ContinuesStatement(type) || ExpectsOperand(last)) return;
+  if (last == TaskParser::LEFT_BRACE || last == TaskParser::LINE_END) return;
+  if (EndsOperand(last) && FollowsOperand(type)) {
+    RejectBrokenLine(next);
+  } else {
+    AddSynthetic(TaskParser::LINE_END);
+  }
+}
+
+void Layout::OpenMissingBlock() {
+  const uint32_t place = SpanOf(*last_).end;
+  report_.AddUnlessFaulty(MakeDiagnostic(code::kUnexpectedToken, {place, place},
+                                         "expected `{`, found the end of the line"));
+  awaits_block_ = false;
+  const uint32_t indentation = IndentationOf(*last_);
+  AddSynthetic(TaskParser::LEFT_BRACE);
+  open_.push_back({TaskParser::LEFT_BRACE, {place, place}, true, 1, indentation, true});
+  ++nesting_;
+}
+
+void Layout::EndExpression(const antlr4::CommonToken& next) {
+  const auto block = std::find_if(open_.rbegin(), open_.rend(),
+                                  [](const Bracket& bracket) { return bracket.is_block; });
+  CloseUnclosed(static_cast<size_t>(open_.rend() - block), next);
+}
+
+// The line is joined to the one above, as was probably meant.
+void Layout::RejectBrokenLine(const antlr4::CommonToken& next) {
+  Diagnostic diagnostic =
+      MakeDiagnostic(code::kBrokenLine, SpanOf(next),
+                     fmt::format("a line cannot begin with {}", Quoted(next.getType())));
+  diagnostic.labels.push_back({SpanOf(*last_), "the statement ends here"});
+  diagnostic.help =
+      "to continue the line above, put the sign at its end, or the whole in parentheses";
+  report_.Add(std::move(diagnostic));
+}
+
+uint32_t Layout::IndentationOf(const antlr4::Token& token) {
+  const auto number = static_cast<uint32_t>(token.getLine());
+  if (number != measured_line_) {
+    const std::string_view line = report_.source().Line(number);
+    measured_line_ = number;
+    indentation_ = static_cast<uint32_t>(std::min(line.find_first_not_of(" \t"), line.size()));
+  }
+  return indentation_;
+}
+
+// ---- Brackets ----------------------------------------------------------------------------------
+
+void Layout::Open(antlr4::CommonToken& token) {
+  const bool is_block = token.getType() == TaskParser::LEFT_BRACE && !IsInBrackets();
+  if (is_block) awaits_block_ = false;
+  const Span span = SpanOf(token);
+  const uint32_t nesting = 1 + std::exchange(prefix_run_, 0);
+  open_.push_back(
+      {token.getType(), span, is_block, nesting, is_block ? IndentationOf(token) : 0, false});
+  nesting_ += nesting;
+  if (token.getType() == TaskParser::LEFT_BRACE && !is_block) token.setType(TaskParser::SET_BEGIN);
+}
+
+bool Layout::Close(antlr4::CommonToken& token) {
+  const TokenType type = token.getType();
+  const bool is_first_in_line = last_ == nullptr || token.getLine() != last_->getLine();
+  // `if a reward b = 1 }`: the parser reports the missing brace.
+  const bool is_braceless = awaits_block_ || token.getLine() == braceless_line_;
+  if (type == TaskParser::RIGHT_BRACE && !IsInBrackets() && is_braceless) {
+    awaits_block_ = false;
+    braceless_line_ = 0;
+    return false;
+  }
+  if (type == TaskParser::RIGHT_BRACE && is_first_in_line) CloseMissingBlocks(token);
+  // A block is never closed by another bracket than its own.
+  size_t index = open_.size();
+  while (index > 0 && ClosingOf(open_[index - 1].type) != type) {
+    if (open_[index - 1].is_block) index = 1;
+    --index;
+  }
+  if (index > 0) {
+    CloseUnclosed(index, token);
+    const Bracket& bracket = open_.back();
+    if (bracket.is_block && is_first_in_line && IndentationOf(token) < bracket.indentation) {
+      suspects_.push_back(bracket);
+    }
+    if (type == TaskParser::RIGHT_BRACE && !bracket.is_block) token.setType(TaskParser::SET_END);
+    Pop();
+    return true;
+  }
+  const auto expected = std::ranges::find(synthetic_closings_, type);
+  if (expected != synthetic_closings_.end()) {
+    synthetic_closings_.erase(expected);
+    return false;
+  }
+  Diagnostic diagnostic = MakeDiagnostic(code::kUnmatchedBracket, SpanOf(token), "");
+  if (IsInBrackets()) {
+    const Bracket& bracket = open_.back();
+    const TokenType closing = ClosingOf(bracket.type);
+    diagnostic.message = fmt::format("{} does not close {}", Quoted(type), Quoted(bracket.type));
+    diagnostic.labels.push_back({bracket.span, "opened here"});
+    diagnostic.help = fmt::format("write {}", Quoted(closing));
+    token.setType(closing == TaskParser::RIGHT_BRACE ? size_t{TaskParser::SET_END} : closing);
+    Pop();
+    report_.Add(std::move(diagnostic));
+    return true;
+  }
+  diagnostic.message = fmt::format("{} closes nothing", Quoted(type));
+  diagnostic.help = "remove it, or add the opening bracket that belongs to it";
+  report_.Add(std::move(diagnostic));
+  return false;
+}
+
+// Blocks without an opening brace may have no closing one either.
+void Layout::CloseMissingBlocks(const antlr4::CommonToken& closing) {
+  while (!open_.empty() && open_.back().is_synthetic &&
+         IndentationOf(closing) < open_.back().indentation) {
+    AddSynthetic(TaskParser::RIGHT_BRACE);
+    Pop();
+  }
+}
+
+void Layout::CloseUnclosed(size_t index, const antlr4::CommonToken& next) {
+  const auto opened = std::find_if(open_.rbegin(), open_.rend() - static_cast<ptrdiff_t>(index),
+                                   [](const Bracket& bracket) { return !bracket.is_synthetic; });
+  if (opened != open_.rend() - static_cast<ptrdiff_t>(index)) ReportUnclosed(*opened, next);
+  while (open_.size() > index) {
+    const Bracket& unclosed = open_.back();
+    const TokenType type = ClosingOf(unclosed.type);
+    if (!unclosed.is_synthetic) synthetic_closings_.push_back(type);
+    AddSynthetic(type == TaskParser::RIGHT_BRACE && !unclosed.is_block ? size_t{TaskParser::SET_END}
+                                                                       : type);
+    Pop();
+  }
+}
+
+void Layout::ReportUnclosed(const Bracket& bracket, const antlr4::CommonToken& next) {
+  const Bracket* suspect = bracket.is_block && !suspects_.empty() ? &suspects_.front() : nullptr;
+  const std::string closing = Quoted(ClosingOf(bracket.type));
+  const std::string found = next.getType() == antlr4::Token::EOF
+                                ? "the end of the file"
+                                : fmt::format("`{}`", next.getText());
+  const uint32_t place = SpanOf(*last_).end;
+  Diagnostic diagnostic = MakeDiagnostic(code::kUnclosedBracket, {place, place},
+                                         fmt::format("expected {} before {}", closing, found));
+  diagnostic.labels.push_back({suspect != nullptr ? suspect->span : bracket.span,
+                               suspect != nullptr ? "this block may be the one that is not closed"
+                                                  : "this bracket is not closed"});
+  report_.AddUnlessFaulty(std::move(diagnostic));
+}
+
+void Layout::Pop() {
+  nesting_ -= open_.back().nesting;
+  open_.pop_back();
+  if (open_.empty()) suspects_.clear();
+}
+
+void Layout::CountNesting(const antlr4::CommonToken& token) {
+  const TokenType type = token.getType();
+  if (!IsOpening(type)) prefix_run_ = IsPrefix(type) ? prefix_run_ + 1 : 0;
+  if (nesting_ + prefix_run_ <= kMaxNesting) return;
+  Diagnostic diagnostic =
+      MakeDiagnostic(code::kTooDeep, SpanOf(token),
+                     fmt::format("brackets and signs are nested more than {} deep", kMaxNesting));
+  diagnostic.help = "give parts of it a name with `let`";
+  report_.Add(std::move(diagnostic));
+  result_.is_parseable = false;
+}
+
+}  // namespace compiler

@@ -1,0 +1,86 @@
+// Between the lexer and the parser: what the lines and brackets of a task mean.
+#pragma once
+
+#include <antlr4-runtime.h>
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "compiler/syntax/syntax_report.h"
+#include "compiler/syntax/token_classes.h"
+
+namespace compiler {
+
+struct TokenList {
+  std::vector<std::unique_ptr<antlr4::Token>> tokens;
+  std::map<uint32_t, std::string> docs;  // `///` lines by the offset of the token that follows them
+  bool is_parseable = true;              // false: nested too deeply for the parser
+};
+
+// Makes the parser's tokens out of the lexer's: puts LINE_END where a line ends a statement, tells
+// sets from blocks, reports and repairs wrong brackets and lexical errors.
+class Layout {
+ public:
+  explicit Layout(SyntaxReport& report) : report_(report) {}
+
+  TokenList Run(antlr4::TokenSource& lexer);
+
+ private:
+  struct Bracket {
+    TokenType type;
+    Span span;
+    bool is_block;              // a brace around statements rather than a set
+    uint32_t nesting;           // what it adds to nesting_
+    uint32_t indentation;       // of a block's line
+    bool is_synthetic = false;  // its opening brace is missing
+  };
+
+  void Add(std::unique_ptr<antlr4::CommonToken> token);
+  void AddSynthetic(TokenType type);
+  void AddDocumentation(const antlr4::Token& token);
+
+  // Closes what is open around an expression that cannot go on with `next`.
+  void EndExpression(const antlr4::CommonToken& next);
+
+  // `next` is the first token of its line.
+  void BeginLine(const antlr4::CommonToken& next);
+  // Notes where a block must follow.
+  void ExpectBlock(const antlr4::CommonToken& token);
+  // Where `if`, `else` or `on` has no brace by the end of its line.
+  void OpenMissingBlock();
+  void RejectBrokenLine(const antlr4::CommonToken& next);
+
+  void Open(antlr4::CommonToken& token);
+  // Returns false if the token is to be left out.
+  bool Close(antlr4::CommonToken& token);
+  bool IsInBrackets() const { return !open_.empty() && !open_.back().is_block; }
+  // The open brackets from `index` on are not closed: reports the innermost that has been opened,
+  // before `next`, and closes them all.
+  void CloseUnclosed(size_t index, const antlr4::CommonToken& next);
+  void CloseMissingBlocks(const antlr4::CommonToken& closing);
+  void ReportUnclosed(const Bracket& bracket, const antlr4::CommonToken& next);
+  void Pop();
+
+  void CountNesting(const antlr4::CommonToken& token);
+  uint32_t IndentationOf(const antlr4::Token& token);  // of its line, in bytes
+
+  SyntaxReport& report_;
+  TokenList result_;
+  std::vector<Bracket> open_;
+  uint32_t nesting_ = 0;        // of open_
+  uint32_t prefix_run_ = 0;     // signs and `not` in front of the next operand
+  uint32_t measured_line_ = 0;  // whose indentation is known
+  uint32_t indentation_ = 0;
+  std::string doc_;            // the `///` lines since the last token
+  size_t braceless_line_ = 0;  // a block without its opening brace stands in this line
+  bool awaits_block_ = false;  // since an `if`, `else` or `on`
+  const antlr4::Token* last_ = nullptr;
+  std::vector<TokenType> synthetic_closings_;  // whose real ones may still come
+  // Blocks whose closing brace stands further left than the line that opens them: where a brace is
+  // missing in the end, it is probably theirs.
+  std::vector<Bracket> suspects_;
+};
+
+}  // namespace compiler

@@ -1,0 +1,178 @@
+#include "compiler/syntax/lexical_errors.h"
+
+#include <TaskLexer.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <string_view>
+
+#include "compiler/source/utf8.h"
+#include "compiler/syntax/token_classes.h"
+
+namespace compiler {
+namespace {
+
+using grammar::TaskLexer;
+
+constexpr TokenType kNothing = antlr4::Token::INVALID_TYPE;
+
+struct ForeignSign {
+  std::string_view text;
+  TokenType meant;
+  std::string_view help;
+};
+constexpr std::array<ForeignSign, 9> kForeignSigns = {{
+    {"&&", TaskLexer::AND, "write `and`"},
+    {"||", TaskLexer::OR, "write `or`; the length of a vector is `norm(v)`"},
+    {"!", TaskLexer::NOT, "write `not`"},
+    {"<>", TaskLexer::NOT_EQUAL, "write `!=`"},
+    {";", kNothing, "remove it: a statement ends at the end of its line"},
+    {"%", kNothing, "there is no remainder and no percentage: write `0.05` for 5 percent"},
+    {"**", TaskLexer::TIMES, "write a square as a product: `x * x`"},
+    {"++", TaskLexer::PLUS, "write `x += 1`"},
+    {"#", kNothing, "a comment begins with `//`"},
+}};
+
+struct Lookalike {
+  char32_t value;
+  std::string_view meant;
+};
+constexpr std::array<Lookalike, 12> kLookalikes = {{{0x00A0, " "},
+                                                    {0x00B2, "^2"},
+                                                    {0x00B3, "^3"},
+                                                    {0x00B5, "u"},
+                                                    {0x00B7, "*"},
+                                                    {0x00D7, "*"},
+                                                    {0x2013, "-"},
+                                                    {0x201C, "\""},
+                                                    {0x201D, "\""},
+                                                    {0x2212, "-"},
+                                                    {0x2264, "<="},
+                                                    {0x2265, ">="}}};
+
+std::string Named(char32_t value, std::string_view bytes) {
+  const std::string number = fmt::format("U+{:04X}", static_cast<uint32_t>(value));
+  if (IsUnprintable(value)) return number;
+  const std::string shown = fmt::format("`{}`", bytes);
+  return value < 0x80 ? shown : fmt::format("{} ({})", shown, number);
+}
+
+// At the first character of the token.
+Diagnostic UnknownCharacter(const antlr4::Token& token, const SourceFile& source) {
+  const uint32_t begin = SpanOf(token).begin;
+  const CodePoint point = DecodeUtf8(source.text(), begin);
+  const std::string_view bytes = std::string_view(source.text()).substr(begin, point.length);
+  Diagnostic diagnostic = MakeDiagnostic(
+      code::kUnknownCharacter, {begin, begin + point.length},
+      fmt::format("the character {} has no meaning here", Named(point.value, bytes)));
+  const auto found = std::ranges::find(kLookalikes, point.value, &Lookalike::value);
+  if (found != kLookalikes.end()) {
+    diagnostic.help = fmt::format("did you mean `{}`?", found->meant);
+  } else if (point.value >= 0x80) {
+    diagnostic.help =
+        "names consist of the letters a to z, digits and underscores; "
+        "comments and texts may hold any character";
+  }
+  return diagnostic;
+}
+
+bool RepairForeignSign(antlr4::CommonToken& token, const std::string& text, SyntaxReport& report) {
+  const auto* sign = std::ranges::find(kForeignSigns, text, &ForeignSign::text);
+  Diagnostic diagnostic =
+      MakeDiagnostic(code::kForeignSyntax, SpanOf(token),
+                     fmt::format("`{}` is not part of the task language", text));
+  diagnostic.help = sign->help;
+  report.Add(std::move(diagnostic));
+  token.setType(sign->meant);
+  return sign->meant != kNothing;
+}
+
+bool RepairString(antlr4::CommonToken& token, SyntaxReport& report) {
+  Diagnostic diagnostic =
+      MakeDiagnostic(code::kUnclosedString, SpanOf(token), "this text is not closed");
+  diagnostic.help = "close it with `\"` in the same line";
+  report.Add(std::move(diagnostic));
+  token.setType(TaskLexer::STRING);
+  return true;
+}
+
+bool RepairNumber(antlr4::CommonToken& token, const std::string& text, SyntaxReport& report) {
+  Diagnostic diagnostic =
+      MakeDiagnostic(code::kBadNumber, SpanOf(token), "a number begins with a digit");
+  diagnostic.help = fmt::format("write `0{}`", text);
+  report.Add(std::move(diagnostic));
+  token.setType(TaskLexer::NUMBER);
+  return true;
+}
+
+bool RepairForeignString(antlr4::CommonToken& token, SyntaxReport& report) {
+  Diagnostic diagnostic =
+      MakeDiagnostic(code::kForeignSyntax, SpanOf(token), "a text stands between double quotes");
+  diagnostic.help = "write `\"...\"`";
+  report.Add(std::move(diagnostic));
+  token.setType(TaskLexer::STRING);
+  return true;
+}
+
+bool RejectBlockComment(const antlr4::CommonToken& token, SyntaxReport& report) {
+  const uint32_t begin = SpanOf(token).begin;
+  Diagnostic diagnostic = MakeDiagnostic(code::kForeignSyntax, {begin, begin + 2},
+                                         "`/*` is not part of the task language");
+  diagnostic.help = "a comment begins with `//` and ends with its line";
+  report.Add(std::move(diagnostic));
+  return false;
+}
+
+bool RejectCharacter(const antlr4::CommonToken& token, SyntaxReport& report) {
+  const SourceFile& source = report.source();
+  // What is no UTF-8 has been reported as that.
+  if (DecodeUtf8(source.text(), SpanOf(token).begin).is_valid) {
+    report.Add(UnknownCharacter(token, source));
+  } else {
+    report.MarkFaulty(SpanOf(token));
+  }
+  return false;
+}
+
+}  // namespace
+
+bool RepairToken(antlr4::CommonToken& token, SyntaxReport& report) {
+  const Span span = SpanOf(token);
+  const std::string text = report.source().text().substr(span.begin, span.end - span.begin);
+  switch (token.getType()) {
+    case TaskLexer::UNCLOSED_STRING:
+      return RepairString(token, report);
+    case TaskLexer::NUMBER_WITHOUT_ZERO:
+      return RepairNumber(token, text, report);
+    case TaskLexer::FOREIGN:
+      return RepairForeignSign(token, text, report);
+    case TaskLexer::FOREIGN_STRING:
+      return RepairForeignString(token, report);
+    case TaskLexer::BLOCK_COMMENT:
+      return RejectBlockComment(token, report);
+    case TaskLexer::BEYOND_ASCII:
+    case TaskLexer::UNKNOWN:
+      return RejectCharacter(token, report);
+    default:
+      return true;
+  }
+}
+
+void CheckUtf8(SyntaxReport& report) {
+  const std::string& text = report.source().text();
+  for (uint32_t i = 0; i < text.size();) {
+    const CodePoint point = DecodeUtf8(text, i);
+    if (!point.is_valid) {
+      Diagnostic diagnostic =
+          MakeDiagnostic(code::kInvalidUtf8, {i, i + 1}, "this byte is not part of a character");
+      diagnostic.help = "save the file in the encoding UTF-8";
+      report.Add(std::move(diagnostic));
+      return;
+    }
+    i += point.length;
+  }
+}
+
+}  // namespace compiler

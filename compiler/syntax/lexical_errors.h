@@ -1,0 +1,18 @@
+// Tokens that are never well-formed.
+#pragma once
+
+#include <antlr4-runtime.h>
+
+#include "compiler/syntax/syntax_report.h"
+
+namespace compiler {
+
+// Reports the error if the token is one of those (unknown characters, unclosed texts, operators of
+// other languages) and turns it into what was probably meant. Returns false if nothing was: then
+// the token is to be left out.
+bool RepairToken(antlr4::CommonToken& token, SyntaxReport& report);
+
+// Reports the first place that is no UTF-8.
+void CheckUtf8(SyntaxReport& report);
+
+}  // namespace compiler

@@ -1,0 +1,20 @@
+// Source text to syntax tree.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "compiler/source/diagnostic.h"
+#include "compiler/source/source_file.h"
+#include "compiler/syntax/syntax_tree.h"
+
+namespace compiler {
+
+// How deeply brackets, blocks, `not` and `-` may be nested in a file, and how deep the tree of an
+// expression may be. Later passes may rely on it where they call themselves.
+inline constexpr uint32_t kMaxNesting = 200;
+
+// Parses a file. All syntax errors go to `diagnostics`; returns nothing if there were any.
+std::optional<SyntaxTree> Parse(const SourceFile& source, Diagnostics& diagnostics);
+
+}  // namespace compiler

@@ -1,0 +1,79 @@
+#include "compiler/syntax/syntax_errors.h"
+
+#include <TaskParser.h>
+
+#include <exception>
+
+#include "compiler/syntax/syntax_messages.h"
+
+namespace compiler {
+namespace {
+
+using grammar::TaskParser;
+
+bool IsFirstInLine(antlr4::TokenStream& tokens) {
+  const antlr4::Token* previous = tokens.LT(-1);
+  return previous == nullptr || previous->getLine() != tokens.LT(1)->getLine();
+}
+
+}  // namespace
+
+antlr4::Token* SyntaxErrors::recoverInline(antlr4::Parser* parser) {
+  throw antlr4::InputMismatchException(parser);
+}
+
+void SyntaxErrors::recover(antlr4::Parser* parser, std::exception_ptr error) {
+  switch (parser->getContext()->getRuleIndex()) {
+    case TaskParser::RuleHeader:
+    case TaskParser::RuleDeclaration:
+      Skip(*parser, false);
+      break;
+    case TaskParser::RuleStatement:
+      Skip(*parser, true);
+      break;
+    default:
+      std::rethrow_exception(error);
+  }
+  is_recovering_ = false;
+}
+
+void SyntaxErrors::sync(antlr4::Parser* parser) {
+  const size_t rule = parser->getContext()->getRuleIndex();
+  if (rule != TaskParser::RuleFile && rule != TaskParser::RuleBlock) return;
+  antlr4::TokenStream& tokens = *parser->getTokenStream();
+  const antlr4::atn::ATN& atn = parser->getATN();
+  const antlr4::misc::IntervalSet expected = atn.nextTokens(atn.states[parser->getState()]);
+  while (!expected.contains(tokens.LA(1)) && tokens.LA(1) != antlr4::Token::EOF) {
+    Report(*parser, *tokens.LT(1));
+    parser->consume();
+    Skip(*parser, rule == TaskParser::RuleBlock);
+  }
+}
+
+void SyntaxErrors::reportError(antlr4::Parser* parser, const antlr4::RecognitionException& error) {
+  if (is_recovering_) return;
+  is_recovering_ = true;
+  Report(*parser, *error.getOffendingToken());
+}
+
+void SyntaxErrors::Report(antlr4::Parser& parser, antlr4::Token& found) {
+  report_.AddUnlessFaulty(DescribeSyntaxError(parser, found));
+}
+
+void SyntaxErrors::Skip(antlr4::Parser& parser, bool is_in_block) {
+  antlr4::TokenStream& tokens = *parser.getTokenStream();
+  int depth = 0;
+  for (TokenType type = tokens.LA(1); type != antlr4::Token::EOF; type = tokens.LA(1)) {
+    if (depth == 0) {
+      if (is_in_block && type == TaskParser::RIGHT_BRACE) return;
+      const bool begins_next = is_in_block ? IsStatementKeyword(type) : IsDeclarationKeyword(type);
+      if (begins_next && IsFirstInLine(tokens)) return;
+    }
+    if (type == TaskParser::LEFT_BRACE) ++depth;
+    if (type == TaskParser::RIGHT_BRACE) --depth;
+    parser.consume();
+    if (depth == 0 && type == TaskParser::LINE_END) return;
+  }
+}
+
+}  // namespace compiler

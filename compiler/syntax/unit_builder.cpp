@@ -1,0 +1,97 @@
+#include "compiler/syntax/unit_builder.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <string>
+#include <system_error>
+#include <vector>
+
+#include "compiler/syntax/token_classes.h"
+
+namespace compiler {
+namespace {
+
+using grammar::TaskParser;
+
+constexpr int kMaxPower = 9;
+// Up to here every integer is a real number, too.
+constexpr double kMaxInteger = 9007199254740992.0;  // 2^53
+
+void ReportNumber(SyntaxReport& report, Span span, std::string message, std::string help) {
+  Diagnostic diagnostic = MakeDiagnostic(code::kBadNumber, span, std::move(message));
+  diagnostic.help = std::move(help);
+  report.Add(std::move(diagnostic));
+}
+
+int BuildPower(TaskParser::UnitFactorContext& context, SyntaxReport& report) {
+  if (context.power == nullptr) return 1;
+  const std::string text = context.power->getText();
+  int power = 0;
+  const char* end = text.data() + text.size();
+  const auto result = std::from_chars(text.data(), end, power);
+  if (result.ec != std::errc() || result.ptr != end || power > kMaxPower) {
+    ReportNumber(report, SpanOf(*context.power), fmt::format("`{}` is no power of a unit", text),
+                 "a power is an integer from -9 to 9");
+    return 1;
+  }
+  return context.minus != nullptr ? -power : power;
+}
+
+// Factors and the operators between them, as the children of a unit stand in the tree.
+std::vector<UnitFactor> BuildFactors(antlr4::ParserRuleContext& context, SyntaxReport& report) {
+  std::vector<UnitFactor> factors;
+  bool is_divisor = false;
+  for (antlr4::tree::ParseTree* child : context.children) {
+    if (auto* op = dynamic_cast<TaskParser::UnitOperatorContext*>(child)) {
+      is_divisor = op->getStart()->getType() == TaskParser::DIVIDE;
+    } else if (auto* factor = dynamic_cast<TaskParser::UnitFactorContext*>(child)) {
+      const int power = BuildPower(*factor, report);
+      factors.push_back({BuildName(*factor->unitName()), is_divisor ? -power : power});
+      is_divisor = false;
+    }
+  }
+  return factors;
+}
+
+}  // namespace
+
+Span SpanOf(antlr4::ParserRuleContext& context) {
+  return Cover(SpanOf(*context.getStart()), SpanOf(*context.getStop()));
+}
+
+Identifier BuildName(antlr4::Token& token) { return {token.getText(), SpanOf(token)}; }
+
+Identifier BuildName(antlr4::ParserRuleContext& context) {
+  return {context.getText(), SpanOf(context)};
+}
+
+UnitExpression BuildUnit(TaskParser::UnitContext& context, SyntaxReport& report) {
+  if (context.one != nullptr && context.one->getText() != "1") {
+    ReportNumber(report, SpanOf(*context.one), "a unit has no factor but 1",
+                 "write the inverse of a unit as `1/s`");
+  }
+  return {BuildFactors(context, report), SpanOf(context)};
+}
+
+NumberLiteral BuildNumber(TaskParser::NumberContext& context, SyntaxReport& report) {
+  antlr4::Token& token = *context.NUMBER()->getSymbol();
+  const std::string text = token.getText();
+  NumberLiteral number;
+  number.is_integer = text.find_first_of(".eE") == std::string::npos;
+  const auto result = std::from_chars(text.data(), text.data() + text.size(), number.value);
+  if (result.ec == std::errc::result_out_of_range) {
+    ReportNumber(report, SpanOf(token), "this number is too large or too close to 0",
+                 "a number is 0 or lies between 2.3e-308 and 1.7e308");
+  } else if (number.is_integer && number.value > kMaxInteger) {
+    ReportNumber(report, SpanOf(token), "this integer is too large",
+                 fmt::format("write it as a real number: `{}.0`", text));
+  }
+  if (auto* unit = context.literalUnit()) {
+    number.unit = UnitExpression{BuildFactors(*unit, report), SpanOf(*unit)};
+  }
+  return number;
+}
+
+}  // namespace compiler

@@ -1,0 +1,40 @@
+// Looks a written word up in one of the tables of words.h.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <string>
+#include <vector>
+
+#include "compiler/syntax/syntax_report.h"
+#include "compiler/syntax/words.h"
+#include "plugins/text/nearest_name.h"
+
+namespace compiler {
+
+// What the word means; if it is not in the table, reports it with the diagnostic `code` (`what`:
+// what the table lists, in the singular) and returns the table's first meaning.
+template <typename Meaning, size_t size>
+Meaning LookUp(const Identifier& word, const std::array<Word<Meaning>, size>& words,
+               std::string_view code, const std::string& what, SyntaxReport& report) {
+  std::vector<std::string> names;
+  for (const Word<Meaning>& candidate : words) {
+    if (candidate.text == word.text) return candidate.meaning;
+    names.emplace_back(candidate.text);
+  }
+  Diagnostic diagnostic =
+      MakeDiagnostic(code, word.span, fmt::format("`{}` is not {}", word.text, what));
+  if (const auto nearest = text::NearestName(word.text, names)) {
+    diagnostic.help = fmt::format("did you mean `{}`?", *nearest);
+  } else {
+    diagnostic.help = "it is one of ";
+    for (size_t i = 0; i < names.size(); ++i) {
+      if (i > 0) diagnostic.help += i + 1 < names.size() ? ", " : " and ";
+      diagnostic.help += fmt::format("`{}`", names[i]);
+    }
+  }
+  report.Add(std::move(diagnostic));
+  return words.front().meaning;
+}
+
+}  // namespace compiler

@@ -1,0 +1,60 @@
+// The words of the language that are no keywords: each stands in one place only.
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "compiler/syntax/syntax_tree.h"
+
+namespace compiler {
+
+template <typename Meaning>
+struct Word {
+  std::string_view text;
+  Meaning meaning;
+};
+
+// In the order of EventKind.
+inline constexpr std::array<Word<EventKind>, 8> kEventNames = {{
+    {"start_of_episode", EventKind::kStartOfEpisode},
+    {"end_of_episode", EventKind::kEndOfEpisode},
+    {"start_of_action", EventKind::kStartOfAction},
+    {"end_of_action", EventKind::kEndOfAction},
+    {"start_of_time_step", EventKind::kStartOfTimeStep},
+    {"end_of_time_step", EventKind::kEndOfTimeStep},
+    {"start_of_physics_step", EventKind::kStartOfPhysicsStep},
+    {"end_of_physics_step", EventKind::kEndOfPhysicsStep},
+}};
+
+// `metric max height`
+inline constexpr std::array<Word<Reduction>, 5> kReductionNames = {{
+    {"last", Reduction::kLast},
+    {"sum", Reduction::kSum},
+    {"max", Reduction::kMax},
+    {"min", Reduction::kMin},
+    {"mean", Reduction::kMean},
+}};
+
+// `per action`
+inline constexpr std::array<Word<MemoryScope>, 3> kScopeNames = {{
+    {"run", MemoryScope::kPerRun},
+    {"episode", MemoryScope::kPerEpisode},
+    {"action", MemoryScope::kPerAction},
+}};
+
+// `end_episode failure`
+inline constexpr std::array<Word<EndKind>, 2> kOutcomeNames = {{
+    {"success", EndKind::kSuccess},
+    {"failure", EndKind::kFailure},
+}};
+
+// The word of a table that has this meaning.
+template <typename Meaning, size_t size>
+constexpr std::string_view NameOf(Meaning meaning, const std::array<Word<Meaning>, size>& words) {
+  for (const Word<Meaning>& word : words) {
+    if (word.meaning == meaning) return word.text;
+  }
+  return "";
+}
+
+}  // namespace compiler

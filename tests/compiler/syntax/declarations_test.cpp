@@ -1,0 +1,148 @@
+#include <gtest/gtest.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "compiler/syntax/words.h"
+#include "tests/compiler/syntax/syntax_text.h"
+
+namespace compiler {
+namespace {
+
+template <typename Node>
+Node ParseOne(const std::string& declaration) {
+  SyntaxTree tree = ParseTask("task t\n" + declaration + "\n");
+  EXPECT_EQ(tree.declarations.size(), 1u);
+  return std::get<Node>(std::move(tree.declarations.at(0).node));
+}
+
+TEST(Header, TaskRobotAndStart) {
+  const SyntaxTree tree = ParseTask("task crawling for humanoid\nstart standing\n");
+  EXPECT_EQ(tree.task.text, "crawling");
+  EXPECT_EQ(tree.task.span, (Span{5, 13}));
+  EXPECT_EQ(tree.robot->text, "humanoid");
+  EXPECT_EQ(tree.start->text, "standing");
+  EXPECT_TRUE(tree.declarations.empty());
+}
+
+TEST(Header, RobotAndStartMayBeAbsent) {
+  const SyntaxTree tree = ParseTask("task t");
+  EXPECT_FALSE(tree.robot.has_value());
+  EXPECT_FALSE(tree.start.has_value());
+}
+
+TEST(Sensor, NameMayBeDotted) {
+  const auto sensor = ParseOne<SensorDeclaration>("sensor base.velocity: vec3 [m/s]");
+  EXPECT_EQ(sensor.name.text, "base.velocity");
+  EXPECT_EQ(sensor.name.span, (Span{14, 27}));
+  EXPECT_EQ(ToText(sensor.type), "vec3");
+  EXPECT_EQ(ToText(*sensor.unit), "[m s^-1]");
+}
+
+TEST(Sensor, ArrayOverAnEnumeration) {
+  const auto sensor = ParseOne<SensorDeclaration>("sensor contact: bool[link]");
+  EXPECT_EQ(ToText(sensor.type), "bool[link]");
+  EXPECT_EQ(sensor.type.span, (Span{23, 33}));
+  EXPECT_FALSE(sensor.unit.has_value());
+}
+
+TEST(Param, DefaultAndRange) {
+  const auto param = ParseOne<ParamDeclaration>("param gain: real [1/s] = 4 / s in 0 .. 20 / s");
+  EXPECT_EQ(param.name.text, "gain");
+  EXPECT_EQ(ToText(param.type), "real");
+  EXPECT_EQ(ToText(*param.unit), "[s^-1]");
+  EXPECT_EQ(ToText(param.initial), "4[s^-1]");
+  EXPECT_EQ(ToText(*param.minimum), "0");
+  EXPECT_EQ(ToText(*param.maximum), "20[s^-1]");
+}
+
+TEST(Param, RangeMayBeAbsentOrWithoutBlanks) {
+  EXPECT_FALSE(ParseOne<ParamDeclaration>("param n: int = 4").minimum.has_value());
+  const auto param = ParseOne<ParamDeclaration>("param n: int = 4 in -2..7");
+  EXPECT_EQ(ToText(*param.minimum), "(- 2)");
+  EXPECT_EQ(ToText(*param.maximum), "7");
+}
+
+TEST(Memory, EveryScope) {
+  EXPECT_EQ(ParseOne<MemoryDeclaration>("memory a: real = 0").scope, MemoryScope::kPerEpisode);
+  EXPECT_EQ(ParseOne<MemoryDeclaration>("memory a: real = 0 per episode").scope,
+            MemoryScope::kPerEpisode);
+  EXPECT_EQ(ParseOne<MemoryDeclaration>("memory a: real = 0 per action").scope,
+            MemoryScope::kPerAction);
+  EXPECT_EQ(ParseOne<MemoryDeclaration>("memory a: real = 0 per run").scope, MemoryScope::kPerRun);
+}
+
+TEST(Memory, TypeUnitAndInitialValue) {
+  const auto memory = ParseOne<MemoryDeclaration>("memory place: vec3 [m] = 0 m per action");
+  EXPECT_EQ(memory.name.text, "place");
+  EXPECT_EQ(ToText(memory.type), "vec3");
+  EXPECT_EQ(ToText(*memory.unit), "[m]");
+  EXPECT_EQ(ToText(memory.initial), "0[m]");
+}
+
+TEST(Metric, EveryReduction) {
+  EXPECT_EQ(ParseOne<MetricDeclaration>("metric d = x").reduction, Reduction::kLast);
+  EXPECT_EQ(ParseOne<MetricDeclaration>("metric last d = x").reduction, Reduction::kLast);
+  EXPECT_EQ(ParseOne<MetricDeclaration>("metric sum d = x").reduction, Reduction::kSum);
+  EXPECT_EQ(ParseOne<MetricDeclaration>("metric max d = x").reduction, Reduction::kMax);
+  EXPECT_EQ(ParseOne<MetricDeclaration>("metric min d = x").reduction, Reduction::kMin);
+  EXPECT_EQ(ParseOne<MetricDeclaration>("metric mean d = x").reduction, Reduction::kMean);
+}
+
+TEST(Metric, AReductionsNameIsStillAName) {
+  const auto metric = ParseOne<MetricDeclaration>("metric max = base.position.z");
+  EXPECT_EQ(metric.name.text, "max");
+  EXPECT_EQ(metric.reduction, Reduction::kLast);
+}
+
+TEST(Event, EveryEvent) {
+  for (const Word<EventKind>& word : kEventNames) {
+    const auto event = ParseOne<EventDeclaration>("on " + std::string(word.text) + " { }");
+    EXPECT_EQ(event.event, word.meaning);
+    EXPECT_EQ(event.name.text, word.text);
+    EXPECT_TRUE(event.body.empty());
+  }
+}
+
+TEST(Declarations, KeepTheirOrderAndPlaces) {
+  const std::string text =
+      "task t\nmemory a: real = 0\nparam b: real = 1\n\non end_of_action {\n}\n";
+  const SyntaxTree tree = ParseTask(text);
+  ASSERT_EQ(tree.declarations.size(), 3u);
+  std::vector<std::string> texts;
+  for (const Declaration& declaration : tree.declarations) {
+    texts.push_back(
+        text.substr(declaration.span.begin, declaration.span.end - declaration.span.begin));
+  }
+  EXPECT_EQ(texts, (std::vector<std::string>{"memory a: real = 0", "param b: real = 1",
+                                             "on end_of_action {\n}"}));
+}
+
+TEST(Documentation, ReachesWhatFollowsIt) {
+  const SyntaxTree tree = ParseTask(
+      "/// Crawl.\n///\n///  Fast.  \ntask t\n"
+      "/// A sensor.\nsensor v: real\n"
+      "/// A param.\n\nparam p: real = 1\n"
+      "/// A memory.\r\nmemory m1: real = 0\n"
+      "/// A metric.\nmetric q = x\n"
+      "/// An event.\non end_of_action { }\n");
+  EXPECT_EQ(tree.doc, "Crawl.\n\n Fast.");
+  EXPECT_EQ(std::get<SensorDeclaration>(tree.declarations.at(0).node).doc, "A sensor.");
+  EXPECT_EQ(std::get<ParamDeclaration>(tree.declarations.at(1).node).doc, "A param.");
+  EXPECT_EQ(std::get<MemoryDeclaration>(tree.declarations.at(2).node).doc, "A memory.");
+  EXPECT_EQ(std::get<MetricDeclaration>(tree.declarations.at(3).node).doc, "A metric.");
+  EXPECT_EQ(std::get<EventDeclaration>(tree.declarations.at(4).node).doc, "An event.");
+}
+
+TEST(Documentation, OrdinaryCommentsAreNone) {
+  const SyntaxTree tree = ParseTask(
+      "// Not this.\n//// Nor this.\ntask t /// Nor this.\nmemory a: real = 0  /// Nor this.\n"
+      "memory b: real = 0\n");
+  EXPECT_EQ(tree.doc, "");
+  EXPECT_EQ(std::get<MemoryDeclaration>(tree.declarations.at(0).node).doc, "");
+  EXPECT_EQ(std::get<MemoryDeclaration>(tree.declarations.at(1).node).doc, "");
+}
+
+}  // namespace
+}  // namespace compiler

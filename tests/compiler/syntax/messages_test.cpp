@@ -1,0 +1,26 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+
+#include "compiler/source/diagnostic.h"
+#include "compiler/syntax/parse.h"
+#include "tests/compiler/golden.h"
+
+namespace compiler {
+namespace {
+
+const std::filesystem::path kFolder = SOURCE_DIR "/tests/compiler/syntax/messages";
+
+TEST(SyntaxMessages, AreAsReviewed) {
+  for (const auto& path : golden::FilesIn(kFolder, "fail_", ".task")) {
+    const SourceFile source(path.filename(), golden::ReadFile(path));
+    Diagnostics diagnostics;
+    EXPECT_FALSE(Parse(source, diagnostics).has_value()) << path;
+    std::filesystem::path expected = path;
+    golden::Expect(expected.replace_extension(".expected"), Render(source, diagnostics, false));
+  }
+}
+
+}  // namespace
+}  // namespace compiler

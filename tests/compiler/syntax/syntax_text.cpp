@@ -1,0 +1,157 @@
+#include "tests/compiler/syntax/syntax_text.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <variant>
+
+#include "compiler/source/diagnostic.h"
+#include "compiler/syntax/parse.h"
+#include "compiler/syntax/words.h"
+
+namespace compiler {
+namespace {
+
+template <typename... Functions>
+struct Overload : Functions... {
+  using Functions::operator()...;
+};
+
+std::string List(const std::vector<ExpressionPtr>& items) {
+  std::string text;
+  for (const ExpressionPtr& item : items) text += ' ' + ToText(*item);
+  return text;
+}
+
+constexpr std::array kBinaryOperators = {
+    "+", "-", "*", "/", "<", "<=", ">", ">=", "==", "!=", "and", "or"};
+constexpr std::array kAssignOperators = {"=", "+=", "-=", "*=", "/="};
+
+std::string BracesText(const Block& block) { return fmt::format("{{{}}}", ToText(block)); }
+
+}  // namespace
+
+std::string ToText(const UnitExpression& unit) {
+  std::string text = "[";
+  for (const UnitFactor& factor : unit.factors) {
+    if (text.size() > 1) text += ' ';
+    text += factor.name.text;
+    if (factor.power != 1) text += fmt::format("^{}", factor.power);
+  }
+  return text + "]";
+}
+
+std::string ToText(const TypeExpression& type) {
+  return type.index ? fmt::format("{}[{}]", type.name.text, type.index->text) : type.name.text;
+}
+
+std::string ToText(const Expression& expression) {
+  const Overload visitor = {
+      [](const NumberLiteral& e) {
+        return fmt::format("{:g}{}{}", e.value, e.is_integer ? "" : "r",
+                           e.unit ? ToText(*e.unit) : "");
+      },
+      [](const BoolLiteral& e) { return std::string(e.value ? "true" : "false"); },
+      [](const NameExpression& e) { return e.name.text; },
+      [](const MemberExpression& e) {
+        return fmt::format("{}.{}", ToText(*e.object), e.member.text);
+      },
+      [](const IndexExpression& e) {
+        return fmt::format("(at {}{})", ToText(*e.object), List(e.items));
+      },
+      [](const RangeExpression& e) {
+        return fmt::format("{}..{}", ToText(*e.first), ToText(*e.last));
+      },
+      [](const SetExpression& e) { return fmt::format("(set{})", List(e.items)); },
+      [](const CallExpression& e) {
+        return fmt::format("({}{})", e.function.text, List(e.arguments));
+      },
+      [](const UnaryExpression& e) {
+        return fmt::format("({} {})", e.op == UnaryOperator::kNot ? "not" : "-",
+                           ToText(*e.operand));
+      },
+      [](const BinaryExpression& e) {
+        return fmt::format("({} {} {})", kBinaryOperators.at(static_cast<size_t>(e.op)),
+                           ToText(*e.left), ToText(*e.right));
+      },
+  };
+  return std::visit(visitor, expression.node);
+}
+
+std::string ToText(const Statement& statement) {
+  const Overload visitor = {
+      [](const LetStatement& s) { return fmt::format("let {} {}", s.name.text, ToText(s.value)); },
+      [](const AssignStatement& s) {
+        return fmt::format("{} {} {}", s.target.text,
+                           kAssignOperators.at(static_cast<size_t>(s.op)), ToText(s.value));
+      },
+      [](const IfStatement& s) {
+        std::string text;
+        for (const IfBranch& branch : s.branches) {
+          text += text.empty() ? "if " : " else if ";
+          text += fmt::format("{} {}", ToText(branch.condition), BracesText(branch.body));
+        }
+        return s.otherwise ? text + " else " + BracesText(*s.otherwise) : text;
+      },
+      [](const RewardStatement& s) {
+        return fmt::format("{} {} {}", s.is_rate ? "reward rate" : "reward", s.name.text,
+                           ToText(s.value));
+      },
+      [](const EndStatement& s) {
+        const std::string_view kind = NameOf(s.kind, kOutcomeNames);
+        return s.kind == EndKind::kTruncated ? fmt::format("truncate '{}'", s.reason)
+                                             : fmt::format("end {} '{}'", kind, s.reason);
+      },
+  };
+  return std::visit(visitor, statement.node);
+}
+
+std::string ToText(const Block& block) {
+  std::string text;
+  for (const Statement& statement : block) {
+    if (!text.empty()) text += "; ";
+    text += ToText(statement);
+  }
+  return text;
+}
+
+SyntaxTree ParseTask(const std::string& text) {
+  const SourceFile source("test.task", text);
+  Diagnostics diagnostics;
+  auto tree = Parse(source, diagnostics);
+  EXPECT_EQ(Render(source, diagnostics, false), "");
+  if (!tree) {
+    ADD_FAILURE() << "not well-formed:\n" << text;
+    return {};
+  }
+  return std::move(*tree);
+}
+
+Block ParseBlock(const std::string& statements) {
+  SyntaxTree tree =
+      ParseTask(fmt::format("task t for humanoid\non end_of_time_step {{\n{}\n}}\n", statements));
+  if (tree.declarations.empty()) return {};
+  return std::move(std::get<EventDeclaration>(tree.declarations.front().node).body);
+}
+
+std::string ParseExpression(const std::string& expression) {
+  const Block block = ParseBlock("let x = " + expression);
+  if (block.size() != 1) return ToText(block);
+  return ToText(std::get<LetStatement>(block.front().node).value);
+}
+
+std::string Errors(const std::string& text) {
+  const SourceFile source("test.task", text);
+  Diagnostics diagnostics;
+  EXPECT_FALSE(Parse(source, diagnostics).has_value()) << text;
+  std::string errors;
+  for (const Diagnostic& diagnostic : diagnostics.list()) {
+    const Position position = source.PositionOf(diagnostic.span.begin);
+    errors += fmt::format("{} {}:{} {}\n", diagnostic.code, position.line, position.column,
+                          diagnostic.message);
+  }
+  return errors;
+}
+
+}  // namespace compiler
