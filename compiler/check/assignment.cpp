@@ -1,0 +1,102 @@
+#include "compiler/check/assignment.h"
+
+#include <utility>
+#include <vector>
+
+#include "compiler/check/conversion.h"
+#include "compiler/check/expressions.h"
+#include "compiler/check/names.h"
+#include "compiler/check/operators.h"
+#include "compiler/check/report.h"
+#include "compiler/check/type.h"
+#include "compiler/check/unit.h"
+
+namespace compiler {
+namespace {
+
+BinaryOperator OperatorOf(AssignOperator op) {
+  switch (op) {
+    case AssignOperator::kAdd:
+      return BinaryOperator::kAdd;
+    case AssignOperator::kSubtract:
+      return BinaryOperator::kSubtract;
+    case AssignOperator::kMultiply:
+      return BinaryOperator::kMultiply;
+    case AssignOperator::kDivide:
+    case AssignOperator::kSet:  // has no operator; never asked for
+      break;
+  }
+  return BinaryOperator::kDivide;
+}
+
+// The memory that is assigned to, or null after a message. A wrong declaration has had its own.
+const Symbol* FindTarget(const Identifier& target, const TaskScope& scope) {
+  const Symbol* symbol = scope.symbols.Find(target.text);
+  if (symbol == nullptr) {
+    if (!scope.sensors.IsRoot(target.text)) {
+      ReportUnknownName(target, scope);
+      return nullptr;
+    }
+    Report(scope.diagnostics, code::kNotAssignable, target.span,
+           fmt::format("`{}` is a sensor: it can only be read", target.text));
+    return nullptr;
+  }
+  if (!symbol->is_valid) return nullptr;
+  if (symbol->kind == SymbolKind::kMemory) return symbol;
+  const bool is_param = symbol->kind == SymbolKind::kParam;
+  Report(
+      scope.diagnostics, code::kNotAssignable, target.span,
+      fmt::format("`{}` is {} and cannot be set by the task", target.text,
+                  is_param ? "a param" : "the result of a `let`"),
+      {.help = "declare a `memory` for what changes", .labels = {{symbol->span, "declared here"}}});
+  return nullptr;
+}
+
+// `memory op value`, with the types and units that this gives.
+std::optional<CheckedExpression> Combine(const AssignStatement& assign, const Symbol& memory,
+                                         CheckedExpression value, const TaskScope& scope) {
+  const bool scales =
+      assign.op == AssignOperator::kMultiply || assign.op == AssignOperator::kDivide;
+  if (scales && !IsPlain(value.unit)) {
+    Report(scope.diagnostics, code::kUnitChange, assign.value.span,
+           fmt::format("this would change the unit of `{}`", assign.target.text),
+           {.note = fmt::format("this is in {}", NameOf(value.unit)),
+            .help = "multiply and divide a memory by plain numbers"});
+    return std::nullopt;
+  }
+  CheckedExpression read{assign.target.span, memory.type, memory.unit, MemoryRead{memory.index}};
+  auto result =
+      CheckBinaryOperator(OperatorOf(assign.op), Cover(assign.target.span, assign.value.span),
+                          {std::move(read)}, {std::move(value), &assign.value}, scope.diagnostics);
+  if (!result || result->type == memory.type) return result;
+  const bool is_division = assign.op == AssignOperator::kDivide;
+  Report(scope.diagnostics, code::kWrongType, assign.value.span,
+         fmt::format("`{}` is {}", assign.target.text, WithArticle(memory.type)),
+         {.note = fmt::format("the result would be {}", WithArticle(result->type)),
+          .help = is_division && memory.type.scalar == Scalar::kInt
+                      ? "a division gives a `real`: declare the memory as `real`"
+                      : ""});
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<CheckedAssign> CheckAssignment(const AssignStatement& assign, const Place& place,
+                                             const TaskScope& scope) {
+  const Symbol* memory = FindTarget(assign.target, scope);
+  auto value = CheckExpression(assign.value, place, scope);
+  if (memory == nullptr || !value) return std::nullopt;
+  if (assign.op == AssignOperator::kSet) {
+    auto fitting = ConvertTo({std::move(*value), &assign.value}, memory->type, memory->unit,
+                             fmt::format("`{}`", assign.target.text), scope.diagnostics);
+    if (!fitting) return std::nullopt;
+    return CheckedAssign{memory->index, assign.op, std::move(*fitting)};
+  }
+  auto result = Combine(assign, *memory, std::move(*value), scope);
+  if (!result) return std::nullopt;
+  CheckedExpression& right = *std::get<CheckedBinary>(result->node).right;
+  if (right.type == memory->type) return CheckedAssign{memory->index, assign.op, std::move(right)};
+  return CheckedAssign{memory->index, AssignOperator::kSet, std::move(*result)};
+}
+
+}  // namespace compiler

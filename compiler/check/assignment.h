@@ -1,0 +1,17 @@
+// Assignments to memory: `n = e`, `n += e`.
+#pragma once
+
+#include <optional>
+
+#include "compiler/check/checked_task.h"
+#include "compiler/check/task_scope.h"
+#include "compiler/syntax/syntax_tree.h"
+
+namespace compiler {
+
+// Reports mistakes and then returns nothing. Where a scalar is combined with a memory that has a
+// shape, as in `v *= 2`, the result is the assignment `v = v * 2`.
+std::optional<CheckedAssign> CheckAssignment(const AssignStatement& assign, const Place& place,
+                                             const TaskScope& scope);
+
+}  // namespace compiler

@@ -1,0 +1,274 @@
+#include "compiler/check/builtin_call.h"
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "compiler/check/fold.h"
+#include "compiler/check/report.h"
+#include "compiler/check/type.h"
+#include "compiler/check/unit.h"
+
+namespace compiler {
+namespace {
+
+using enum ArgumentRule;
+
+constexpr Unit kRadian{.radian = 1};
+
+// One call of a function.
+class BuiltinCheck {
+ public:
+  BuiltinCheck(const BuiltinDescription& builtin, Span span, std::vector<Operand> arguments,
+               Diagnostics& diagnostics)
+      : builtin_(builtin),
+        span_(span),
+        arguments_(std::move(arguments)),
+        diagnostics_(diagnostics) {}
+
+  std::optional<CheckedExpression> Check() {
+    if (!CheckCount() || !CheckTypes()) return std::nullopt;
+    const auto unit = ResultUnit();
+    if (!unit) return std::nullopt;
+    ConvertArguments();
+    return Build(ResultType(), *unit);
+  }
+
+ private:
+  CheckedExpression& argument(size_t i) { return arguments_[i].expression; }
+  const Type& type(size_t i) { return arguments_[i].expression.type; }
+
+  ArgumentRule rule() const {
+    const bool is_extremum = builtin_.arguments == kScalars && builtin_.min_arguments == 1;
+    return is_extremum && arguments_.size() == 1 ? kNumbers : builtin_.arguments;
+  }
+
+  bool CheckCount() {
+    const size_t count = arguments_.size();
+    if (count >= builtin_.min_arguments && count <= builtin_.max_arguments) return true;
+    const std::string wanted =
+        builtin_.min_arguments == builtin_.max_arguments
+            ? std::to_string(builtin_.min_arguments)
+            : fmt::format("{} to {}", builtin_.min_arguments, builtin_.max_arguments);
+    Report(diagnostics_, code::kWrongArgumentCount, span_,
+           fmt::format("`{}` takes {} argument{}, not {}", builtin_.name, wanted,
+                       wanted == "1" ? "" : "s", count),
+           {.help = fmt::format("write `{}`", builtin_.usage)});
+    return false;
+  }
+
+  bool CheckTypes() {
+    bool fits = true;
+    for (size_t i = 0; i < arguments_.size(); ++i) fits = CheckType(i) && fits;
+    if (!fits || rule() != kTwoRows) return fits;
+    Type first = type(0);
+    first.scalar = type(1).scalar;
+    if (first == type(1)) return true;
+    Report(diagnostics_, code::kWrongArgument, span_,
+           fmt::format("`{}` needs two values of the same type", builtin_.name),
+           {.labels = {{argument(0).span, fmt::format("`{}`", ToString(type(0)))},
+                       {argument(1).span, fmt::format("`{}`", ToString(type(1)))}}});
+    return false;
+  }
+
+  bool CheckType(size_t i) {
+    if (Accepts(type(i))) return true;
+    Report(diagnostics_, code::kWrongArgument, argument(i).span,
+           fmt::format("`{}` needs {}", builtin_.name, Wanted()),
+           {.note = fmt::format("this is {}", WithArticle(type(i))), .help = HelpForType(type(i))});
+    return false;
+  }
+
+  bool Accepts(const Type& type) const {
+    switch (rule()) {
+      case kConditions:
+        return IsBool(type);
+      case kNumbers:
+        return IsNumber(type) && (IsScalar(type) || IsRow(type));
+      case kRow:
+      case kTwoRows:
+        return IsNumber(type) && IsRow(type);
+      case kTwoVec3:
+        return type.shape == Shape::kVector && type.rows == 3;
+      case kElements:
+        return IsNumber(type) && type.shape != Shape::kQuaternion;
+      case kScalars:
+      case kRealScalars:
+        return IsNumber(type) && IsScalar(type);
+    }
+    return false;
+  }
+
+  std::string_view Wanted() const {
+    switch (rule()) {
+      case kConditions:
+        return "a `bool` or an array of them";
+      case kNumbers:
+        return "a vector or an array of numbers";
+      case kRow:
+        return "a vector or an array of numbers";
+      case kTwoRows:
+        return "two vectors or arrays of numbers";
+      case kTwoVec3:
+        return "two `vec3`";
+      case kElements:
+        return "numbers";
+      case kScalars:
+      case kRealScalars:
+        return arguments_.size() == 1 ? "a single number" : "single numbers";
+    }
+    return "";
+  }
+
+  std::string HelpForType(const Type& type) const {
+    if (rule() == kConditions) return "compare it, as in `x > 0`";
+    if (IsBool(type)) return "`count` tells how many conditions are true";
+    if (builtin_.function == Builtin::kNorm && IsScalar(type))
+      return "the magnitude of a single number is `abs(x)`";
+    return "";
+  }
+
+  // ---- Units ----
+
+  std::optional<Unit> ResultUnit() {
+    switch (builtin_.units) {
+      case UnitRule::kNone:
+        return Unit{};
+      case UnitRule::kSame:
+        return CommonUnit();
+      case UnitRule::kProduct:
+        return ProductOfUnits();
+      case UnitRule::kSquareRoot:
+        return RootOfUnit();
+      case UnitRule::kPlain:
+        return Needs({}, code::kNotPlain) ? std::optional(Unit{}) : std::nullopt;
+      case UnitRule::kAngleToPlain:
+        return Needs(kRadian, code::kNotAnAngle) ? std::optional(Unit{}) : std::nullopt;
+      case UnitRule::kSameToAngle:
+        return CommonUnit() ? std::optional(kRadian) : std::nullopt;
+    }
+    return std::nullopt;
+  }
+
+  std::optional<Unit> CommonUnit() {
+    const auto with_unit = std::ranges::find_if(
+        arguments_, [](const Operand& operand) { return !IsLiteralZero(operand.syntax); });
+    if (with_unit == arguments_.end()) return Unit{};
+    const Unit unit = with_unit->expression.unit;
+    for (Operand& operand : arguments_) {
+      if (IsLiteralZero(operand.syntax)) operand.expression.unit = unit;
+      if (operand.expression.unit == unit) continue;
+      const CheckedExpression& first = with_unit->expression;
+      const CheckedExpression& other = operand.expression;
+      Report(diagnostics_, code::kArgumentUnits, span_,
+             fmt::format("`{}` needs values of one unit, not {} and {}", builtin_.name,
+                         NameOf(unit), NameOf(other.unit)),
+             {.help = HelpForUnit(other.unit, operand.syntax, unit),
+              .labels = {{first.span, NameOf(unit)}, {other.span, NameOf(other.unit)}}});
+      return std::nullopt;
+    }
+    return unit;
+  }
+
+  std::optional<Unit> ProductOfUnits() {
+    const auto unit = Multiply(argument(0).unit, argument(1).unit);
+    if (!unit)
+      Report(diagnostics_, code::kUnitTooLarge, span_, "the unit of this has a power beyond 127");
+    return unit;
+  }
+
+  std::optional<Unit> RootOfUnit() {
+    const auto unit = SquareRoot(argument(0).unit);
+    if (!unit)
+      Report(diagnostics_, code::kOddRoot, argument(0).span,
+             fmt::format("{} has no square root", NameOf(argument(0).unit)),
+             {.note = "the powers of its base units must be even"});
+    return unit;
+  }
+
+  // The only argument must have the unit `wanted`.
+  bool Needs(const Unit& wanted, std::string_view code) {
+    CheckedExpression& value = argument(0);
+    if (IsLiteralZero(arguments_[0].syntax)) value.unit = wanted;
+    if (value.unit == wanted) return true;
+    std::string help = HelpForUnit(value.unit, arguments_[0].syntax, wanted);
+    if (help.empty() && IsPlain(wanted))
+      help = fmt::format("divide by a reference, as in `x / 1 {}`", ToString(value.unit));
+    Report(
+        diagnostics_, code, value.span,
+        fmt::format("`{}` needs {}", builtin_.name,
+                    IsPlain(wanted) ? "a plain number" : "an angle"),
+        {.note = fmt::format("this is {}{}", IsPlain(value.unit) ? "" : "in ", NameOf(value.unit)),
+         .help = std::move(help)});
+    return false;
+  }
+
+  // ---- Result ----
+
+  bool AllInts() {
+    return std::ranges::all_of(arguments_, [](const Operand& operand) {
+      return operand.expression.type.scalar == Scalar::kInt;
+    });
+  }
+
+  void ConvertArguments() {
+    const ArgumentRule applied = rule();
+    const bool keeps_ints = applied == kNumbers || applied == kElements || applied == kScalars;
+    if (applied == kConditions || (keeps_ints && AllInts())) return;
+    for (Operand& operand : arguments_) operand.expression = ToReal(std::move(operand.expression));
+  }
+
+  // After the conversion of the arguments.
+  Type ResultType() {
+    switch (rule()) {
+      case kConditions:
+        return ScalarType(builtin_.function == Builtin::kCount ? Scalar::kInt : Scalar::kBool);
+      case kNumbers:
+        return ScalarType(type(0).scalar);
+      case kTwoVec3:
+      case kElements:
+      case kScalars:
+        return type(0);
+      case kRow:
+      case kTwoRows:
+      case kRealScalars:
+        break;
+    }
+    return ScalarType(Scalar::kReal);
+  }
+
+  std::optional<CheckedExpression> Build(const Type& result, const Unit& unit) {
+    const bool nests = builtin_.function == Builtin::kMin || builtin_.function == Builtin::kMax;
+    while (nests && arguments_.size() > 2) {
+      auto inner = Call(result, unit, 2);
+      if (!inner) return std::nullopt;
+      arguments_.erase(arguments_.begin());
+      argument(0) = std::move(*inner);
+    }
+    return Call(result, unit, arguments_.size());
+  }
+
+  // The call with the first `count` arguments.
+  std::optional<CheckedExpression> Call(const Type& result, const Unit& unit, size_t count) {
+    BuiltinCall call{builtin_.function, {}};
+    for (size_t i = 0; i < count; ++i)
+      call.arguments.push_back(std::make_unique<CheckedExpression>(std::move(argument(i))));
+    return Fold({span_, result, unit, std::move(call)}, diagnostics_);
+  }
+
+  const BuiltinDescription& builtin_;
+  Span span_;
+  std::vector<Operand> arguments_;
+  Diagnostics& diagnostics_;
+};
+
+}  // namespace
+
+std::optional<CheckedExpression> CheckBuiltin(const BuiltinDescription& builtin, Span span,
+                                              std::vector<Operand> arguments,
+                                              Diagnostics& diagnostics) {
+  return BuiltinCheck(builtin, span, std::move(arguments), diagnostics).Check();
+}
+
+}  // namespace compiler

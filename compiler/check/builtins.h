@@ -1,0 +1,49 @@
+// The functions of the language: one table of names, arguments and units.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "compiler/check/checked_task.h"
+
+namespace compiler {
+
+// Which values a function takes, and the type of its result.
+enum class ArgumentRule {
+  kConditions,   // a bool or an array of them -> a bool, or an int for `count`
+  kNumbers,      // a number, vector or array -> its scalar type
+  kRow,          // a vector or array -> a real
+  kTwoRows,      // two of the same vector or array type -> a real
+  kTwoVec3,      // two vec3 -> a vec3
+  kElements,     // anything of numbers, element by element -> the same type
+  kScalars,      // numbers -> an int if all are, else a real
+  kRealScalars,  // numbers -> a real
+};
+
+// What the units of arguments and result have to do with each other.
+enum class UnitRule {
+  kNone,          // conditions have no unit
+  kSame,          // all arguments have the unit of the result
+  kProduct,       // the result has the product of the arguments' units
+  kSquareRoot,    // the result has the root of the argument's unit
+  kPlain,         // a plain number to a plain number
+  kAngleToPlain,  // an angle to a plain number
+  kSameToAngle,   // two of the same unit to an angle
+};
+
+struct BuiltinDescription {
+  std::string_view name;
+  Builtin function;
+  size_t min_arguments;
+  size_t max_arguments;
+  ArgumentRule arguments;
+  UnitRule units;
+  std::string_view usage;  // how a call is written: "clamp(x, low, high)"
+};
+
+// The function called `name`, or null.
+const BuiltinDescription* FindBuiltin(std::string_view name);
+std::vector<std::string> BuiltinNames();
+
+}  // namespace compiler

@@ -1,0 +1,19 @@
+// Syntax tree to checked task.
+#pragma once
+
+#include <optional>
+
+#include "compiler/check/checked_task.h"
+#include "compiler/source/diagnostic.h"
+#include "compiler/syntax/syntax_tree.h"
+#include "plugins/robot/robot_description.h"
+
+namespace compiler {
+
+// Checks names, types, shapes, index ranges and units. `robot` is the description of the robot that
+// the task names, or null if it names none. All mistakes go to `diagnostics`; returns nothing if
+// any of them was an error.
+std::optional<CheckedTask> Check(const SyntaxTree& tree, const SourceFile& source,
+                                 const robot::RobotDescription* robot, Diagnostics& diagnostics);
+
+}  // namespace compiler

@@ -1,0 +1,237 @@
+// A task that has passed all checks: every name resolved, every expression typed, every index
+// known. What is built from it needs no further look at the source, and cannot fail.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "compiler/source/source_file.h"
+#include "compiler/syntax/syntax_tree.h"
+
+namespace compiler {
+
+// Powers of the base dimensions. Angles count as a dimension, so that degrees, radians and plain
+// numbers cannot be mixed up.
+struct Unit {
+  int8_t metre = 0;
+  int8_t kilogram = 0;
+  int8_t second = 0;
+  int8_t radian = 0;
+
+  bool operator==(const Unit&) const = default;
+};
+// "m/s", "N m" where such a name exists; "" for a plain number.
+std::string ToString(const Unit& unit);
+
+enum class Scalar { kBool, kInt, kReal };
+
+enum class Shape {
+  kScalar,
+  kVector,      // vec2, vec3, vec4: rows elements
+  kMatrix,      // mat3: rows x columns, row major
+  kQuaternion,  // w, x, y, z
+  kArray        // indexed by an enumeration of the robot, or by 0 .. rows-1
+};
+
+// A value's type without its unit.
+struct Type {
+  Scalar scalar = Scalar::kReal;
+  Shape shape = Shape::kScalar;
+  uint32_t rows = 1;
+  uint32_t columns = 1;
+  std::string index{};  // "link" or "joint" for arrays over the robot's enumerations, else empty
+
+  uint32_t size() const { return rows * columns; }
+  bool operator==(const Type&) const = default;
+};
+// As written in a task: "real", "vec3", "bool[link]".
+std::string ToString(const Type& type);
+
+// ---- Expressions --------------------------------------------------------------------------------
+
+struct CheckedExpression;
+using CheckedExpressionPtr = std::unique_ptr<CheckedExpression>;
+
+struct Constant {    // always a scalar; in SI units
+  double value = 0;  // 0 or 1 for a bool; an exact integer for an int
+};
+struct SensorRead {
+  uint32_t sensor = 0;  // index into CheckedTask::sensors
+};
+struct ParamRead {
+  uint32_t param = 0;
+};
+struct MemoryRead {
+  uint32_t memory = 0;
+};
+struct LocalRead {
+  uint32_t local = 0;  // index into CheckedEvent::locals
+};
+struct RewardSoFar {};  // the sum of this callback's terms so far
+struct TimeStep {};     // length of this event's time step [s]
+
+// Some elements of `operand`, in order: swizzles, indices and index sets alike. A scalar result has
+// exactly one element.
+struct Elements {
+  CheckedExpressionPtr operand;
+  std::vector<uint32_t> indices;
+};
+
+// Element-wise where one or both operands have a shape; then a scalar operand applies to each.
+struct CheckedUnary {
+  UnaryOperator op;
+  CheckedExpressionPtr operand;
+};
+struct CheckedBinary {
+  BinaryOperator op;
+  CheckedExpressionPtr left;
+  CheckedExpressionPtr right;
+};
+
+enum class Builtin {
+  kAny,
+  kAll,
+  kNone,
+  kCount,
+  kSum,
+  kNorm,
+  kDot,
+  kCross,
+  kAbs,
+  kMin,
+  kMax,
+  kClamp,
+  kSqrt,
+  kExp,
+  kLog,
+  kTanh,
+  kSin,
+  kCos,
+  kAtan2
+};
+struct BuiltinCall {
+  Builtin function;
+  std::vector<CheckedExpressionPtr> arguments;
+};
+struct IntToReal {  // inserted by the checker; there are no casts in the language
+  CheckedExpressionPtr operand;
+};
+
+struct CheckedExpression {
+  Span span;
+  Type type;
+  Unit unit;
+  std::variant<Constant, SensorRead, ParamRead, MemoryRead, LocalRead, RewardSoFar, TimeStep,
+               Elements, CheckedUnary, CheckedBinary, BuiltinCall, IntToReal>
+      node;
+};
+
+// ---- Statements ---------------------------------------------------------------------------------
+
+struct CheckedStatement;
+using CheckedBlock = std::vector<CheckedStatement>;
+
+struct CheckedLet {
+  uint32_t local = 0;
+  CheckedExpression value;
+};
+struct CheckedAssign {
+  uint32_t memory = 0;
+  AssignOperator op;
+  CheckedExpression value;  // of the memory's own type
+};
+struct CheckedIfBranch {
+  CheckedExpression condition;
+  CheckedBlock body;
+};
+struct CheckedIf {
+  std::vector<CheckedIfBranch> branches;
+  CheckedBlock otherwise;
+};
+struct CheckedReward {
+  uint32_t term = 0;
+  bool is_rate = false;
+  CheckedExpression value;  // a real scalar
+};
+struct CheckedEnd {
+  uint32_t end = 0;
+};
+
+struct CheckedStatement {
+  Span span;
+  std::variant<CheckedLet, CheckedAssign, CheckedIf, CheckedReward, CheckedEnd> node;
+};
+
+// ---- The task -----------------------------------------------------------------------------------
+
+struct CheckedSensor {
+  std::string name;
+  Type type;
+  Unit unit;
+  uint32_t read_by = 0;  // bit e: event e reads it; bit TASKC_MEASURE: a metric does
+};
+struct CheckedParam {
+  std::string name;
+  std::string doc;
+  Type type;  // a scalar
+  Unit unit;
+  double initial = 0;
+  double minimum = 0;
+  double maximum = 0;
+  Span span{};
+};
+struct CheckedMemory {
+  std::string name;
+  Type type;
+  Unit unit;
+  MemoryScope scope;
+  CheckedExpression initial;  // a constant or a param, as a scalar: the value of every element
+  Span span;
+};
+struct CheckedTerm {
+  std::string name;
+  std::string doc;
+  uint32_t line = 0;
+};
+struct CheckedMetric {
+  std::string name;
+  std::string doc;
+  Reduction reduction;
+  CheckedExpression value;  // a real scalar
+};
+struct CheckedEndReason {
+  EndKind kind;
+  std::string reason;
+  uint32_t line = 0;
+};
+struct Local {
+  std::string name;
+  Type type;
+  Unit unit;
+};
+struct CheckedEvent {
+  Span span;                 // of the event's name
+  bool is_declared = false;  // false: the task says nothing about this event
+  std::vector<Local> locals;
+  CheckedBlock body;
+};
+
+struct CheckedTask {
+  std::string name;
+  std::string doc;
+  std::string robot;                   // "" where the task declares its own sensors
+  std::string start_pose;              // "" where the task names none
+  std::vector<CheckedSensor> sensors;  // those that something reads
+  std::vector<CheckedParam> params;
+  std::vector<CheckedMemory> memory;
+  std::vector<CheckedTerm> terms;
+  std::vector<CheckedMetric> metrics;
+  std::vector<CheckedEndReason> ends;
+  std::array<CheckedEvent, 8> events;  // indexed by EventKind
+};
+
+}  // namespace compiler

@@ -1,0 +1,224 @@
+#include "compiler/check/declarations.h"
+
+#include <limits>
+#include <map>
+#include <utility>
+
+#include "compiler/check/conversion.h"
+#include "compiler/check/declared_type.h"
+#include "compiler/check/expressions.h"
+#include "compiler/check/fold.h"
+#include "compiler/check/names.h"
+#include "compiler/check/report.h"
+#include "compiler/check/type.h"
+
+namespace compiler {
+namespace {
+
+constexpr Place kConstantPlace{Place::kConstant};
+
+// Calls `check` for every declaration of one kind.
+template <typename Kind, typename Check>
+void ForEachDeclared(const SyntaxTree& tree, Check check) {
+  for (const Declaration& declaration : tree.declarations)
+    if (const auto* kind = std::get_if<Kind>(&declaration.node)) check(*kind);
+}
+
+// The value of an expression that must be a constant of this type and unit.
+std::optional<double> CheckConstant(const Expression& expression, const DeclaredType& declared,
+                                    const Identifier& owner, const TaskScope& scope) {
+  auto value = CheckExpression(expression, kConstantPlace, scope);
+  if (!value) return std::nullopt;
+  const std::string place = fmt::format("`{}`", owner.text);
+  value = ConvertTo({std::move(*value), &expression}, declared.type, declared.unit, place,
+                    scope.diagnostics);
+  return value ? ValueOf(*value) : std::nullopt;
+}
+
+// `seen`: the sensors declared before, which this one is added to.
+void CheckOneSensor(const SensorDeclaration& sensor, std::map<std::string, Span>& seen,
+                    TaskScope& scope) {
+  const std::string& name = sensor.name.text;
+  const Identifier root{name.substr(0, name.find('.')), sensor.name.span};
+  if (IsLanguageName(root, scope.diagnostics)) return;
+  const auto [first, is_new] = seen.try_emplace(name, sensor.name.span);
+  if (!is_new) {
+    Report(scope.diagnostics, code::kRepeatedName, sensor.name.span,
+           fmt::format("there is already a sensor `{}`", name),
+           {.labels = {{first->second, "first declared here"}}});
+    return;
+  }
+  const auto declared = CheckDeclaredType(sensor.type, sensor.unit, scope);
+  if (declared) {
+    scope.sensors.Add({name, declared->type, declared->unit});
+  } else {
+    scope.sensors.AddInvalid(name);
+  }
+}
+
+// ---- Params -------------------------------------------------------------------------------------
+
+class ParamCheck {
+ public:
+  ParamCheck(const ParamDeclaration& param, TaskScope& scope) : param_(param), scope_(scope) {}
+
+  // All parts are looked at, so that all mistakes are reported.
+  std::optional<CheckedParam> Check() {
+    const auto declared = CheckDeclaredType(param_.type, param_.unit, scope_);
+    if (!declared || !HasValidType(declared->type)) return std::nullopt;
+    CheckedParam checked{param_.name.text, param_.doc, declared->type, declared->unit};
+    checked.span = param_.name.span;
+    const bool has_range = CheckRange(*declared, checked);
+    const auto initial = CheckConstant(param_.initial, *declared, param_.name, scope_);
+    if (!has_range || !initial) return std::nullopt;
+    checked.initial = *initial;
+    return IsInRange(checked) ? std::optional(checked) : std::nullopt;
+  }
+
+ private:
+  bool HasValidType(const Type& type) {
+    if (IsScalar(type)) return true;
+    Report(scope_.diagnostics, code::kBadParamType, param_.type.span,
+           "a param is a single `bool`, `int` or `real`",
+           {.help = "declare a param for each element"});
+    return false;
+  }
+
+  bool CheckRange(const DeclaredType& declared, CheckedParam& checked) {
+    const bool is_bool = IsBool(declared.type);
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    checked.minimum = is_bool ? 0 : -kInfinity;
+    checked.maximum = is_bool ? 1 : kInfinity;
+    if (!param_.minimum || !param_.maximum) return true;
+    const Span span = Cover(param_.minimum->span, param_.maximum->span);
+    if (is_bool) return BadRange(span, "a `bool` has no range");
+    const auto minimum = CheckConstant(*param_.minimum, declared, param_.name, scope_);
+    const auto maximum = CheckConstant(*param_.maximum, declared, param_.name, scope_);
+    if (!minimum || !maximum) return false;
+    if (*minimum > *maximum)
+      return BadRange(span, "the range is empty", "write the smaller end first");
+    checked.minimum = *minimum;
+    checked.maximum = *maximum;
+    return true;
+  }
+
+  bool IsInRange(const CheckedParam& checked) {
+    if (checked.initial >= checked.minimum && checked.initial <= checked.maximum) return true;
+    return BadRange(param_.initial.span,
+                    fmt::format("`{}` starts outside its range", checked.name));
+  }
+
+  bool BadRange(Span span, std::string message, std::string help = "") {
+    Report(scope_.diagnostics, code::kBadRange, span, std::move(message),
+           {.help = std::move(help)});
+    return false;
+  }
+
+  const ParamDeclaration& param_;
+  TaskScope& scope_;
+};
+
+// ---- Memory -------------------------------------------------------------------------------------
+
+// The initial value: a constant, or the value of a param. For a memory with a shape it is the value
+// of each element.
+std::optional<CheckedExpression> CheckInitial(const MemoryDeclaration& memory,
+                                              const DeclaredType& declared,
+                                              const TaskScope& scope) {
+  const auto* name = std::get_if<NameExpression>(&memory.initial.node);
+  const Symbol* symbol = name != nullptr ? scope.symbols.Find(name->name.text) : nullptr;
+  const bool is_param = symbol != nullptr && symbol->kind == SymbolKind::kParam;
+  // A param may be read here, but only as it is: so a memory never starts with what an operation on
+  // a param might not give.
+  const Place place = is_param ? Place{Place::kMetric} : kConstantPlace;
+  auto value = CheckExpression(memory.initial, place, scope);
+  if (!value) return std::nullopt;
+  return ConvertTo({std::move(*value), &memory.initial}, ScalarType(declared.type.scalar),
+                   declared.unit, fmt::format("`{}`", memory.name.text), scope.diagnostics);
+}
+
+void CheckOneMemory(const MemoryDeclaration& memory, TaskScope& scope, CheckedTask& task) {
+  Symbol symbol{.kind = SymbolKind::kMemory, .is_valid = false};
+  const auto declared = CheckDeclaredType(memory.type, memory.unit, scope);
+  if (declared) {
+    symbol.is_valid = true;  // what it starts with does not matter to its uses
+    symbol.index = static_cast<uint32_t>(task.memory.size());
+    symbol.type = declared->type;
+    symbol.unit = declared->unit;
+    auto initial = CheckInitial(memory, *declared, scope);
+    if (!initial) initial = CheckedExpression{memory.initial.span, declared->type, {}, Constant{}};
+    task.memory.push_back({memory.name.text, declared->type, declared->unit, memory.scope,
+                           std::move(*initial), memory.name.span});
+  }
+  DeclareSymbol(memory.name, symbol, scope);
+}
+
+}  // namespace
+
+void CheckStartPose(const SyntaxTree& tree, const robot::RobotDescription* robot, CheckedTask& task,
+                    Diagnostics& diagnostics) {
+  if (!tree.start) return;
+  const Identifier& start = *tree.start;
+  if (robot == nullptr) {
+    Report(diagnostics, code::kPoseWithoutRobot, start.span,
+           fmt::format("there is no pose `{}` without a robot", start.text),
+           {.help = "write `for ROBOT` after the task's name, or leave out `start`"});
+    return;
+  }
+  task.start_pose = start.text;
+  if (robot->FindPose(start.text) != nullptr) return;
+  std::vector<std::string> poses;
+  for (const robot::Pose& pose : robot->poses) poses.push_back(pose.name);
+  Report(diagnostics, code::kUnknownPose, start.span,
+         fmt::format("the {} has no pose `{}`", robot->name, start.text),
+         {.help = Suggest(start.text, poses, "poses")});
+}
+
+void CheckSensors(const SyntaxTree& tree, TaskScope& scope) {
+  std::map<std::string, Span> seen;
+  ForEachDeclared<SensorDeclaration>(tree, [&](const SensorDeclaration& sensor) {
+    if (scope.has_robot) {
+      Report(scope.diagnostics, code::kTwoSensorSources, sensor.name.span,
+             "the sensors of this task are those of its robot",
+             {.help = "leave out the declaration, or `for ROBOT` to declare all sensors",
+              .labels = {{tree.robot->span, "the robot"}}});
+    } else {
+      CheckOneSensor(sensor, seen, scope);
+    }
+  });
+}
+
+void CheckParams(const SyntaxTree& tree, TaskScope& scope, CheckedTask& task) {
+  ForEachDeclared<ParamDeclaration>(tree, [&](const ParamDeclaration& param) {
+    Symbol symbol{.kind = SymbolKind::kParam, .is_valid = false};
+    if (const auto checked = ParamCheck(param, scope).Check()) {
+      symbol = {.kind = SymbolKind::kParam,
+                .index = static_cast<uint32_t>(task.params.size()),
+                .type = checked->type,
+                .unit = checked->unit};
+      task.params.push_back(*checked);
+    }
+    DeclareSymbol(param.name, symbol, scope);
+  });
+}
+
+void CheckMemory(const SyntaxTree& tree, TaskScope& scope, CheckedTask& task) {
+  ForEachDeclared<MemoryDeclaration>(
+      tree, [&](const MemoryDeclaration& memory) { CheckOneMemory(memory, scope, task); });
+}
+
+void CheckMetrics(const SyntaxTree& tree, TaskScope& scope, CheckedTask& task) {
+  std::map<std::string, Span> seen;
+  ForEachDeclared<MetricDeclaration>(tree, [&](const MetricDeclaration& metric) {
+    const auto [first, is_new] = seen.try_emplace(metric.name.text, metric.name.span);
+    if (!is_new)
+      Report(scope.diagnostics, code::kRepeatedName, metric.name.span,
+             fmt::format("there is already a metric `{}`", metric.name.text),
+             {.labels = {{first->second, "first declared here"}}});
+    auto value = CheckRealNumber(metric.value, "a metric", {Place::kMetric}, scope);
+    if (value)
+      task.metrics.push_back({metric.name.text, metric.doc, metric.reduction, std::move(*value)});
+  });
+}
+
+}  // namespace compiler

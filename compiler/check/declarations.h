@@ -1,0 +1,20 @@
+// The declarations before the events: start pose, sensors, params, memory, metrics.
+#pragma once
+
+#include "compiler/check/checked_task.h"
+#include "compiler/check/task_scope.h"
+#include "compiler/syntax/syntax_tree.h"
+#include "plugins/robot/robot_description.h"
+
+namespace compiler {
+
+// `robot` is null where the task names none. Each function reports the mistakes in its part of the
+// tree, and adds what is well declared to the scope and to the task.
+void CheckStartPose(const SyntaxTree& tree, const robot::RobotDescription* robot, CheckedTask& task,
+                    Diagnostics& diagnostics);
+void CheckSensors(const SyntaxTree& tree, TaskScope& scope);
+void CheckParams(const SyntaxTree& tree, TaskScope& scope, CheckedTask& task);
+void CheckMemory(const SyntaxTree& tree, TaskScope& scope, CheckedTask& task);
+void CheckMetrics(const SyntaxTree& tree, TaskScope& scope, CheckedTask& task);
+
+}  // namespace compiler

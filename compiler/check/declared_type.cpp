@@ -1,0 +1,85 @@
+#include "compiler/check/declared_type.h"
+
+#include <algorithm>
+#include <charconv>
+
+#include "compiler/check/expressions.h"
+#include "compiler/check/report.h"
+#include "compiler/check/type.h"
+
+namespace compiler {
+namespace {
+
+// A length as written in the brackets of an array type; nothing if it is no number.
+std::optional<uint64_t> LengthOf(const std::string& text) {
+  if (text.empty() || !std::ranges::all_of(text, [](char c) { return c >= '0' && c <= '9'; }))
+    return std::nullopt;
+  uint64_t length = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), length);
+  return error == std::errc{} ? length : uint64_t{kLargestArray} + 1;
+}
+
+std::optional<Type> CheckArray(Type element, const Identifier& index, const TaskScope& scope) {
+  element.shape = Shape::kArray;
+  if (const auto length = LengthOf(index.text)) {
+    element.rows = static_cast<uint32_t>(*length);
+    if (*length >= 1 && *length <= kLargestArray) return element;
+    Report(scope.diagnostics, code::kBadArrayType, index.span,
+           fmt::format("an array has 1 to {} elements", kLargestArray));
+    return std::nullopt;
+  }
+  if (const Enumeration* enumeration = FindEnumeration(scope.enumerations, index.text)) {
+    element.rows = enumeration->size();
+    element.index = enumeration->name;
+    return element;
+  }
+  std::vector<std::string> valid;
+  for (const Enumeration& enumeration : scope.enumerations) valid.push_back(enumeration.name);
+  Report(scope.diagnostics, code::kBadArrayType, index.span,
+         fmt::format("an array cannot be indexed by `{}`", index.text),
+         {.help = scope.has_robot ? fmt::format("write a number, or one of {}", List(valid))
+                                  : "write a number: only a robot has links and joints"});
+  return std::nullopt;
+}
+
+std::optional<Type> CheckType(const TypeExpression& written, const TaskScope& scope) {
+  const auto type = FindType(written.name.text);
+  if (!type) {
+    Report(scope.diagnostics, code::kUnknownType, written.name.span,
+           fmt::format("there is no type `{}`", written.name.text),
+           {.help = Suggest(written.name.text, TypeNames(), "types")});
+    return std::nullopt;
+  }
+  if (!written.index) return type;
+  if (IsScalar(*type)) return CheckArray(*type, *written.index, scope);
+  Report(scope.diagnostics, code::kBadArrayType, written.span,
+         fmt::format("there are no arrays of `{}`", ToString(*type)),
+         {.help = "the elements of an array are `bool`, `int` or `real`"});
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<DeclaredType> CheckDeclaredType(const TypeExpression& type,
+                                              const std::optional<UnitExpression>& unit,
+                                              const TaskScope& scope) {
+  const auto checked = CheckType(type, scope);
+  const auto scaled = CheckUnit(unit, scope.diagnostics);
+  if (!checked || !scaled) return std::nullopt;
+  if (unit && checked->scalar != Scalar::kReal) {
+    Report(scope.diagnostics, code::kUnitWithoutReal, unit->span,
+           fmt::format("{} has no unit", WithArticle(ScalarType(checked->scalar))),
+           {.help = "declare it as `real`, or leave out the unit"});
+    return std::nullopt;
+  }
+  if (scaled->numerator != scaled->denominator) {
+    Report(scope.diagnostics, code::kScaledUnit, unit->span, "declarations are in SI units",
+           {.note = "this is a multiple of one",
+            .help = fmt::format("write `[{}]`; numbers may have any unit of length, time and so on",
+                                ToString(scaled->unit))});
+    return std::nullopt;
+  }
+  return DeclaredType{*checked, scaled->unit};
+}
+
+}  // namespace compiler

@@ -1,0 +1,189 @@
+#include "compiler/check/expressions.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "compiler/check/builtin_call.h"
+#include "compiler/check/builtins.h"
+#include "compiler/check/conversion.h"
+#include "compiler/check/elements.h"
+#include "compiler/check/fold.h"
+#include "compiler/check/names.h"
+#include "compiler/check/operators.h"
+#include "compiler/check/report.h"
+#include "compiler/check/type.h"
+#include "compiler/check/unit.h"
+
+namespace compiler {
+namespace {
+
+// Goes down an expression; one function for each kind of node.
+class ExpressionChecker {
+ public:
+  ExpressionChecker(const Place& place, const TaskScope& scope) : place_(place), scope_(scope) {}
+
+  std::optional<CheckedExpression> Check(const Expression& expression) const {
+    auto checked =
+        std::visit([&](const auto& node) { return CheckNode(node, expression); }, expression.node);
+    if (checked) checked->span = expression.span;  // with brackets, where there are any
+    return checked;
+  }
+
+ private:
+  using Result = std::optional<CheckedExpression>;
+
+  Result CheckNode(const NumberLiteral& number, const Expression& expression) const {
+    const Span span = expression.span;
+    if (number.is_integer && !number.unit)
+      return CheckedExpression{span, ScalarType(Scalar::kInt), {}, Constant{number.value}};
+    const auto unit = CheckUnit(number.unit, scope_.diagnostics);
+    if (!unit) return std::nullopt;
+    const double value = unit->ToSi(number.value);
+    if (std::isfinite(value))
+      return CheckedExpression{span, ScalarType(Scalar::kReal), unit->unit, Constant{value}};
+    Report(scope_.diagnostics, code::kNotFinite, span,
+           fmt::format("in `{}` this is too large for a `real`", ToString(unit->unit)));
+    return std::nullopt;
+  }
+
+  Result CheckNode(const BoolLiteral& literal, const Expression& expression) const {
+    const double value = literal.value ? 1 : 0;
+    return CheckedExpression{expression.span, ScalarType(Scalar::kBool), {}, Constant{value}};
+  }
+
+  Result CheckNode(const NameExpression& name, const Expression&) const {
+    return CheckPath({name.name});
+  }
+
+  Result CheckNode(const MemberExpression&, const Expression& expression) const {
+    // `base.velocity.xy` is written as members of members: the path from its root.
+    std::vector<Identifier> path;
+    const Expression* object = &expression;
+    while (const auto* member = std::get_if<MemberExpression>(&object->node)) {
+      path.push_back(member->member);
+      object = member->object.get();
+    }
+    const auto* root = std::get_if<NameExpression>(&object->node);
+    if (root != nullptr) path.push_back(root->name);
+    std::ranges::reverse(path);
+    return root != nullptr ? CheckPath(path) : CheckMembers(Check(*object), path, 0);
+  }
+
+  Result CheckPath(const std::vector<Identifier>& path) const {
+    auto resolved = ResolvePath(path, place_, scope_);
+    if (!resolved) return std::nullopt;
+    return CheckMembers(std::move(resolved->expression), path, resolved->length);
+  }
+
+  Result CheckMembers(Result value, const std::vector<Identifier>& path, size_t first) const {
+    for (size_t i = first; i < path.size() && value; ++i)
+      value = CheckMember(std::move(*value), path[i], scope_.diagnostics);
+    return value;
+  }
+
+  Result CheckNode(const IndexExpression& index, const Expression& expression) const {
+    auto object = Check(*index.object);
+    if (!object) return std::nullopt;
+    return CheckIndex(std::move(*object), index.items, expression.span, scope_.enumerations,
+                      scope_.diagnostics);
+  }
+
+  Result CheckNode(const CallExpression& call, const Expression& expression) const {
+    const BuiltinDescription* builtin = FindBuiltin(call.function.text);
+    if (builtin == nullptr)
+      Report(scope_.diagnostics, code::kUnknownFunction, call.function.span,
+             fmt::format("there is no function `{}`", call.function.text),
+             {.help = Suggest(call.function.text, BuiltinNames(), "functions")});
+    std::vector<Operand> arguments;
+    for (const ExpressionPtr& argument : call.arguments) {
+      auto checked = Check(*argument);
+      if (checked) arguments.push_back({std::move(*checked), argument.get()});
+    }
+    const bool all_valid = arguments.size() == call.arguments.size();
+    if (builtin == nullptr || !all_valid) return std::nullopt;
+    return CheckBuiltin(*builtin, expression.span, std::move(arguments), scope_.diagnostics);
+  }
+
+  Result CheckNode(const UnaryExpression& unary, const Expression& expression) const {
+    auto operand = Check(*unary.operand);
+    if (!operand) return std::nullopt;
+    return CheckUnaryOperator(unary.op, expression.span, std::move(*operand), scope_.diagnostics);
+  }
+
+  Result CheckNode(const BinaryExpression& binary, const Expression&) const {
+    auto left = Check(*binary.left);
+    auto right = Check(*binary.right);
+    if (!left || !right) return std::nullopt;
+    return CheckBinaryOperator(binary.op, binary.op_span, {std::move(*left), binary.left.get()},
+                               {std::move(*right), binary.right.get()}, scope_.diagnostics);
+  }
+
+  // The parser lets ranges and sets stand only inside an index, which CheckIndex resolves.
+  Result CheckNode(const RangeExpression&, const Expression&) const { return OnlyInsideIndex(); }
+  Result CheckNode(const SetExpression&, const Expression&) const { return OnlyInsideIndex(); }
+
+  static Result OnlyInsideIndex() {
+    assert(false);
+    return std::nullopt;
+  }
+
+  const Place& place_;
+  const TaskScope& scope_;
+};
+
+}  // namespace
+
+std::optional<CheckedExpression> CheckExpression(const Expression& expression, const Place& place,
+                                                 const TaskScope& scope) {
+  return ExpressionChecker(place, scope).Check(expression);
+}
+
+std::optional<CheckedExpression> CheckCondition(const Expression& expression, const Place& place,
+                                                const TaskScope& scope) {
+  auto condition = CheckExpression(expression, place, scope);
+  if (!condition || condition->type == ScalarType(Scalar::kBool)) return condition;
+  const bool is_row = IsBool(condition->type);
+  Report(scope.diagnostics, code::kNotACondition, expression.span,
+         "a condition must be a single `bool`",
+         {.note = fmt::format("this is {}", WithArticle(condition->type)),
+          .help = is_row ? "reduce it with `any`, `all` or `none`" : "compare it, as in `x > 0`"});
+  return std::nullopt;
+}
+
+std::optional<CheckedExpression> CheckRealNumber(const Expression& expression,
+                                                 std::string_view owner, const Place& place,
+                                                 const TaskScope& scope) {
+  auto value = CheckExpression(expression, place, scope);
+  if (!value) return std::nullopt;
+  if (IsNumber(value->type) && IsScalar(value->type)) return ToReal(std::move(*value));
+  std::string help = "take one element of it, or reduce it with `norm`, `sum` or the like";
+  if (IsBool(value->type)) {
+    help = IsScalar(value->type) ? "a `bool` is no number: use `if`"
+                                 : "`count` tells how many of them are true";
+  }
+  Report(scope.diagnostics, code::kNotANumber, expression.span,
+         fmt::format("{} must be a single number", owner),
+         {.note = fmt::format("this is {}", WithArticle(value->type)), .help = std::move(help)});
+  return std::nullopt;
+}
+
+std::optional<ScaledUnit> CheckUnit(const std::optional<UnitExpression>& unit,
+                                    Diagnostics& diagnostics) {
+  std::optional<ScaledUnit> product = ScaledUnit{};
+  if (!unit) return product;
+  for (const UnitFactor& factor : unit->factors) {
+    const auto named = FindUnit(factor.name.text);
+    assert(named);  // the names of units are words of the grammar
+    product = Multiply(*product, *named, factor.power);
+    if (product) continue;
+    Report(diagnostics, code::kUnitTooLarge, unit->span, "the power of a unit is too large",
+           {.note = "powers range from -128 to 127"});
+    return std::nullopt;
+  }
+  return product;
+}
+
+}  // namespace compiler

@@ -1,0 +1,160 @@
+#include "compiler/check/fold.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "compiler/check/report.h"
+
+namespace compiler {
+namespace {
+
+double Calculate(UnaryOperator op, double value) {
+  return op == UnaryOperator::kNegate ? -value : (value == 0 ? 1 : 0);
+}
+
+double Calculate(BinaryOperator op, double left, double right) {
+  switch (op) {
+    case BinaryOperator::kAdd:
+      return left + right;
+    case BinaryOperator::kSubtract:
+      return left - right;
+    case BinaryOperator::kMultiply:
+      return left * right;
+    case BinaryOperator::kDivide:
+      return left / right;
+    case BinaryOperator::kLess:
+      return left < right;
+    case BinaryOperator::kLessEqual:
+      return left <= right;
+    case BinaryOperator::kGreater:
+      return left > right;
+    case BinaryOperator::kGreaterEqual:
+      return left >= right;
+    case BinaryOperator::kEqual:
+      return left == right;
+    case BinaryOperator::kNotEqual:
+      return left != right;
+    case BinaryOperator::kAnd:
+      return left != 0 && right != 0;
+    case BinaryOperator::kOr:
+      return left != 0 || right != 0;
+  }
+  return 0;
+}
+
+// Only calls with scalar arguments have constant ones. `values` has as many elements as the
+// function has arguments.
+double Calculate(Builtin function, const std::vector<double>& values) {
+  const double x = values[0];
+  switch (function) {
+    case Builtin::kAny:
+    case Builtin::kAll:
+    case Builtin::kCount:
+    case Builtin::kSum:
+      return x;
+    case Builtin::kNone:
+      return x == 0 ? 1 : 0;
+    case Builtin::kAbs:
+      return std::abs(x);
+    case Builtin::kMin:
+      return *std::ranges::min_element(values);
+    case Builtin::kMax:
+      return *std::ranges::max_element(values);
+    case Builtin::kClamp:
+      return std::min(std::max(x, values[1]), values[2]);
+    case Builtin::kSqrt:
+      return std::sqrt(x);
+    case Builtin::kExp:
+      return std::exp(x);
+    case Builtin::kLog:
+      return std::log(x);
+    case Builtin::kTanh:
+      return std::tanh(x);
+    case Builtin::kSin:
+      return std::sin(x);
+    case Builtin::kCos:
+      return std::cos(x);
+    case Builtin::kAtan2:
+      return std::atan2(x, values[1]);
+    case Builtin::kNorm:
+    case Builtin::kDot:
+    case Builtin::kCross:
+      break;  // of vectors, which are never constant
+  }
+  return 0;
+}
+
+// The value of a node whose operands are constants; nothing for any other node.
+struct Evaluate {
+  std::optional<double> operator()(const CheckedUnary& unary) const {
+    const auto value = ValueOf(*unary.operand);
+    return value ? std::optional(Calculate(unary.op, *value)) : std::nullopt;
+  }
+
+  std::optional<double> operator()(const CheckedBinary& binary) const {
+    const auto left = ValueOf(*binary.left);
+    const auto right = ValueOf(*binary.right);
+    if (left && right) return Calculate(binary.op, *left, *right);
+    const auto known = left ? left : right;
+    if (binary.op == BinaryOperator::kAnd && known == 0) return 0;
+    if (binary.op == BinaryOperator::kOr && known == 1) return 1;
+    return std::nullopt;
+  }
+
+  std::optional<double> operator()(const BuiltinCall& call) const {
+    std::vector<double> values;
+    for (const CheckedExpressionPtr& argument : call.arguments) {
+      const auto value = ValueOf(*argument);
+      if (!value) return std::nullopt;
+      values.push_back(*value);
+    }
+    return Calculate(call.function, values);
+  }
+
+  std::optional<double> operator()(const IntToReal& conversion) const {
+    return ValueOf(*conversion.operand);
+  }
+
+  template <typename Node>
+  std::optional<double> operator()(const Node&) const {
+    return std::nullopt;
+  }
+};
+
+bool DividesByZero(const CheckedExpression& expression) {
+  const auto* binary = std::get_if<CheckedBinary>(&expression.node);
+  return binary != nullptr && binary->op == BinaryOperator::kDivide && ValueOf(*binary->right) == 0;
+}
+
+bool IsRepresentable(double value, const Type& type) {
+  if (type.scalar == Scalar::kInt) return std::abs(value) <= kLargestInt;
+  return std::isfinite(value);
+}
+
+}  // namespace
+
+std::optional<double> ValueOf(const CheckedExpression& expression) {
+  const auto* constant = std::get_if<Constant>(&expression.node);
+  return constant != nullptr ? std::optional(constant->value) : std::nullopt;
+}
+
+std::optional<CheckedExpression> Fold(CheckedExpression expression, Diagnostics& diagnostics) {
+  if (DividesByZero(expression)) {
+    Report(diagnostics, code::kDivisionByZero, expression.span, "the divisor is always 0");
+    return std::nullopt;
+  }
+  const auto value = std::visit(Evaluate{}, expression.node);
+  if (!value) return expression;
+  if (!IsRepresentable(*value, expression.type)) {
+    const bool is_int = expression.type.scalar == Scalar::kInt;
+    Report(diagnostics, code::kNotFinite, expression.span,
+           is_int ? "the value of this is too large for an `int`"
+                  : "the value of this is not a finite number");
+    return std::nullopt;
+  }
+  expression.node = Constant{*value};
+  return expression;
+}
+
+}  // namespace compiler

@@ -1,0 +1,42 @@
+// What a name or a dotted path of names stands for.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "compiler/check/checked_task.h"
+#include "compiler/check/task_scope.h"
+#include "compiler/source/diagnostic.h"
+#include "compiler/syntax/syntax_tree.h"
+
+namespace compiler {
+
+// Names that are built in beside sensors, functions, types and units.
+inline constexpr std::string_view kReward = "reward";
+inline constexpr std::string_view kTimeStep = "time_step";
+inline constexpr std::string_view kPi = "pi";
+
+// A name, and how many further names of the path belong to it: `base.velocity` of
+// `base.velocity.xy`.
+struct ResolvedPath {
+  CheckedExpression expression;
+  size_t length = 1;
+};
+
+// What `path` begins with: the longest sensor name, or a single name of another kind. Reports and
+// returns nothing where there is no such name or it must not be read at `place`.
+std::optional<ResolvedPath> ResolvePath(const std::vector<Identifier>& path, const Place& place,
+                                        const TaskScope& scope);
+
+// Declares a param, a memory or a local value, unless its name is taken: that is then reported.
+void DeclareSymbol(const Identifier& name, Symbol symbol, TaskScope& scope);
+
+// Reports a name that is the language's own or a sensor's: such a name cannot be declared.
+bool IsTaken(const Identifier& name, const TaskScope& scope);
+// The same, for the language's own names only.
+bool IsLanguageName(const Identifier& name, Diagnostics& diagnostics);
+
+// Reports that there is no such name among params, memory, local values and sensors.
+void ReportUnknownName(const Identifier& name, const TaskScope& scope);
+
+}  // namespace compiler

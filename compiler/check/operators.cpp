@@ -1,0 +1,226 @@
+#include "compiler/check/operators.h"
+
+#include <string_view>
+#include <utility>
+
+#include "compiler/check/fold.h"
+#include "compiler/check/report.h"
+#include "compiler/check/type.h"
+#include "compiler/check/unit.h"
+
+namespace compiler {
+namespace {
+
+std::string_view TextOf(BinaryOperator op) {
+  switch (op) {
+    case BinaryOperator::kAdd:
+      return "+";
+    case BinaryOperator::kSubtract:
+      return "-";
+    case BinaryOperator::kMultiply:
+      return "*";
+    case BinaryOperator::kDivide:
+      return "/";
+    case BinaryOperator::kLess:
+      return "<";
+    case BinaryOperator::kLessEqual:
+      return "<=";
+    case BinaryOperator::kGreater:
+      return ">";
+    case BinaryOperator::kGreaterEqual:
+      return ">=";
+    case BinaryOperator::kEqual:
+      return "==";
+    case BinaryOperator::kNotEqual:
+      return "!=";
+    case BinaryOperator::kAnd:
+      return "and";
+    case BinaryOperator::kOr:
+      return "or";
+  }
+  return "";
+}
+
+bool IsArithmetic(BinaryOperator op) { return op <= BinaryOperator::kDivide; }
+bool IsLogic(BinaryOperator op) { return op >= BinaryOperator::kAnd; }
+bool IsSum(BinaryOperator op) {
+  return op == BinaryOperator::kAdd || op == BinaryOperator::kSubtract;
+}
+bool IsEquality(BinaryOperator op) {
+  return op == BinaryOperator::kEqual || op == BinaryOperator::kNotEqual;
+}
+
+// One application of a binary operator.
+class BinaryCheck {
+ public:
+  BinaryCheck(BinaryOperator op, Span op_span, Operand left, Operand right,
+              Diagnostics& diagnostics)
+      : op_(op),
+        op_span_(op_span),
+        left_(std::move(left)),
+        right_(std::move(right)),
+        diagnostics_(diagnostics) {}
+
+  std::optional<CheckedExpression> Check() {
+    if (IsLogic(op_)) return CheckLogic();
+    return IsArithmetic(op_) ? CheckArithmetic() : CheckComparison();
+  }
+
+ private:
+  CheckedExpression& left() { return left_.expression; }
+  CheckedExpression& right() { return right_.expression; }
+
+  std::optional<CheckedExpression> CheckLogic() {
+    const bool fits = IsCondition(left()) & IsCondition(right());  // both, for their messages
+    return fits ? Build(ScalarType(Scalar::kBool), {}) : std::nullopt;
+  }
+
+  bool IsCondition(const CheckedExpression& operand) {
+    if (operand.type == ScalarType(Scalar::kBool)) return true;
+    const bool is_row = IsBool(operand.type);
+    Report(
+        diagnostics_, code::kWrongOperand, operand.span,
+        fmt::format("`{}` joins two `bool` values", TextOf(op_)),
+        {.note = fmt::format("this is {}", WithArticle(operand.type)),
+         .help = is_row ? "reduce it with `any`, `all` or `none`" : "compare it, as in `x > 0`"});
+    return false;
+  }
+
+  std::optional<CheckedExpression> CheckComparison() {
+    if (!IsScalar(left().type) || !IsScalar(right().type))
+      return WrongOperands("compare one element, or reduce with `norm`, `max`, `any` or the like");
+    if (IsBool(left().type) != IsBool(right().type)) return WrongOperands("");
+    if (IsBool(left().type) && !IsEquality(op_))
+      return WrongOperands("only `==` and `!=` compare `bool` values");
+    if (IsNumber(left().type) && !UnifyUnits()) return std::nullopt;
+    UnifyScalars(false);
+    return Build(ScalarType(Scalar::kBool), {});
+  }
+
+  std::optional<CheckedExpression> CheckArithmetic() {
+    const auto type = ArithmeticType();
+    if (!type) return std::nullopt;
+    const auto unit = ArithmeticUnit();
+    if (!unit) return std::nullopt;
+    UnifyScalars(op_ == BinaryOperator::kDivide);
+    Type result = *type;
+    result.scalar = left().type.scalar;
+    return Build(result, *unit);
+  }
+
+  std::optional<Type> ArithmeticType() {
+    const Type& left_type = left().type;
+    const Type& right_type = right().type;
+    if (IsBool(left_type) || IsBool(right_type))
+      return WrongOperands("a `bool` is no number: use `if`, or `count` for how many are true");
+    if (Has(Shape::kQuaternion)) return WrongOperands("take elements of it: `q.w`, `q.xyz`");
+    if (IsScalar(right_type)) return left_type;
+    if (IsScalar(left_type) && !(Has(Shape::kMatrix) && op_ == BinaryOperator::kDivide))
+      return right_type;
+    if (Has(Shape::kMatrix) && !IsSum(op_))
+      return WrongOperands("take rows or elements of it: `dot(m[0, 0..2], v)`");
+    Type left_shape = left_type;
+    left_shape.scalar = right_type.scalar;
+    if (left_shape != right_type) return WrongOperands("both need the same shape, or one a scalar");
+    return left_type;
+  }
+
+  std::optional<Unit> ArithmeticUnit() {
+    if (IsSum(op_)) return UnifyUnits() ? std::optional(left().unit) : std::nullopt;
+    const auto unit = op_ == BinaryOperator::kMultiply ? Multiply(left().unit, right().unit)
+                                                       : Divide(left().unit, right().unit);
+    if (!unit)
+      Report(diagnostics_, code::kUnitTooLarge, Cover(left().span, right().span),
+             "the unit of this has a power beyond 127");
+    return unit;
+  }
+
+  bool Has(Shape shape) { return left().type.shape == shape || right().type.shape == shape; }
+
+  // Gives both the same unit, or reports that they have different ones.
+  bool UnifyUnits() {
+    if (IsLiteralZero(left_.syntax)) left().unit = right().unit;
+    if (IsLiteralZero(right_.syntax)) right().unit = left().unit;
+    if (left().unit == right().unit) return true;
+    const std::string left_name = NameOf(left().unit);
+    const std::string right_name = NameOf(right().unit);
+    std::string message;
+    if (op_ == BinaryOperator::kAdd) {
+      message = fmt::format("cannot add {} and {}", left_name, right_name);
+    } else if (op_ == BinaryOperator::kSubtract) {
+      message = fmt::format("cannot subtract {} from {}", right_name, left_name);
+    } else {
+      message = fmt::format("cannot compare {} with {}", left_name, right_name);
+    }
+    Report(diagnostics_, code::kUnitMismatch, op_span_, std::move(message),
+           {.help = UnitHelp(), .labels = {{left().span, left_name}, {right().span, right_name}}});
+    return false;
+  }
+
+  std::string UnitHelp() {
+    const std::string help = HelpForUnit(right().unit, right_.syntax, left().unit);
+    return help.empty() ? HelpForUnit(left().unit, left_.syntax, right().unit) : help;
+  }
+
+  // Makes reals of both where one of them is, or where `force` says so.
+  void UnifyScalars(bool force) {
+    const bool has_real =
+        left().type.scalar == Scalar::kReal || right().type.scalar == Scalar::kReal;
+    if (!force && !has_real) return;
+    left() = ToReal(std::move(left()));
+    right() = ToReal(std::move(right()));
+  }
+
+  std::nullopt_t WrongOperands(std::string help) {
+    const std::string left_name = fmt::format("`{}`", ToString(left().type));
+    const std::string right_name = fmt::format("`{}`", ToString(right().type));
+    Report(diagnostics_, code::kWrongOperand, op_span_,
+           fmt::format("`{}` cannot be applied to {} and {}", TextOf(op_), left_name, right_name),
+           {.help = std::move(help),
+            .labels = {{left().span, left_name}, {right().span, right_name}}});
+    return std::nullopt;
+  }
+
+  std::optional<CheckedExpression> Build(const Type& type, const Unit& unit) {
+    const Span span = Cover(left().span, right().span);
+    CheckedBinary node{op_, std::make_unique<CheckedExpression>(std::move(left())),
+                       std::make_unique<CheckedExpression>(std::move(right()))};
+    return Fold({span, type, unit, std::move(node)}, diagnostics_);
+  }
+
+  BinaryOperator op_;
+  Span op_span_;
+  Operand left_;
+  Operand right_;
+  Diagnostics& diagnostics_;
+};
+
+}  // namespace
+
+std::optional<CheckedExpression> CheckUnaryOperator(UnaryOperator op, Span span,
+                                                    CheckedExpression operand,
+                                                    Diagnostics& diagnostics) {
+  const Type type = operand.type;
+  const bool is_not = op == UnaryOperator::kNot;
+  const bool fits = is_not ? type == ScalarType(Scalar::kBool)
+                           : IsNumber(type) && type.shape != Shape::kQuaternion;
+  if (!fits) {
+    std::string help;
+    if (is_not && IsBool(type)) help = "write `none(...)` for: none of them is true";
+    if (!is_not && IsBool(type)) help = "write `not` for the opposite of a condition";
+    Report(diagnostics, code::kWrongOperand, span,
+           fmt::format("`{}` cannot be applied to {}", is_not ? "not" : "-", WithArticle(type)),
+           {.help = std::move(help)});
+    return std::nullopt;
+  }
+  const Unit unit = operand.unit;
+  CheckedUnary node{op, std::make_unique<CheckedExpression>(std::move(operand))};
+  return Fold({span, type, unit, std::move(node)}, diagnostics);
+}
+
+std::optional<CheckedExpression> CheckBinaryOperator(BinaryOperator op, Span op_span, Operand left,
+                                                     Operand right, Diagnostics& diagnostics) {
+  return BinaryCheck(op, op_span, std::move(left), std::move(right), diagnostics).Check();
+}
+
+}  // namespace compiler

@@ -1,0 +1,34 @@
+// How the checks write their messages.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "compiler/source/diagnostic.h"
+#include "plugins/text/nearest_name.h"
+
+namespace compiler {
+
+// What a diagnostic says beyond its message.
+struct Explanation {
+  std::string note{};
+  std::string help{};
+  std::vector<Label> labels{};
+};
+
+// `code`: one of compiler::code.
+void Report(Diagnostics& diagnostics, std::string_view code, Span span, std::string message,
+            Explanation explanation = {});
+
+// "`a`, `b` and `c`"
+std::string List(const std::vector<std::string>& names);
+
+// The help for an unknown name: the nearest of the valid ones or else, where they are few, all of
+// them. `what`: what they are, in the plural.
+std::string Suggest(std::string_view name, const std::vector<std::string>& valid,
+                    std::string_view what);
+
+}  // namespace compiler

@@ -1,0 +1,77 @@
+#include "compiler/check/sensor_catalog.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+
+#include "compiler/check/type.h"
+#include "compiler/check/unit.h"
+#include "plugins/robot/sensors.h"
+
+namespace compiler {
+namespace {
+
+// Reads a type of the robot's list: "vec3", "bool[link]".
+Type TypeOf(std::string_view text, const std::vector<Enumeration>& enumerations) {
+  const size_t bracket = text.find('[');
+  auto type = FindType(text.substr(0, bracket));
+  assert(type);
+  if (bracket == std::string_view::npos) return *type;
+  const Enumeration* index =
+      FindEnumeration(enumerations, text.substr(bracket + 1, text.size() - bracket - 2));
+  assert(index != nullptr);
+  return {type->scalar, Shape::kArray, index->size(), 1, index->name};
+}
+
+}  // namespace
+
+SensorCatalog SensorCatalog::OfRobot(const std::vector<Enumeration>& enumerations) {
+  SensorCatalog catalog;
+  for (const robot::SensorDescription& sensor : robot::Sensors()) {
+    const auto unit = ParseUnit(sensor.unit);
+    assert(unit && unit->numerator == unit->denominator);
+    catalog.Add({std::string(sensor.name), TypeOf(sensor.type, enumerations), unit->unit});
+  }
+  return catalog;
+}
+
+std::vector<std::string> SensorCatalog::Names() const {
+  std::vector<std::string> names;
+  for (const CheckedSensor& sensor : sensors_) names.push_back(sensor.name);
+  return names;
+}
+
+std::optional<uint32_t> SensorCatalog::Find(std::string_view name) const {
+  for (uint32_t i = 0; i < sensors_.size(); ++i)
+    if (sensors_[i].name == name) return i;
+  return std::nullopt;
+}
+
+bool SensorCatalog::IsInvalid(std::string_view name) const {
+  return std::ranges::find(invalid_, name) != invalid_.end();
+}
+
+bool SensorCatalog::IsRoot(std::string_view name) const {
+  const std::string prefix = std::string(name) + '.';
+  return std::ranges::any_of(sensors_, [&](const CheckedSensor& sensor) {
+    return sensor.name == name || sensor.name.starts_with(prefix);
+  });
+}
+
+bool IsSensorOfRobots(std::string_view name) {
+  return std::ranges::any_of(robot::Sensors(), [name](const robot::SensorDescription& sensor) {
+    return sensor.name == name;
+  });
+}
+
+std::string DeclarationOf(std::string_view name) {
+  for (const robot::SensorDescription& sensor : robot::Sensors()) {
+    if (sensor.name != name || sensor.type.find('[') != std::string_view::npos) continue;
+    const std::string unit = sensor.unit.empty() ? "" : fmt::format(" [{}]", sensor.unit);
+    return fmt::format("sensor {}: {}{}", sensor.name, sensor.type, unit);
+  }
+  return "";
+}
+
+}  // namespace compiler

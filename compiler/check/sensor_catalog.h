@@ -1,0 +1,43 @@
+// The sensors that a task may read: those of its robot, or those that it declares itself.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "compiler/check/checked_task.h"
+#include "compiler/check/enumeration.h"
+
+namespace compiler {
+
+class SensorCatalog {
+ public:
+  // The sensors of plugins/robot/sensors.h; `enumerations` are those of the robot.
+  static SensorCatalog OfRobot(const std::vector<Enumeration>& enumerations);
+
+  void Add(CheckedSensor sensor) { sensors_.push_back(std::move(sensor)); }
+  // A sensor whose declaration is wrong: what reads it is not to be reported.
+  void AddInvalid(std::string name) { invalid_.push_back(std::move(name)); }
+
+  const std::vector<CheckedSensor>& list() const { return sensors_; }
+  std::vector<std::string> Names() const;
+  std::optional<uint32_t> Find(std::string_view name) const;
+  bool IsInvalid(std::string_view name) const;
+  // Is `name` the first part of a sensor's name, as `base` is of `base.velocity`?
+  bool IsRoot(std::string_view name) const;
+
+ private:
+  std::vector<CheckedSensor> sensors_;
+  std::vector<std::string> invalid_;
+};
+
+// Do all robots have a sensor called `name`?
+bool IsSensorOfRobots(std::string_view name);
+
+// How a task without a robot declares the sensor that robots call `name`: "sensor base.velocity:
+// vec3 [m/s]". Empty where its type needs a robot.
+std::string DeclarationOf(std::string_view name);
+
+}  // namespace compiler

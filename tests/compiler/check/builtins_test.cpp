@@ -1,0 +1,68 @@
+#include "compiler/check/builtins.h"
+
+#include "tests/compiler/check/checked_source.h"
+
+namespace compiler {
+namespace {
+
+TEST(Builtins, ReduceConditions) {
+  EXPECT_EQ(TypeOf("any(contact)"), "bool");
+  EXPECT_EQ(TypeOf("all(contact[hands, head])"), "bool");
+  EXPECT_EQ(TypeOf("none(contact[head])"), "bool");
+  EXPECT_EQ(TypeOf("count(contact[feet])"), "int");
+}
+
+TEST(Builtins, ReduceNumbers) {
+  EXPECT_EQ(TypeOf("sum(joint.angle)"), "real [rad]");
+  EXPECT_EQ(TypeOf("sum(n)", "memory n: int[3] = 0"), "int");
+  EXPECT_EQ(TypeOf("max(joint.angle)"), "real [rad]");
+  EXPECT_EQ(TypeOf("min(base.velocity)"), "real [m/s]");
+  EXPECT_EQ(TypeOf("norm(joint.torque)"), "real [N m]");
+  EXPECT_EQ(TypeOf("norm(n)", "memory n: int[3] = 0"), "real");
+}
+
+TEST(Builtins, MultiplyVectors) {
+  EXPECT_EQ(TypeOf("dot(base.velocity, base.position)"), "real [m^2/s]");
+  EXPECT_EQ(TypeOf("dot(joint.torque, joint.velocity)"), "real [N m rad/s]");
+  EXPECT_EQ(TypeOf("cross(base.angular_velocity, base.position)"), "vec3 [m rad/s]");
+}
+
+TEST(Builtins, KeepTypeAndUnitOfWhatTheyLimit) {
+  EXPECT_EQ(TypeOf("abs(base.velocity)"), "vec3 [m/s]");
+  EXPECT_EQ(TypeOf("abs(-3)"), "int");
+  EXPECT_EQ(TypeOf("min(base.position.x, 1 m)"), "real [m]");
+  EXPECT_EQ(TypeOf("min(1, 2)"), "int");
+  EXPECT_EQ(TypeOf("max(1, 2.5)"), "real");
+  EXPECT_EQ(TypeOf("clamp(base.position.x, -1 m, 1 m)"), "real [m]");
+}
+
+TEST(Builtins, OfManyValuesAreNestedCallsOfTwo) {
+  const CheckedExpression outer = CheckText("max(time, 1 s, 2 s, 3 s)");
+  EXPECT_EQ(ToString(outer.unit), "s");
+  const auto& call = std::get<BuiltinCall>(outer.node);
+  ASSERT_EQ(call.arguments.size(), 2u);
+  EXPECT_EQ(std::get<Constant>(call.arguments[1]->node).value, 3);
+  const auto& middle = std::get<BuiltinCall>(call.arguments[0]->node);
+  ASSERT_EQ(middle.arguments.size(), 2u);
+  EXPECT_EQ(std::get<Constant>(middle.arguments[1]->node).value, 2);
+}
+
+TEST(Builtins, KnowTheirUnits) {
+  EXPECT_EQ(TypeOf("sqrt(base.position.x * base.position.y)"), "real [m]");
+  EXPECT_EQ(TypeOf("exp(base.up.z)"), "real");
+  EXPECT_EQ(TypeOf("log(base.position.x / 1 m)"), "real");
+  EXPECT_EQ(TypeOf("tanh(count(contact))"), "real");
+  EXPECT_EQ(TypeOf("sin(joint.angle[left_knee_pitch])"), "real");
+  EXPECT_EQ(TypeOf("cos(90 deg)"), "real");
+  EXPECT_EQ(TypeOf("atan2(base.position.y, base.position.x)"), "real [rad]");
+}
+
+TEST(Builtins, AreFoundByName) {
+  ASSERT_NE(FindBuiltin("clamp"), nullptr);
+  EXPECT_EQ(FindBuiltin("clamp")->function, Builtin::kClamp);
+  EXPECT_EQ(FindBuiltin("Clamp"), nullptr);
+  EXPECT_EQ(BuiltinNames().size(), 19u);
+}
+
+}  // namespace
+}  // namespace compiler

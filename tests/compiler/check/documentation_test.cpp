@@ -1,0 +1,80 @@
+// docs/diagnostics.md keeps its word: the first example of each section provokes the diagnostic,
+// the second does not.
+#include <gmock/gmock.h>
+
+#include <string>
+#include <vector>
+
+#include "compiler/source/diagnostic_table.h"
+#include "tests/compiler/check/checked_source.h"
+#include "tests/compiler/golden.h"
+
+namespace compiler {
+namespace {
+
+const std::string kBegin = "```task\n";
+const std::string kEnd = "```";
+
+std::vector<std::string> ExamplesOf(const std::string& text) {
+  std::vector<std::string> examples;
+  for (size_t i = text.find(kBegin); i != std::string::npos; i = text.find(kBegin, i)) {
+    i += kBegin.size();
+    examples.push_back(text.substr(i, text.find(kEnd, i) - i));
+  }
+  return examples;
+}
+
+// The part of the page that explains one code.
+std::string SectionOf(const std::string& page, std::string_view code) {
+  const size_t section = page.find("\n### " + std::string(code));
+  EXPECT_NE(section, std::string::npos) << code;
+  return section == std::string::npos
+             ? ""
+             : page.substr(section, page.find("\n##", section + 1) - section);
+}
+
+bool HasLineWith(const std::string& text, const std::string& begin) {
+  return text.starts_with(begin) || text.find("\n" + begin) != std::string::npos;
+}
+
+// An example is a whole task, or declarations, or statements.
+std::string AsTask(const std::string& example) {
+  if (HasLineWith(example, "task ")) return example;
+  if (HasLineWith(example, "sensor ")) return "task example\n" + example;
+  for (const char* word : {"start ", "param ", "memory ", "metric ", "on "})
+    if (HasLineWith(example, word)) return "task example for humanoid\n" + example;
+  return TaskText("", example);
+}
+
+std::vector<std::string> CodesOf(const std::string& example) {
+  const CheckedSource checked(AsTask(example));
+  EXPECT_TRUE(checked.is_parsed) << checked.Messages();
+  std::vector<std::string> codes;
+  for (const Diagnostic& diagnostic : checked.diagnostics.list()) codes.push_back(diagnostic.code);
+  return codes;
+}
+
+TEST(DiagnosticsPage, ExamplesProvokeWhatTheyExplain) {
+  const std::string page = golden::ReadFile(SOURCE_DIR "/docs/diagnostics.md");
+  for (const DiagnosticKind& kind : kDiagnosticTable) {
+    if (kind.code.starts_with("E01") || kind.code == code::kUnknownRobot) continue;
+    const auto examples = ExamplesOf(SectionOf(page, kind.code));
+    if (examples.empty()) continue;  // too long to print
+    ASSERT_EQ(examples.size(), 2u) << kind.code;
+    const std::string code(kind.code);
+    EXPECT_THAT(CodesOf(examples[0]), testing::Contains(code)) << examples[0];
+    const auto better = CodesOf(examples[1]);
+    EXPECT_THAT(better, testing::Not(testing::Contains(code))) << examples[1];
+    EXPECT_THAT(better, testing::Each(testing::StartsWith("W"))) << examples[1];
+  }
+}
+
+TEST(LanguageReference, ExamplesAreFreeOfErrors) {
+  const auto examples = ExamplesOf(golden::ReadFile(SOURCE_DIR "/docs/language.md"));
+  EXPECT_GT(examples.size(), 10u);
+  for (const std::string& example : examples)
+    EXPECT_THAT(CodesOf(example), testing::Each(testing::StartsWith("W"))) << example;
+}
+
+}  // namespace
+}  // namespace compiler

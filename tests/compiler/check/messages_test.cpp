@@ -1,0 +1,73 @@
+// The messages of the checker, word for word: messages/fail_*.task are wrong, messages/warn_*.task
+// only get warnings; the .expected file beside each has all that is said about it.
+#include <filesystem>
+#include <set>
+
+#include "compiler/source/diagnostic_table.h"
+#include "tests/compiler/check/checked_source.h"
+#include "tests/compiler/golden.h"
+
+namespace compiler {
+namespace {
+
+const std::filesystem::path kFolder = SOURCE_DIR "/tests/compiler/check/messages";
+
+// A task of the folder, under a path that does not depend on where the project lies.
+CheckedSource CheckFile(const std::filesystem::path& file) {
+  return CheckedSource(SourceFile(file.filename(), golden::ReadFile(file)));
+}
+
+void ExpectMessages(const std::filesystem::path& file, const CheckedSource& checked) {
+  EXPECT_TRUE(checked.is_parsed) << file << "\n" << checked.Messages();
+  auto expected = file;
+  golden::Expect(expected.replace_extension(".expected"), checked.Messages());
+}
+
+TEST(Messages, OfWrongTasksAreAsReviewed) {
+  for (const auto& file : golden::FilesIn(kFolder, "fail_", ".task")) {
+    const CheckedSource checked = CheckFile(file);
+    EXPECT_FALSE(checked.task) << file;
+    EXPECT_TRUE(checked.diagnostics.has_errors()) << file;
+    ExpectMessages(file, checked);
+  }
+}
+
+TEST(Messages, OfCarelessTasksAreAsReviewed) {
+  for (const auto& file : golden::FilesIn(kFolder, "warn_", ".task")) {
+    const CheckedSource checked = CheckFile(file);
+    EXPECT_TRUE(checked.task) << file;
+    ExpectMessages(file, checked);
+  }
+}
+
+TEST(Messages, AreCaseAndPeriodAsTheGuideAsks) {
+  for (const auto& file : golden::FilesIn(kFolder, "", ".task")) {
+    const CheckedSource checked = CheckFile(file);
+    for (const Diagnostic& diagnostic : checked.diagnostics.list()) {
+      EXPECT_FALSE(std::isupper(static_cast<unsigned char>(diagnostic.message.front())))
+          << diagnostic.message;
+      EXPECT_FALSE(diagnostic.message.ends_with('.')) << diagnostic.message;
+      EXPECT_LT(diagnostic.span.begin, diagnostic.span.end) << diagnostic.message;
+    }
+  }
+}
+
+TEST(Messages, ProvokeEveryDiagnosticOfTheChecker) {
+  std::set<std::string> provoked;
+  for (const auto& file : golden::FilesIn(kFolder, "", ".task")) {
+    const CheckedSource checked = CheckFile(file);
+    for (const Diagnostic& diagnostic : checked.diagnostics.list())
+      provoked.insert(diagnostic.code);
+  }
+  for (const DiagnosticKind& kind : kDiagnosticTable) {
+    const bool is_syntax = kind.code.starts_with("E01");
+    // The robot is looked for before a task is checked.
+    const bool is_of_checker = !is_syntax && kind.code != code::kUnknownRobot;
+    if (is_of_checker) {
+      EXPECT_TRUE(provoked.contains(std::string(kind.code))) << kind.code;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace compiler

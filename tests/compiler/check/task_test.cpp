@@ -1,0 +1,137 @@
+// A whole task: what its declarations and statements become.
+#include <gmock/gmock.h>
+
+#include <limits>
+
+#include "compiler/check/fold.h"
+#include "tests/compiler/check/checked_source.h"
+
+namespace compiler {
+namespace {
+
+const CheckedBlock& BlockOf(const CheckedTask& task, EventKind event) {
+  return task.events[static_cast<size_t>(event)].body;
+}
+
+TEST(Task, HasTheHeaderOfItsSource) {
+  const CheckedTask task = CheckTask("/// Lies still.\ntask resting for humanoid\nstart lying\n");
+  EXPECT_EQ(task.name, "resting");
+  EXPECT_EQ(task.doc, "Lies still.");
+  EXPECT_EQ(task.robot, "humanoid");
+  EXPECT_EQ(task.start_pose, "lying");
+}
+
+TEST(Task, HasParamsInSiUnits) {
+  const CheckedTask task =
+      CheckTask(TaskText("param reach: real [m] = 5 cm in 0 .. 1 m\nparam steps: int = 3\n"
+                         "param enabled: bool = true\nparam bend: real [rad] = 180 deg",
+                         ""));
+  ASSERT_EQ(task.params.size(), 4u);
+  EXPECT_EQ(task.params[0].initial, 0.05);
+  EXPECT_EQ(task.params[0].minimum, 0);
+  EXPECT_EQ(task.params[0].maximum, 1);
+  EXPECT_EQ(ToString(task.params[0].unit), "m");
+  EXPECT_EQ(task.params[1].type.scalar, Scalar::kInt);
+  EXPECT_EQ(task.params[1].minimum, -std::numeric_limits<double>::infinity());
+  EXPECT_EQ(task.params[1].maximum, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(task.params[2].initial, 1);
+  EXPECT_EQ(task.params[2].minimum, 0);
+  EXPECT_EQ(task.params[2].maximum, 1);
+  EXPECT_DOUBLE_EQ(task.params[3].initial, 3.141592653589793);
+}
+
+TEST(Task, HasMemoryOfThreeScopes) {
+  const CheckedTask task = CheckTask(
+      TaskText("memory a: real = 1\nmemory b: bool = false per action\nmemory c: int = 2 per run\n"
+               "memory d: vec3 [m] = 5 cm\nmemory e: real = gain\nparam gain: real = 3",
+               ""));
+  ASSERT_EQ(task.memory.size(), 5u);
+  EXPECT_EQ(task.memory[0].scope, MemoryScope::kPerEpisode);
+  EXPECT_EQ(ToString(task.memory[0].initial.type), "real");
+  EXPECT_EQ(task.memory[1].scope, MemoryScope::kPerAction);
+  EXPECT_EQ(task.memory[2].scope, MemoryScope::kPerRun);
+  EXPECT_EQ(ValueOf(task.memory[3].initial), 0.05);
+  EXPECT_EQ(ToString(task.memory[3].initial.type), "real");
+  EXPECT_EQ(std::get<ParamRead>(task.memory[4].initial.node).param, 0u);
+}
+
+TEST(Task, HasOneTermForAllStatementsThatPayIt) {
+  const CheckedTask task =
+      CheckTask(TaskText("",
+                         "/// The way ahead.\nreward rate forward = base.velocity.x\nif "
+                         "contact[head] {\n  reward fall = -1\n"
+                         "}\nif contact[body] {\n  reward fall = -2\n}"));
+  ASSERT_EQ(task.terms.size(), 2u);
+  EXPECT_EQ(task.terms[0].name, "forward");
+  EXPECT_EQ(task.terms[1].name, "fall");
+  EXPECT_EQ(task.terms[0].doc, "The way ahead.");
+  EXPECT_EQ(task.terms[1].line, 7u);
+}
+
+TEST(Task, PaysAnonymousRewardsToTheTermCalledReward) {
+  const CheckedTask task =
+      CheckTask("task paying for humanoid\non end_of_action {\n  reward += 2\n  reward -= 3\n}\n");
+  ASSERT_EQ(task.terms.size(), 1u);
+  EXPECT_EQ(task.terms[0].name, "reward");
+  const CheckedBlock& block = BlockOf(task, EventKind::kEndOfAction);
+  ASSERT_EQ(block.size(), 2u);
+  EXPECT_EQ(ValueOf(std::get<CheckedReward>(block[0].node).value), 2);
+  EXPECT_EQ(ValueOf(std::get<CheckedReward>(block[1].node).value), -3);
+}
+
+TEST(Task, HasOneEndForEachStatement) {
+  const CheckedTask task =
+      CheckTask(TaskText("",
+                         "if contact[head] { end_episode failure \"falls\" }\n"
+                         "if base.position.x > 1 m { end_episode success \"arrives\" }\n"
+                         "if time > 20 s { truncate_episode \"time is up\" }"));
+  ASSERT_EQ(task.ends.size(), 3u);
+  EXPECT_EQ(task.ends[0].kind, EndKind::kFailure);
+  EXPECT_EQ(task.ends[0].reason, "falls");
+  EXPECT_EQ(task.ends[0].line, 4u);
+  EXPECT_EQ(task.ends[1].kind, EndKind::kSuccess);
+  EXPECT_EQ(task.ends[2].kind, EndKind::kTruncated);
+}
+
+TEST(Task, HasMetricsAsReals) {
+  const CheckedTask task = CheckTask(
+      "task measured for humanoid\n/// Links on the ground.\nmetric max touches = count(contact)\n"
+      "metric sum rolls = base.angular_velocity.y * time_step / 360 deg\n");
+  ASSERT_EQ(task.metrics.size(), 2u);
+  EXPECT_EQ(task.metrics[0].name, "touches");
+  EXPECT_EQ(task.metrics[0].doc, "Links on the ground.");
+  EXPECT_EQ(task.metrics[0].reduction, Reduction::kMax);
+  EXPECT_EQ(ToString(task.metrics[0].value.type), "real");
+  EXPECT_EQ(ToString(task.metrics[1].value.unit), "");
+}
+
+TEST(Task, KnowsWhichEventsItDeclares) {
+  const CheckedTask task = CheckTask("task quiet for humanoid\non end_of_action {\n}\n");
+  EXPECT_TRUE(task.events[static_cast<size_t>(EventKind::kEndOfAction)].is_declared);
+  EXPECT_FALSE(task.events[static_cast<size_t>(EventKind::kStartOfAction)].is_declared);
+}
+
+TEST(Task, HasLocalsForEachEvent) {
+  const CheckedTask task =
+      CheckTask(TaskText("", "if contact[head] {\n  let x = 1 m\n} else {\n  let x = true\n}") +
+                "on end_of_action {\n  let y = 2\n}\n");
+  const auto& locals = task.events[static_cast<size_t>(EventKind::kEndOfTimeStep)].locals;
+  ASSERT_EQ(locals.size(), 2u);
+  EXPECT_EQ(ToString(locals[0].unit), "m");
+  EXPECT_EQ(ToString(locals[1].type), "bool");
+  EXPECT_EQ(task.events[static_cast<size_t>(EventKind::kEndOfAction)].locals.size(), 1u);
+}
+
+TEST(Task, KeepsTheBranchesOfAnIf) {
+  const CheckedTask task = CheckTask(TaskText(
+      "",
+      "if contact[head] {\n reward a = 1\n} else if contact[body] {\n} else {\n reward b = 2\n}"));
+  const auto& branches = std::get<CheckedIf>(BlockOf(task, EventKind::kEndOfTimeStep).at(0).node);
+  ASSERT_EQ(branches.branches.size(), 2u);
+  EXPECT_EQ(branches.branches[0].body.size(), 1u);
+  EXPECT_EQ(branches.branches[1].body.size(), 0u);
+  EXPECT_EQ(branches.otherwise.size(), 1u);
+}
+
+}  // namespace
+}  // namespace compiler

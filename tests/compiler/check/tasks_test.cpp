@@ -1,0 +1,25 @@
+// The tasks that come with the project.
+#include "tests/compiler/check/checked_source.h"
+#include "tests/compiler/golden.h"
+
+namespace compiler {
+namespace {
+
+TEST(ShippedTasks, HaveNeitherErrorsNorWarnings) {
+  for (const auto& file : golden::FilesIn(SOURCE_DIR "/tasks", "", ".task")) {
+    const CheckedSource checked(SourceFile::Read(file));
+    EXPECT_TRUE(checked.task) << file;
+    EXPECT_TRUE(checked.diagnostics.list().empty()) << checked.Messages();
+  }
+}
+
+TEST(ShippedTasks, ReadOnlyTheSensorsTheyNeed) {
+  const CheckedSource checked(SourceFile::Read(SOURCE_DIR "/tasks/forward_rolling.task"));
+  ASSERT_TRUE(checked.task) << checked.Messages();
+  std::vector<std::string> names;
+  for (const CheckedSensor& sensor : checked.task->sensors) names.push_back(sensor.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"time", "base.angular_velocity", "joint.torque"}));
+}
+
+}  // namespace
+}  // namespace compiler
