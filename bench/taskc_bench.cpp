@@ -1,0 +1,246 @@
+// The compiler's phases, `taskc` as a whole, and a compiled callback beside the same one by hand.
+//
+// Whole programs are measured by the processor time of the child and of all its own children (g++,
+// as, ld), which hardly depends on what else the machine does.
+#include <benchmark/benchmark.h>
+#include <dlfcn.h>
+#include <fmt/format.h>
+#include <sys/resource.h>
+#include <taskc/plugin.h>
+
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "compiler/build/build_plugin.h"
+#include "compiler/build/plugin_cache.h"
+#include "compiler/check/check.h"
+#include "compiler/emit/emit.h"
+#include "compiler/syntax/parse.h"
+
+namespace compiler {
+namespace {
+
+constexpr const char* kTask = SOURCE_DIR "/tasks/crawling.task";
+constexpr const char* kRobot = SOURCE_DIR "/plugins/humanoid/robot.toml";
+
+// ---- Phases ---------------------------------------------------------------------------------
+
+void Parse(benchmark::State& state) {
+  SourceFile source = SourceFile::Read(kTask);
+  for (auto _ : state) {
+    Diagnostics diagnostics;
+    benchmark::DoNotOptimize(Parse(source, diagnostics));
+  }
+}
+BENCHMARK(Parse)->Unit(benchmark::kMicrosecond);
+
+void ReadRobot(benchmark::State& state) {
+  for (auto _ : state) benchmark::DoNotOptimize(robot::ReadRobot(kRobot));
+}
+BENCHMARK(ReadRobot)->Unit(benchmark::kMicrosecond);
+
+void Check(benchmark::State& state) {
+  SourceFile source = SourceFile::Read(kTask);
+  robot::RobotDescription robot = robot::ReadRobot(kRobot);
+  Diagnostics diagnostics;
+  SyntaxTree tree = Parse(source, diagnostics).value();
+  for (auto _ : state) benchmark::DoNotOptimize(Check(tree, source, &robot, diagnostics));
+}
+BENCHMARK(Check)->Unit(benchmark::kMicrosecond);
+
+std::string EmitTask() {
+  SourceFile source = SourceFile::Read(kTask);
+  robot::RobotDescription robot = robot::ReadRobot(kRobot);
+  Diagnostics diagnostics;
+  SyntaxTree tree = Parse(source, diagnostics).value();
+  return Emit(Check(tree, source, &robot, diagnostics).value(), source);
+}
+
+void Emit(benchmark::State& state) {
+  SourceFile source = SourceFile::Read(kTask);
+  robot::RobotDescription robot = robot::ReadRobot(kRobot);
+  Diagnostics diagnostics;
+  SyntaxTree tree = Parse(source, diagnostics).value();
+  CheckedTask task = Check(tree, source, &robot, diagnostics).value();
+  for (auto _ : state) benchmark::DoNotOptimize(Emit(task, source));
+}
+BENCHMARK(Emit)->Unit(benchmark::kMicrosecond);
+
+// ---- The whole program ----------------------------------------------------------------------
+
+double ChildrenSeconds() {
+  rusage usage{};
+  getrusage(RUSAGE_CHILDREN, &usage);
+  auto seconds = [](const timeval& time) {
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+  };
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+// The reported time is processor time.
+void RunTaskc(benchmark::State& state, const std::string& arguments,
+              const std::filesystem::path& emptied = {}) {
+  std::string command = fmt::format("exec '{}' {} >/dev/null", TASKC, arguments);
+  for (auto _ : state) {
+    if (!emptied.empty()) std::filesystem::remove_all(emptied);
+    double before = ChildrenSeconds();
+    if (std::system(command.c_str()) != 0) state.SkipWithError("taskc failed");
+    state.SetIterationTime(ChildrenSeconds() - before);
+  }
+}
+
+// A cache of our own, below the folder for temporary files.
+std::filesystem::path BenchCache() {
+  return std::filesystem::temp_directory_path() / "taskc-bench-cache";
+}
+
+void CheckProgram(benchmark::State& state) { RunTaskc(state, fmt::format("check '{}'", kTask)); }
+BENCHMARK(CheckProgram)->UseManualTime()->Unit(benchmark::kMillisecond);
+
+void BuildUncached(benchmark::State& state) {
+  RunTaskc(state, fmt::format("build '{}' --cache '{}'", kTask, BenchCache().string()),
+           BenchCache());
+}
+BENCHMARK(BuildUncached)->UseManualTime()->Unit(benchmark::kMillisecond);
+
+void BuildCached(benchmark::State& state) {
+  RunTaskc(state, fmt::format("build '{}' --cache '{}'", kTask, BenchCache().string()));
+}
+BENCHMARK(BuildCached)->UseManualTime()->Unit(benchmark::kMillisecond);
+
+// ---- A callback -----------------------------------------------------------------------------
+
+constexpr double kTimeStep = 0.005;
+
+// What the crawling task reads.
+struct Sensors {
+  double time = 1;
+  double base_position[3] = {};
+  double base_up[3] = {0.6, 0.1, 0.79};
+  double base_velocity[3] = {0.1, 0.02, 0};
+  double base_angular_velocity[3] = {0.1, 0.2, 0.3};
+  double joint_torque[17] = {0.5, -0.25, 1, 0.125, 0.75};
+  bool contact[18] = {};
+
+  // Another step, so that nothing can be computed once for all.
+  void Advance() { base_velocity[0] = 0.3 - base_velocity[0]; }
+};
+
+// The same task as a person writes it into the trainer.
+class HandWritten {
+ public:
+  explicit HandWritten(const Sensors& sensors) : sensors_(sensors) {}
+
+  double EndOfTimeStep(double time_step) {
+    const Sensors& s = sensors_;
+    double squares = 0;
+    for (double torque : s.joint_torque) squares += torque * torque;
+    double reward = 0.25 / 0.005 *
+                        (s.base_velocity[0] * s.base_up[0] + s.base_velocity[1] * s.base_up[1]) *
+                        time_step -
+                    0.025 / 0.005 * std::fabs(s.base_angular_velocity[2]) * time_step -
+                    4e-9 / 0.0002 * std::sqrt(squares) * time_step;
+    if (!fallen_ && (s.contact[0] || s.contact[1])) {
+      fallen_ = true;
+      reward -= fall_penalty_;
+    }
+    sum_of_reward_ += reward;
+    has_ended_ = sum_of_reward_ < -40 || s.time > 20;
+    return reward;
+  }
+  bool has_ended() const { return has_ended_; }
+
+ private:
+  const Sensors& sensors_;
+  double fall_penalty_ = 4;
+  double sum_of_reward_ = 0;
+  bool fallen_ = false;
+  bool has_ended_ = false;
+};
+
+void CallbackByHand(benchmark::State& state) {
+  Sensors sensors;
+  HandWritten task(sensors);
+  for (auto _ : state) {
+    sensors.Advance();
+    benchmark::ClobberMemory();
+    benchmark::DoNotOptimize(task.EndOfTimeStep(kTimeStep));
+    benchmark::DoNotOptimize(task.has_ended());
+  }
+}
+BENCHMARK(CallbackByHand);
+
+const taskc_plugin& LoadTask() {
+  static const taskc_plugin* plugin = [] {
+    std::filesystem::path file = BuildPlugin("crawling", EmitTask(), BenchCache()).plugin;
+    void* library = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
+    if (library == nullptr) throw std::runtime_error(dlerror());
+    return reinterpret_cast<taskc_plugin_entry>(dlsym(library, TASKC_PLUGIN_ENTRY))();
+  }();
+  return *plugin;
+}
+
+const void* FindSensor(const Sensors& sensors, std::string_view name) {
+  const std::pair<std::string_view, const void*> places[] = {
+      {"time", &sensors.time},
+      {"base.position", sensors.base_position},
+      {"base.up", sensors.base_up},
+      {"base.velocity", sensors.base_velocity},
+      {"base.angular_velocity", sensors.base_angular_velocity},
+      {"joint.torque", sensors.joint_torque},
+      {"contact", sensors.contact}};
+  for (const auto& [known, place] : places) {
+    if (known == name) return place;
+  }
+  throw std::runtime_error(fmt::format("the task reads {}, which is not measured here", name));
+}
+
+void CallbackOfPlugin(benchmark::State& state) {
+  const taskc_plugin& plugin = LoadTask();
+  Sensors sensors;
+  std::vector<const void*> places;
+  for (const taskc_sensor& sensor : std::span(plugin.sensors, plugin.sensor_count)) {
+    places.push_back(FindSensor(sensors, sensor.name));
+  }
+  std::vector<double> params;
+  for (const taskc_param& param : std::span(plugin.params, plugin.param_count)) {
+    params.push_back(param.initial);
+  }
+  std::vector<std::max_align_t> memory(plugin.memory_size / sizeof(std::max_align_t) + 1);
+  std::vector<double> terms(plugin.term_count);
+  std::vector<double> metrics(plugin.metric_count);
+  taskc_frame frame{.sensors = places.data(),
+                    .params = params.data(),
+                    .memory = memory.data(),
+                    .time_step = 0,
+                    .terms = terms.data(),
+                    .metrics = metrics.data(),
+                    .reward = 0,
+                    .end = -1,
+                    .fault = -1};
+  plugin.initialize(&frame);
+  taskc_event_function callback = plugin.events[TASKC_END_OF_TIME_STEP];
+  for (auto _ : state) {
+    sensors.Advance();
+    benchmark::ClobberMemory();
+    frame.time_step = kTimeStep;
+    frame.reward = 0;
+    frame.end = -1;
+    frame.fault = -1;
+    callback(&frame);
+    benchmark::DoNotOptimize(frame.reward);
+    benchmark::DoNotOptimize(frame.end);
+  }
+}
+BENCHMARK(CallbackOfPlugin);
+
+}  // namespace
+}  // namespace compiler
+
+BENCHMARK_MAIN();

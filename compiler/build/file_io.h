@@ -1,0 +1,24 @@
+// Whole files, with errors that name the file and the reason.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace compiler {
+
+// Nothing where the file cannot be read.
+std::optional<std::string> ReadWholeFile(const std::filesystem::path& file);
+
+// Throws CallError.
+void WriteWholeFile(const std::filesystem::path& file, std::string_view bytes);
+
+// Under a temporary name in the same folder, then renamed: whoever has the old file open or mapped
+// keeps it, and nobody ever sees half a file. Devices are written as they are. Throws CallError.
+void ReplaceFile(const std::filesystem::path& file, std::string_view bytes);
+
+// As ReplaceFile. Throws CallError.
+void CopyWholeFile(const std::filesystem::path& from, const std::filesystem::path& to);
+
+}  // namespace compiler

@@ -1,0 +1,49 @@
+#include "compiler/driver/find_robot.h"
+
+#include <fmt/format.h>
+
+#include <string_view>
+#include <vector>
+
+namespace compiler {
+namespace {
+
+std::vector<std::filesystem::path> Folders(const std::filesystem::path& task,
+                                           const std::filesystem::path& first) {
+  std::vector<std::filesystem::path> folders;
+  if (!first.empty()) folders.push_back(first);
+  std::filesystem::path beside = task.parent_path();
+  folders.push_back(beside.empty() ? "." : beside);
+  for (std::filesystem::path& folder : robot::DefaultRobotFolders()) {
+    folders.push_back(std::move(folder));
+  }
+  return folders;
+}
+
+// A message and, behind `help:`, what to do.
+Diagnostic UnknownRobot(const Identifier& name, std::string_view what) {
+  constexpr std::string_view kHelp = "\n  help: ";
+  size_t help = what.find(kHelp);
+  Diagnostic diagnostic =
+      MakeDiagnostic(code::kUnknownRobot, name.span, std::string(what.substr(0, help)));
+  if (help != std::string_view::npos) diagnostic.help = what.substr(help + kHelp.size());
+  return diagnostic;
+}
+
+}  // namespace
+
+std::optional<robot::RobotDescription> FindRobot(const Identifier& name,
+                                                 const std::filesystem::path& task,
+                                                 const std::filesystem::path& first,
+                                                 Diagnostics& diagnostics) {
+  std::filesystem::path file;
+  try {
+    file = robot::FindRobotFile(name.text, Folders(task, first));
+  } catch (const robot::DescriptionError& error) {
+    diagnostics.Add(UnknownRobot(name, error.what()));
+    return std::nullopt;
+  }
+  return robot::ReadRobot(file);
+}
+
+}  // namespace compiler

@@ -1,0 +1,41 @@
+// Pieces of C++ text, and how they join.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "compiler/check/checked_task.h"
+
+namespace compiler {
+
+// From loosest to tightest, as C++ binds.
+enum class Precedence { kOr, kAnd, kEquality, kRelation, kSum, kProduct, kPrefix, kPrimary };
+
+// An expression and how tightly its outermost operator binds.
+struct CppText {
+  std::string text;
+  Precedence precedence = Precedence::kPrimary;
+};
+
+// In parentheses, unless it binds at least as tightly as asked.
+std::string AtLeast(Precedence precedence, const CppText& text);
+
+// Two operands with the operator between them, in as many parentheses as a reader needs.
+CppText BinaryText(BinaryOperator op, const CppText& left, const CppText& right);
+
+// The type that holds one element: "bool", "long long", "double".
+std::string_view CppType(Scalar scalar);
+
+// "double name" or "bool name[18]".
+std::string Declarator(const std::string& name, const Type& type);
+
+// The number of elements up to which an operation on arrays is written out; a loop beyond.
+inline constexpr uint32_t kWrittenOut = 32;
+
+// The lines that define an array from its elements: one text for each, or for arrays longer than
+// kWrittenOut one text in which `i` is the index.
+std::vector<std::string> ArrayDefinition(const std::string& name, const Type& type,
+                                         const std::vector<CppText>& elements);
+
+}  // namespace compiler

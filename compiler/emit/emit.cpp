@@ -1,0 +1,68 @@
+#include "compiler/emit/emit.h"
+
+#include <fmt/format.h>
+#include <taskc/plugin.h>
+
+#include "compiler/emit/function_emitter.h"
+#include "compiler/emit/table_emitter.h"
+
+namespace compiler {
+namespace {
+
+constexpr int kEventCount = TASKC_EVENT_COUNT;
+
+void EmitFunctions(const CheckedTask& task, const SourceFile& source, const PluginNames& names,
+                   TextWriter& writer, HelperSet& helpers) {
+  FunctionEmitter functions(task, source, names, writer, helpers);
+  functions.EmitInitialize();
+  for (int event = 0; event < kEventCount; ++event) {
+    auto kind = static_cast<EventKind>(event);
+    if (HasFunction(task, kind)) functions.EmitEvent(kind);
+  }
+  if (!task.metrics.empty()) functions.EmitMeasure();
+  writer.LeaveSource();
+}
+
+void EmitHelpers(const HelperSet& helpers, bool of_library, TextWriter& writer) {
+  for (int i = 0; i < kHelperCount; ++i) {
+    auto helper = static_cast<Helper>(i);
+    if (!helpers.Has(helper) || IsOfLibrary(helper) != of_library) continue;
+    writer.BlankLine();
+    writer.Line(HelperText(helper));
+  }
+}
+
+}  // namespace
+
+std::string Emit(const CheckedTask& task, const SourceFile& source) {
+  PluginNames names(task);
+  std::string own_path = task.name + ".cpp";
+
+  // Which helpers there are is known only once the functions are written; where the functions stand
+  // in the text, only once the helpers are. So the functions are written twice.
+  HelperSet helpers;
+  TextWriter rehearsal(source.path(), own_path);
+  EmitFunctions(task, source, names, rehearsal, helpers);
+
+  TextWriter writer(source.path(), own_path);
+  writer.Line(fmt::format("// Made from the task `{}` by taskc {}.", task.name, TASKC_VERSION));
+  writer.Line("#include <taskc/plugin.h>");
+  EmitHelpers(helpers, true, writer);
+  writer.BlankLine();
+  writer.Line("namespace {");
+  EmitTables(task, source, names, writer);
+  EmitHelpers(helpers, false, writer);
+  EmitFunctions(task, source, names, writer, helpers);
+  EmitEntry(task, source, writer);
+  writer.BlankLine();
+  writer.Line("}  // namespace");
+  writer.BlankLine();
+  writer.Line(
+      "extern \"C\" __attribute__((visibility(\"default\"))) "
+      "const taskc_plugin* taskc_plugin_get() {");
+  writer.Line("  return &plugin;");
+  writer.Line("}");
+  return writer.text();
+}
+
+}  // namespace compiler

@@ -1,0 +1,333 @@
+#include "compiler/emit/expression_emitter.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "compiler/emit/cpp_literal.h"
+#include "compiler/emit/overloaded.h"
+#include "compiler/emit/reduction.h"
+
+namespace compiler {
+namespace {
+
+bool IsScalarValue(const CheckedExpression& expression) {
+  return expression.type.shape == Shape::kScalar;
+}
+
+// What the expression is made of, one level down.
+std::vector<const CheckedExpression*> Operands(const CheckedExpression& expression) {
+  using Result = std::vector<const CheckedExpression*>;
+  return std::visit(Overloaded{
+                        [](const Elements& node) { return Result{node.operand.get()}; },
+                        [](const CheckedUnary& node) { return Result{node.operand.get()}; },
+                        [](const CheckedBinary& node) {
+                          return Result{node.left.get(), node.right.get()};
+                        },
+                        [](const IntToReal& node) { return Result{node.operand.get()}; },
+                        [](const BuiltinCall& node) {
+                          Result result;
+                          for (const CheckedExpressionPtr& part : node.arguments)
+                            result.push_back(part.get());
+                          return result;
+                        },
+                        [](const auto&) { return Result{}; },
+                    },
+                    expression.node);
+}
+
+// Whether reading it again costs no computation.
+bool IsMereRead(const CheckedExpression& expression) {
+  if (const auto* elements = std::get_if<Elements>(&expression.node)) {
+    return IsMereRead(*elements->operand);
+  }
+  return Operands(expression).empty();
+}
+
+bool HasRepetition(std::vector<uint32_t> indices) {
+  std::ranges::sort(indices);
+  return std::ranges::adjacent_find(indices) != indices.end();
+}
+
+bool IsContiguous(const std::vector<uint32_t>& indices) {
+  return std::ranges::adjacent_find(indices, [](uint32_t a, uint32_t b) { return b != a + 1; }) ==
+         indices.end();
+}
+
+std::string ConstantLiteral(const Constant& constant, Scalar scalar) {
+  switch (scalar) {
+    case Scalar::kBool:
+      return constant.value != 0 ? "true" : "false";
+    case Scalar::kInt:
+      return IntLiteral(constant.value);
+    case Scalar::kReal:
+      break;
+  }
+  return RealLiteral(constant.value);
+}
+
+CppText LiteralText(const Constant& constant, Scalar scalar) {
+  std::string literal = ConstantLiteral(constant, scalar);
+  return {literal, literal.starts_with('-') ? Precedence::kPrefix : Precedence::kPrimary};
+}
+
+CppText CallText(std::string_view function, const std::vector<CppText>& arguments) {
+  std::vector<std::string_view> texts;
+  for (const CppText& argument : arguments) texts.push_back(argument.text);
+  return {fmt::format("{}({})", function, fmt::join(texts, ", "))};
+}
+
+}  // namespace
+
+ExpressionEmitter::ExpressionEmitter(const ValueNames& values, UniqueNames& names,
+                                     HelperSet& helpers)
+    : values_(values), names_(names), helpers_(helpers) {}
+
+CppText ExpressionEmitter::EmitScalar(const CheckedExpression& expression) {
+  Prepare(expression, Use::kOnce);
+  return Element(expression, {});
+}
+
+std::vector<CppText> ExpressionEmitter::EmitElements(const CheckedExpression& expression,
+                                                     uint32_t count) {
+  bool is_spread = IsScalarValue(expression) && count > 1;
+  Prepare(expression, is_spread ? Use::kRepeatedly : Use::kOnce);
+  return AllElements(expression, count);
+}
+
+std::vector<CppText> ExpressionEmitter::EmitElementsFirst(const CheckedExpression& expression,
+                                                          uint32_t count) {
+  Prepare(expression, Use::kOnce);
+  if (!named_.contains(&expression)) NameValue(expression);
+  return AllElements(expression, count);
+}
+
+std::vector<std::string> ExpressionEmitter::TakeParts() { return std::exchange(parts_, {}); }
+
+// ---- Parts that get a name ------------------------------------------------------------------
+
+void ExpressionEmitter::Prepare(const CheckedExpression& expression, Use use) {
+  if (const auto* call = std::get_if<BuiltinCall>(&expression.node)) {
+    PrepareCall(expression, *call);
+  } else if (const auto* elements = std::get_if<Elements>(&expression.node)) {
+    Prepare(*elements->operand, HasRepetition(elements->indices) ? Use::kRepeatedly : Use::kOnce);
+    if (elements->indices.size() > kWrittenOut && !IsContiguous(elements->indices)) {
+      NameIndices(expression, *elements);
+    }
+  } else {
+    PrepareElementwise(expression);
+  }
+  bool has_name = named_.contains(&expression) || IsMereRead(expression);
+  if (use == Use::kRepeatedly && !has_name) NameValue(expression);
+}
+
+void ExpressionEmitter::PrepareElementwise(const CheckedExpression& expression) {
+  for (const CheckedExpression* operand : Operands(expression)) {
+    bool is_spread = IsScalarValue(*operand) && !IsScalarValue(expression);
+    Prepare(*operand, is_spread ? Use::kRepeatedly : Use::kOnce);
+  }
+}
+
+void ExpressionEmitter::PrepareCall(const CheckedExpression& expression, const BuiltinCall& call) {
+  bool is_reduction = IsReduction(call);
+  if (!is_reduction && call.function != Builtin::kCross) return PrepareElementwise(expression);
+  bool uses_once = call.function != Builtin::kCross && call.function != Builtin::kNorm;
+  for (const CheckedExpressionPtr& argument : call.arguments) {
+    Prepare(*argument, uses_once ? Use::kOnce : Use::kRepeatedly);
+  }
+  if (is_reduction && call.arguments.front()->type.size() > kWrittenOut) {
+    NameLongReduction(expression, call);
+  }
+}
+
+void ExpressionEmitter::NameValue(const CheckedExpression& expression) {
+  std::string_view type = CppType(expression.type.scalar);
+  std::string name = names_.Add("part");
+  if (IsScalarValue(expression)) {
+    parts_.push_back(fmt::format("const {} {} = {};", type, name, Element(expression, {}).text));
+  } else {
+    std::vector<std::string> lines =
+        ArrayDefinition(name, expression.type, AllElements(expression, expression.type.size()));
+    parts_.insert(parts_.end(), lines.begin(), lines.end());
+  }
+  named_[&expression] = name;
+}
+
+void ExpressionEmitter::NameLongReduction(const CheckedExpression& expression,
+                                          const BuiltinCall& call) {
+  std::string name = names_.Add("part");
+  Scalar scalar = expression.type.scalar;
+  CppText first = ReductionTerm(call.function, ArgumentElements(call, {}));
+  CppText next = ReductionTerm(call.function, ArgumentElements(call, {.variable = "i"}));
+  parts_.push_back(fmt::format("{} {} = {};", CppType(scalar), name, first.text));
+  parts_.push_back(fmt::format("for (int i = 1; i < {}; ++i) {} = {};",
+                               call.arguments.front()->type.size(), name,
+                               Combine(call.function, scalar, {name}, next, helpers_).text));
+  CppText result = FinishReduction(call.function, {name});
+  if (result.text != name) parts_.push_back(fmt::format("{} = {};", name, result.text));
+  named_[&expression] = name;
+}
+
+void ExpressionEmitter::NameIndices(const CheckedExpression& expression, const Elements& elements) {
+  std::string name = names_.Add("indices");
+  parts_.push_back(fmt::format("static constexpr short {}[] = {{{}}};", name,
+                               fmt::join(elements.indices, ", ")));
+  indices_[&expression] = name;
+}
+
+// ---- Elements -------------------------------------------------------------------------------
+
+std::vector<CppText> ExpressionEmitter::AllElements(const CheckedExpression& expression,
+                                                    uint32_t count) {
+  if (count > kWrittenOut) return {Element(expression, {.variable = "i"})};
+  std::vector<CppText> elements;
+  for (uint32_t i = 0; i < count; ++i) elements.push_back(Element(expression, {.number = i}));
+  return elements;
+}
+
+CppText ExpressionEmitter::Element(const CheckedExpression& expression, const Index& index) {
+  const Type& type = expression.type;
+  if (auto named = named_.find(&expression); named != named_.end()) {
+    return Subscript(named->second, type, index);
+  }
+  return std::visit(
+      Overloaded{
+          [&](const Constant& node) { return LiteralText(node, type.scalar); },
+          [&](const SensorRead& node) {
+            return Subscript(values_.sensors[node.sensor], type, index);
+          },
+          [&](const ParamRead& node) { return Subscript(values_.params[node.param], type, index); },
+          [&](const MemoryRead& node) {
+            return Subscript(values_.memory[node.memory], type, index);
+          },
+          [&](const LocalRead& node) { return Subscript(values_.locals[node.local], type, index); },
+          [](const RewardSoFar&) { return CppText{"reward"}; },
+          [](const TimeStep&) { return CppText{"frame->time_step"}; },
+          [&](const Elements& node) { return ElementOf(node, expression, index); },
+          [&](const CheckedUnary& node) { return ElementOf(node, index); },
+          [&](const CheckedBinary& node) { return ElementOf(node, index); },
+          [&](const BuiltinCall& node) { return ElementOf(node, expression, index); },
+          [&](const IntToReal& node) { return AsReal(*node.operand, index); },
+      },
+      expression.node);
+}
+
+CppText ExpressionEmitter::ElementOf(const Elements& node, const CheckedExpression& expression,
+                                     const Index& index) {
+  if (IsScalarValue(expression)) {
+    return Element(*node.operand, {.number = node.indices.front()});
+  }
+  if (index.variable.empty()) {
+    return Element(*node.operand, {.number = node.indices[index.number]});
+  }
+  if (auto table = indices_.find(&expression); table != indices_.end()) {
+    return Element(*node.operand,
+                   {.variable = fmt::format("{}[{}]", table->second, index.variable)});
+  }
+  uint32_t first = node.indices.front();
+  return Element(
+      *node.operand,
+      {.variable = first == 0 ? index.variable : fmt::format("{} + {}", index.variable, first)});
+}
+
+CppText ExpressionEmitter::ElementOf(const CheckedUnary& node, const Index& index) {
+  std::string operand = AtLeast(Precedence::kPrimary, Element(*node.operand, index));
+  return {(node.op == UnaryOperator::kNot ? "!" : "-") + operand, Precedence::kPrefix};
+}
+
+CppText ExpressionEmitter::ElementOf(const CheckedBinary& node, const Index& index) {
+  if (node.op == BinaryOperator::kDivide) {
+    return BinaryText(node.op, AsReal(*node.left, index), AsReal(*node.right, index));
+  }
+  return BinaryText(node.op, Element(*node.left, index), Element(*node.right, index));
+}
+
+CppText ExpressionEmitter::ElementOf(const BuiltinCall& node, const CheckedExpression& expression,
+                                     const Index& index) {
+  if (IsReduction(node)) return Reduction(node, expression.type.scalar);
+  if (node.function == Builtin::kCross) return Cross(node, index);
+  std::vector<CppText> arguments = ArgumentElements(node, index);
+  Scalar scalar = expression.type.scalar;
+  bool is_int = scalar == Scalar::kInt;
+  auto library_call = [&](Helper helper) { return CallText(helpers_.Use(helper), arguments); };
+  switch (node.function) {
+    case Builtin::kAbs:
+      return CallText(is_int ? "__builtin_llabs" : "__builtin_fabs", arguments);
+    case Builtin::kSqrt:
+      return CallText("__builtin_sqrt", arguments);
+    case Builtin::kExp:
+      return library_call(Helper::kExp);
+    case Builtin::kLog:
+      return library_call(Helper::kLog);
+    case Builtin::kTanh:
+      return library_call(Helper::kTanh);
+    case Builtin::kSin:
+      return library_call(Helper::kSin);
+    case Builtin::kCos:
+      return library_call(Helper::kCos);
+    case Builtin::kAtan2:
+      return library_call(Helper::kAtan2);
+    case Builtin::kClamp: {
+      CppText raised = Combine(Builtin::kMax, scalar, arguments[0], arguments[1], helpers_);
+      return Combine(Builtin::kMin, scalar, raised, arguments[2], helpers_);
+    }
+    default:
+      break;  // min and max of several values
+  }
+  CppText result = arguments.front();
+  for (size_t i = 1; i < arguments.size(); ++i) {
+    result = Combine(node.function, scalar, result, arguments[i], helpers_);
+  }
+  return result;
+}
+
+std::vector<CppText> ExpressionEmitter::ArgumentElements(const BuiltinCall& call,
+                                                         const Index& index) {
+  bool is_real = std::ranges::any_of(call.arguments, [](const CheckedExpressionPtr& argument) {
+    return argument->type.scalar == Scalar::kReal;
+  });
+  std::vector<CppText> elements;
+  for (const CheckedExpressionPtr& argument : call.arguments) {
+    elements.push_back(is_real ? AsReal(*argument, index) : Element(*argument, index));
+  }
+  return elements;
+}
+
+CppText ExpressionEmitter::AsReal(const CheckedExpression& expression, const Index& index) {
+  if (expression.type.scalar != Scalar::kInt) return Element(expression, index);
+  if (const auto* constant = std::get_if<Constant>(&expression.node)) {
+    return LiteralText(*constant, Scalar::kReal);
+  }
+  return {fmt::format("(double){}", AtLeast(Precedence::kPrefix, Element(expression, index))),
+          Precedence::kPrefix};
+}
+
+CppText ExpressionEmitter::Reduction(const BuiltinCall& call, Scalar scalar) {
+  CppText result = ReductionTerm(call.function, ArgumentElements(call, {}));
+  for (uint32_t i = 1; i < call.arguments.front()->type.size(); ++i) {
+    CppText term = ReductionTerm(call.function, ArgumentElements(call, {.number = i}));
+    result = Combine(call.function, scalar, result, term, helpers_);
+  }
+  return FinishReduction(call.function, result);
+}
+
+CppText ExpressionEmitter::Cross(const BuiltinCall& call, const Index& index) {
+  Index next{.number = (index.number + 1) % 3};
+  Index after{.number = (index.number + 2) % 3};
+  auto product = [&](const Index& left, const Index& right) {
+    return BinaryText(BinaryOperator::kMultiply, Element(*call.arguments[0], left),
+                      Element(*call.arguments[1], right));
+  };
+  return BinaryText(BinaryOperator::kSubtract, product(next, after), product(after, next));
+}
+
+CppText ExpressionEmitter::Subscript(const std::string& name, const Type& type,
+                                     const Index& index) const {
+  if (type.shape == Shape::kScalar) return {name};
+  if (index.variable.empty()) return {fmt::format("{}[{}]", name, index.number)};
+  return {fmt::format("{}[{}]", name, index.variable)};
+}
+
+}  // namespace compiler

@@ -1,0 +1,83 @@
+// Expressions as C++.
+//
+// C++ without a library has no vectors, so vector operations are written out element by element.
+// Where that would compute something more than once (a vector's elements in a norm, a factor of a
+// whole vector), the value first gets a name: a local constant or array in the lines before the
+// statement. All expressions are pure and total, so computing one early changes nothing.
+#pragma once
+
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "compiler/check/checked_task.h"
+#include "compiler/emit/cpp_text.h"
+#include "compiler/emit/helper_functions.h"
+#include "compiler/emit/unique_names.h"
+
+namespace compiler {
+
+// How C++ calls the values of a task inside one function. Indexed like the lists of the task.
+struct ValueNames {
+  std::vector<std::string> sensors;
+  std::vector<std::string> params;
+  std::vector<std::string> memory;  // with the struct: "memory.fallen"
+  std::vector<std::string> locals;
+};
+
+class ExpressionEmitter {
+ public:
+  // Refers to its arguments, which must outlive it. `names` gains those of the parts it names.
+  ExpressionEmitter(const ValueNames& values, UniqueNames& names, HelperSet& helpers);
+
+  // A scalar value. Read `TakeParts` before using the text.
+  CppText EmitScalar(const CheckedExpression& expression);
+  // Each element of a value; a scalar counts as one that has this element everywhere. Up to
+  // kWrittenOut elements are written out; more give one text in which `i` is the index.
+  std::vector<CppText> EmitElements(const CheckedExpression& expression, uint32_t count);
+  // The same, but the elements are computed before any of them is used.
+  std::vector<CppText> EmitElementsFirst(const CheckedExpression& expression, uint32_t count);
+
+  // The lines that have to stand before the texts emitted since the last call.
+  std::vector<std::string> TakeParts();
+
+ private:
+  // Which element: a number, or a C++ variable.
+  struct Index {
+    uint32_t number = 0;
+    std::string variable{};  // empty: `number` counts
+  };
+  enum class Use { kOnce, kRepeatedly };
+
+  // Gives a name to what in `expression` needs one.
+  void Prepare(const CheckedExpression& expression, Use use);
+  void PrepareElementwise(const CheckedExpression& expression);
+  void PrepareCall(const CheckedExpression& expression, const BuiltinCall& call);
+  void NameValue(const CheckedExpression& expression);
+  void NameLongReduction(const CheckedExpression& expression, const BuiltinCall& call);
+  void NameIndices(const CheckedExpression& expression, const Elements& elements);
+  std::vector<CppText> AllElements(const CheckedExpression& expression, uint32_t count);
+
+  // The text of one element, after Prepare.
+  CppText Element(const CheckedExpression& expression, const Index& index);
+  CppText ElementOf(const Elements& node, const CheckedExpression& expression, const Index& index);
+  CppText ElementOf(const CheckedUnary& node, const Index& index);
+  CppText ElementOf(const CheckedBinary& node, const Index& index);
+  CppText ElementOf(const BuiltinCall& node, const CheckedExpression& expression,
+                    const Index& index);
+  std::vector<CppText> ArgumentElements(const BuiltinCall& call, const Index& index);
+  CppText AsReal(const CheckedExpression& expression, const Index& index);
+  CppText Reduction(const BuiltinCall& call, Scalar scalar);
+  CppText Cross(const BuiltinCall& call, const Index& index);
+  CppText Subscript(const std::string& name, const Type& type, const Index& index) const;
+
+  const ValueNames& values_;
+  UniqueNames& names_;
+  HelperSet& helpers_;
+  std::vector<std::string> parts_;
+  std::unordered_map<const CheckedExpression*, std::string> named_;  // values that have a name
+  std::unordered_map<const CheckedExpression*, std::string>
+      indices_;  // arrays of Elements::indices
+};
+
+}  // namespace compiler

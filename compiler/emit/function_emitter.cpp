@@ -1,0 +1,277 @@
+#include "compiler/emit/function_emitter.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "compiler/emit/overloaded.h"
+#include "compiler/syntax/words.h"
+
+namespace compiler {
+namespace {
+
+// When a variable is given its initial value again.
+bool IsResetAt(EventKind event, MemoryScope scope) {
+  if (event == EventKind::kStartOfEpisode) return scope != MemoryScope::kPerRun;
+  return event == EventKind::kStartOfAction && scope == MemoryScope::kPerAction;
+}
+
+std::string_view AssignSymbol(AssignOperator op) {
+  switch (op) {
+    case AssignOperator::kSet:
+      return "=";
+    case AssignOperator::kAdd:
+      return "+=";
+    case AssignOperator::kSubtract:
+      return "-=";
+    case AssignOperator::kMultiply:
+      return "*=";
+    case AssignOperator::kDivide:
+      break;
+  }
+  return "/=";
+}
+
+std::string ParamValue(const CheckedParam& param, uint32_t index) {
+  switch (param.type.scalar) {
+    case Scalar::kBool:
+      return fmt::format("frame->params[{}] != 0", index);
+    case Scalar::kInt:
+      return fmt::format("(long long)frame->params[{}]", index);
+    case Scalar::kReal:
+      break;
+  }
+  return fmt::format("frame->params[{}]", index);
+}
+
+}  // namespace
+
+PluginNames::PluginNames(const CheckedTask& task) {
+  for (int helper = 0; helper < kHelperCount; ++helper) {
+    taken.Reserve(HelperName(static_cast<Helper>(helper)));
+  }
+  for (const CheckedTerm& term : task.terms) terms.push_back(taken.Add("term_" + term.name));
+  UniqueNames members;
+  for (const CheckedMemory& variable : task.memory) memory.push_back(members.Add(variable.name));
+}
+
+bool HasFunction(const CheckedTask& task, EventKind event) {
+  if (!task.events[static_cast<size_t>(event)].body.empty()) return true;
+  for (const CheckedMemory& variable : task.memory) {
+    if (IsResetAt(event, variable.scope)) return true;
+  }
+  return false;
+}
+
+FunctionEmitter::FunctionEmitter(const CheckedTask& task, const SourceFile& source,
+                                 const PluginNames& names, TextWriter& writer, HelperSet& helpers)
+    : task_(task), source_(source), names_(names), writer_(writer), helpers_(helpers) {}
+
+// ---- Functions ------------------------------------------------------------------------------
+
+void FunctionEmitter::EmitInitialize() {
+  UsedValues used;
+  for (const CheckedMemory& variable : task_.memory) used.Add(variable.initial);
+  used.memory = !task_.memory.empty();
+  Begin("initialize", FirstLineOfMemory(), used, {});
+  for (uint32_t i = 0; i < task_.memory.size(); ++i) EmitReset(task_.memory[i], i);
+  End();
+}
+
+void FunctionEmitter::EmitEvent(EventKind kind) {
+  const CheckedEvent& event = task_.events[static_cast<size_t>(kind)];
+  UsedValues used;
+  used.Add(event.body);
+  for (const CheckedMemory& variable : task_.memory) {
+    if (!IsResetAt(kind, variable.scope)) continue;
+    used.memory = true;
+    used.Add(variable.initial);
+  }
+  Begin(NameOf(kind, kEventNames), event.is_declared ? LineOf(event.span) : FirstLineOfMemory(),
+        used, event.locals);
+  for (uint32_t i = 0; i < task_.memory.size(); ++i) {
+    if (IsResetAt(kind, task_.memory[i].scope)) EmitReset(task_.memory[i], i);
+  }
+  EmitBlock(event.body);
+  if (used.reward) {
+    writer_.Line("frame->reward = reward;", LineOf(event.span));
+  }
+  End();
+}
+
+uint32_t FunctionEmitter::FirstLineOfMemory() const {
+  return task_.memory.empty() ? 1 : LineOf(task_.memory.front().span);
+}
+
+void FunctionEmitter::EmitMeasure() {
+  UsedValues used;
+  for (const CheckedMetric& metric : task_.metrics) used.Add(metric.value);
+  Begin("measure", LineOf(task_.metrics.front().value.span), used, {});
+  for (uint32_t i = 0; i < task_.metrics.size(); ++i) {
+    uint32_t line = LineOf(task_.metrics[i].value.span);
+    CppText value = expressions_->EmitScalar(task_.metrics[i].value);
+    WriteLines(expressions_->TakeParts(), line);
+    writer_.Line(fmt::format("frame->metrics[{}] = {};", i, value.text), line);
+  }
+  End();
+}
+
+void FunctionEmitter::Begin(std::string_view name, uint32_t line, const UsedValues& used,
+                            const std::vector<Local>& locals) {
+  function_ = {.names = names_.taken, .values = {}};
+  writer_.LeaveSource();
+  writer_.BlankLine();
+  writer_.Line(fmt::format("void {}(taskc_frame* frame) {{", name), line);
+  writer_.Indent();
+  EmitPrologue(used, line);
+  for (const Local& local : locals) {
+    function_.values.locals.push_back(function_.names.Add(local.name));
+  }
+  expressions_.emplace(function_.values, function_.names, helpers_);
+}
+
+void FunctionEmitter::EmitPrologue(const UsedValues& used, uint32_t line) {
+  ValueNames& values = function_.values;
+  for (uint32_t i = 0; i < task_.sensors.size(); ++i) {
+    values.sensors.emplace_back();
+    if (!used.sensors.contains(i)) continue;
+    const CheckedSensor& sensor = task_.sensors[i];
+    std::string name = values.sensors.back() = function_.names.Add(sensor.name);
+    std::string_view type = CppType(sensor.type.scalar);
+    std::string_view format = sensor.type.shape == Shape::kScalar
+                                  ? "const {0} {1} = *static_cast<const {0}*>(frame->sensors[{2}]);"
+                                  : "auto {1} = static_cast<const {0}*>(frame->sensors[{2}]);";
+    writer_.Line(fmt::format(fmt::runtime(format), type, name, i), line);
+  }
+  for (uint32_t i = 0; i < task_.params.size(); ++i) {
+    values.params.emplace_back();
+    if (!used.params.contains(i)) continue;
+    const CheckedParam& param = task_.params[i];
+    std::string name = values.params.back() = function_.names.Add(param.name);
+    writer_.Line(
+        fmt::format("const {} {} = {};", CppType(param.type.scalar), name, ParamValue(param, i)),
+        line);
+  }
+  for (const std::string& member : names_.memory) values.memory.push_back("memory." + member);
+  if (used.memory) writer_.Line("Memory& memory = *static_cast<Memory*>(frame->memory);", line);
+  if (used.reward) writer_.Line("double reward = 0;", line);
+}
+
+void FunctionEmitter::End() {
+  writer_.Outdent();
+  writer_.Line("}");
+}
+
+// ---- Statements -----------------------------------------------------------------------------
+
+void FunctionEmitter::EmitBlock(const CheckedBlock& block) {
+  for (const CheckedStatement& statement : block) {
+    uint32_t line = LineOf(statement.span);
+    std::visit([&](const auto& node) { Emit(node, line); }, statement.node);
+  }
+}
+
+void FunctionEmitter::Emit(const CheckedLet& let, uint32_t line) {
+  const std::string& name = function_.values.locals[let.local];
+  const Type& type = let.value.type;
+  std::vector<std::string> definition;
+  if (type.shape == Shape::kScalar) {
+    CppText value = expressions_->EmitScalar(let.value);
+    definition = {fmt::format("const {} {} = {};", CppType(type.scalar), name, value.text)};
+  } else {
+    definition = ArrayDefinition(name, type, expressions_->EmitElements(let.value, type.size()));
+  }
+  WriteLines(expressions_->TakeParts(), line);
+  WriteLines(definition, line);
+}
+
+void FunctionEmitter::Emit(const CheckedAssign& assign, uint32_t line) {
+  uint32_t count = task_.memory[assign.memory].type.size();
+  // `v = v.yx`: all elements of the new value are computed from the old one.
+  bool is_entangled = count > 1 && Reads(assign.value, assign.memory);
+  std::vector<CppText> elements = is_entangled
+                                      ? expressions_->EmitElementsFirst(assign.value, count)
+                                      : expressions_->EmitElements(assign.value, count);
+  WriteLines(expressions_->TakeParts(), line);
+  EmitStore(assign.memory, AssignSymbol(assign.op), elements, line);
+}
+
+void FunctionEmitter::Emit(const CheckedIf& node, uint32_t line) {
+  int nested = 0;  // conditions that need lines before them: an `if` inside the `else`
+  for (size_t i = 0; i < node.branches.size(); ++i) {
+    const CheckedIfBranch& branch = node.branches[i];
+    uint32_t branch_line = i == 0 ? line : LineOf(branch.condition.span);
+    std::string condition = expressions_->EmitScalar(branch.condition).text;
+    std::vector<std::string> parts = expressions_->TakeParts();
+    if (i > 0 && !parts.empty()) {
+      writer_.Line("} else {");
+      writer_.Indent();
+      ++nested;
+    }
+    WriteLines(parts, branch_line);
+    bool continues = i > 0 && parts.empty();
+    writer_.Line(fmt::format("{}if ({}) {{", continues ? "} else " : "", condition), branch_line);
+    writer_.Indent();
+    EmitBlock(branch.body);
+    writer_.Outdent();
+  }
+  if (!node.otherwise.empty()) {
+    writer_.Line("} else {");
+    writer_.Indent();
+    EmitBlock(node.otherwise);
+    writer_.Outdent();
+  }
+  writer_.Line("}");
+  for (; nested > 0; --nested) {
+    writer_.Outdent();
+    writer_.Line("}");
+  }
+}
+
+void FunctionEmitter::Emit(const CheckedReward& reward, uint32_t line) {
+  CppText value = expressions_->EmitScalar(reward.value);
+  WriteLines(expressions_->TakeParts(), line);
+  if (reward.is_rate) {
+    value = BinaryText(BinaryOperator::kMultiply, value, {"frame->time_step"});
+  }
+  writer_.Line(fmt::format("{}(frame, reward, {}, {});", helpers_.Use(Helper::kPay),
+                           names_.terms[reward.term], value.text),
+               line);
+}
+
+void FunctionEmitter::Emit(const CheckedEnd& end, uint32_t line) {
+  writer_.Line(fmt::format("{}(frame, {});", helpers_.Use(Helper::kEnd), end.end), line);
+}
+
+void FunctionEmitter::EmitReset(const CheckedMemory& memory, uint32_t index) {
+  uint32_t line = LineOf(memory.span);
+  std::vector<CppText> elements = expressions_->EmitElements(memory.initial, memory.type.size());
+  WriteLines(expressions_->TakeParts(), line);
+  EmitStore(index, "=", elements, line);
+}
+
+void FunctionEmitter::EmitStore(uint32_t memory, std::string_view op,
+                                const std::vector<CppText>& elements, uint32_t line) {
+  const std::string& name = function_.values.memory[memory];
+  const Type& type = task_.memory[memory].type;
+  if (type.shape == Shape::kScalar) {
+    writer_.Line(fmt::format("{} {} {};", name, op, elements.front().text), line);
+    return;
+  }
+  if (type.size() > kWrittenOut) {
+    writer_.Line(fmt::format("for (int i = 0; i < {}; ++i) {}[i] {} {};", type.size(), name, op,
+                             elements.front().text),
+                 line);
+    return;
+  }
+  std::vector<std::string> stores;
+  for (size_t i = 0; i < elements.size(); ++i) {
+    stores.push_back(fmt::format("{}[{}] {} {};", name, i, op, elements[i].text));
+  }
+  writer_.Line(fmt::format("{}", fmt::join(stores, " ")), line);
+}
+
+void FunctionEmitter::WriteLines(const std::vector<std::string>& lines, uint32_t line) {
+  for (const std::string& text : lines) writer_.Line(text, line);
+}
+
+}  // namespace compiler

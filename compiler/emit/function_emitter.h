@@ -1,0 +1,75 @@
+// The functions of a plugin: one for each event, `initialize` and `measure`.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "compiler/check/checked_task.h"
+#include "compiler/emit/expression_emitter.h"
+#include "compiler/emit/text_writer.h"
+#include "compiler/emit/used_values.h"
+#include "compiler/source/source_file.h"
+
+namespace compiler {
+
+// The names at file scope of a plugin.
+struct PluginNames {
+  explicit PluginNames(const CheckedTask& task);
+
+  UniqueNames taken;                // all that follow
+  std::vector<std::string> terms;   // enumerators: "term_fall"
+  std::vector<std::string> memory;  // members of the struct
+};
+
+// Whether the plugin has something to do at this event. Its function is called like the event.
+bool HasFunction(const CheckedTask& task, EventKind event);
+
+class FunctionEmitter {
+ public:
+  // Refers to its arguments, which must outlive it.
+  FunctionEmitter(const CheckedTask& task, const SourceFile& source, const PluginNames& names,
+                  TextWriter& writer, HelperSet& helpers);
+
+  void EmitInitialize();
+  void EmitEvent(EventKind event);
+  void EmitMeasure();
+
+ private:
+  // The state of the function that is being emitted.
+  struct Function {
+    UniqueNames names;
+    ValueNames values;
+  };
+
+  void Begin(std::string_view name, uint32_t line, const UsedValues& used,
+             const std::vector<Local>& locals);
+  void EmitPrologue(const UsedValues& used, uint32_t line);
+  void End();
+
+  void EmitBlock(const CheckedBlock& block);
+  void Emit(const CheckedLet& let, uint32_t line);
+  void Emit(const CheckedAssign& assign, uint32_t line);
+  void Emit(const CheckedIf& node, uint32_t line);
+  void Emit(const CheckedReward& reward, uint32_t line);
+  void Emit(const CheckedEnd& end, uint32_t line);
+  void EmitReset(const CheckedMemory& memory, uint32_t index);
+  void EmitStore(uint32_t memory, std::string_view op, const std::vector<CppText>& elements,
+                 uint32_t line);
+  // Lines that stand for one line of the task.
+  void WriteLines(const std::vector<std::string>& lines, uint32_t line);
+  // What a function stands for that the task does not write itself: it only sets memory.
+  uint32_t FirstLineOfMemory() const;
+  uint32_t LineOf(Span span) const { return source_.PositionOf(span.begin).line; }
+
+  const CheckedTask& task_;
+  const SourceFile& source_;
+  const PluginNames& names_;
+  TextWriter& writer_;
+  HelperSet& helpers_;
+  Function function_;
+  std::optional<ExpressionEmitter> expressions_;
+};
+
+}  // namespace compiler

@@ -1,0 +1,70 @@
+#include "compiler/emit/helper_functions.h"
+
+#include <array>
+
+namespace compiler {
+namespace {
+
+struct HelperDescription {
+  Helper helper;
+  std::string_view name;
+  std::string_view text;
+};
+
+// Functions of the library are declared under names of our own: a C++ compiler that knows what it
+// is calling computes calls with constant arguments by itself, with other last bits than the
+// library's, and so lets the result depend on how well it optimises.
+constexpr std::array<HelperDescription, kHelperCount> kHelpers{{
+    {Helper::kExp, "Exp",
+     R"(extern "C" double Exp(double) __asm__("exp") __attribute__((const));)"},
+    {Helper::kLog, "Log",
+     R"(extern "C" double Log(double) __asm__("log") __attribute__((const));)"},
+    {Helper::kTanh, "Tanh",
+     R"(extern "C" double Tanh(double) __asm__("tanh") __attribute__((const));)"},
+    {Helper::kSin, "Sin",
+     R"(extern "C" double Sin(double) __asm__("sin") __attribute__((const));)"},
+    {Helper::kCos, "Cos",
+     R"(extern "C" double Cos(double) __asm__("cos") __attribute__((const));)"},
+    {Helper::kAtan2, "Atan2",
+     R"(extern "C" double Atan2(double, double) __asm__("atan2") __attribute__((const));)"},
+    {Helper::kMin, "Min",
+     R"(// The smaller number; not a number where one of them is none, so that no mistake gets lost.
+double Min(double a, double b) { return a < b || a != a ? a : b; })"},
+    {Helper::kMax, "Max",
+     R"(// The larger number; not a number where one of them is none, so that no mistake gets lost.
+double Max(double a, double b) { return a > b || a != a ? a : b; })"},
+    {Helper::kMinInt, "Min", "long long Min(long long a, long long b) { return a < b ? a : b; }"},
+    {Helper::kMaxInt, "Max", "long long Max(long long a, long long b) { return a > b ? a : b; }"},
+    {Helper::kPay, "Pay",
+     R"(// Pays a reward term; where that does not give a finite reward, reports the term instead.
+void Pay(taskc_frame* frame, double& reward, int term, double value) {
+  if (__builtin_isfinite(reward + value)) {
+    reward += value;
+    frame->terms[term] += value;
+  } else if (frame->fault < 0) {
+    frame->fault = term;
+  }
+})"},
+    {Helper::kEnd, "End",
+     R"(// Ends the episode; the first end counts.
+void End(taskc_frame* frame, int end) {
+  if (frame->end < 0) frame->end = end;
+})"},
+}};
+
+constexpr bool IsInOrder() {
+  for (int i = 0; i < kHelperCount; ++i) {
+    if (kHelpers[static_cast<size_t>(i)].helper != static_cast<Helper>(i)) return false;
+  }
+  return true;
+}
+static_assert(IsInOrder());
+
+const HelperDescription& Describe(Helper helper) { return kHelpers[static_cast<size_t>(helper)]; }
+
+}  // namespace
+
+std::string_view HelperName(Helper helper) { return Describe(helper).name; }
+std::string_view HelperText(Helper helper) { return Describe(helper).text; }
+
+}  // namespace compiler

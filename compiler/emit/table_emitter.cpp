@@ -1,0 +1,202 @@
+#include "compiler/emit/table_emitter.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <taskc/plugin.h>
+
+#include <string>
+
+#include "compiler/emit/cpp_literal.h"
+#include "compiler/hash/sha256.h"
+#include "compiler/syntax/words.h"
+
+namespace compiler {
+namespace {
+
+constexpr size_t kEventCount = std::tuple_size_v<decltype(CheckedTask::events)>;
+static_assert(kEventCount == TASKC_EVENT_COUNT);
+
+// The constant of the ABI for a word of the language: "TASKC_END_OF_TIME_STEP", "TASKC_PER_ACTION".
+std::string ConstantFor(std::string_view prefix, std::string_view word) {
+  std::string constant(prefix);
+  for (char c : word) constant += c == '_' ? c : static_cast<char>(c - 'a' + 'A');
+  return constant;
+}
+
+std::string EventConstant(size_t event) { return ConstantFor("TASKC_", kEventNames[event].text); }
+
+std::string_view ScalarConstant(Scalar scalar) {
+  switch (scalar) {
+    case Scalar::kBool:
+      return "TASKC_BOOL";
+    case Scalar::kInt:
+      return "TASKC_INT";
+    case Scalar::kReal:
+      break;
+  }
+  return "TASKC_REAL";
+}
+
+std::string_view EndConstant(EndKind kind) {
+  switch (kind) {
+    case EndKind::kSuccess:
+      return "TASKC_SUCCESS";
+    case EndKind::kFailure:
+      return "TASKC_FAILURE";
+    case EndKind::kTruncated:
+      break;
+  }
+  return "TASKC_TRUNCATED";
+}
+
+// "1u << TASKC_END_OF_TIME_STEP | 1u << TASKC_MEASURE"
+std::string EventBits(uint32_t bits) {
+  std::vector<std::string> events;
+  for (size_t event = 0; event < kEventCount; ++event) {
+    if ((bits >> event & 1) != 0) events.push_back(fmt::format("1u << {}", EventConstant(event)));
+  }
+  if ((bits >> TASKC_MEASURE & 1) != 0) events.push_back("1u << TASKC_MEASURE");
+  return events.empty() ? "0" : fmt::format("{}", fmt::join(events, " | "));
+}
+
+std::string TypeFields(const Type& type) {
+  return fmt::format("{}, {}, {}", ScalarConstant(type.scalar), type.rows, type.columns);
+}
+
+std::string Row(const CheckedSensor& sensor, size_t /*index*/) {
+  return fmt::format("{}, {}, {}, {}, {}", StringLiteral(sensor.name),
+                     StringLiteral(ToString(sensor.type)), StringLiteral(ToString(sensor.unit)),
+                     TypeFields(sensor.type), EventBits(sensor.read_by));
+}
+
+std::string Row(const CheckedParam& param, size_t /*index*/) {
+  return fmt::format("{}, {}, {}, {}, {}, {}, {}", StringLiteral(param.name),
+                     StringLiteral(param.doc), StringLiteral(ToString(param.unit)),
+                     ScalarConstant(param.type.scalar), RealLiteral(param.initial),
+                     RealLiteral(param.minimum), RealLiteral(param.maximum));
+}
+
+std::string Row(const CheckedTerm& term, size_t /*index*/) {
+  return fmt::format("{}, {}, {}", StringLiteral(term.name), StringLiteral(term.doc), term.line);
+}
+
+std::string Row(const CheckedMetric& metric, size_t /*index*/) {
+  return fmt::format("{}, {}, {}, {}", StringLiteral(metric.name), StringLiteral(metric.doc),
+                     StringLiteral(ToString(metric.value.unit)),
+                     ConstantFor("TASKC_", NameOf(metric.reduction, kReductionNames)));
+}
+
+std::string Row(const CheckedEndReason& end, size_t /*index*/) {
+  return fmt::format("{}, {}, {}", StringLiteral(end.reason), EndConstant(end.kind), end.line);
+}
+
+// `row` gives the fields of one element. C++ has no empty arrays: no elements, no table.
+template <class Element, class RowFunction>
+void EmitTable(std::string_view type, std::string_view name, const std::vector<Element>& elements,
+               RowFunction row, TextWriter& writer) {
+  if (elements.empty()) return;
+  writer.BlankLine();
+  writer.Line(fmt::format("constexpr {} {}[] = {{", type, name));
+  for (size_t i = 0; i < elements.size(); ++i) {
+    writer.Line(fmt::format("    {{{}}},", row(elements[i], i)));
+  }
+  writer.Line("};");
+}
+
+constexpr auto kRow = [](const auto& element, size_t index) { return Row(element, index); };
+
+void EmitMemoryStruct(const CheckedTask& task, const PluginNames& names, TextWriter& writer) {
+  if (task.memory.empty()) return;
+  writer.BlankLine();
+  writer.Line("struct Memory {");
+  for (size_t i = 0; i < task.memory.size(); ++i) {
+    writer.Line(fmt::format("  {};", Declarator(names.memory[i], task.memory[i].type)));
+  }
+  writer.Line("};");
+}
+
+void EmitTermNumbers(const CheckedTask& task, const PluginNames& names, TextWriter& writer) {
+  if (task.terms.empty()) return;
+  writer.BlankLine();
+  writer.Line(fmt::format("enum {{ {} }};", fmt::join(names.terms, ", ")));
+}
+
+// The fields of `taskc_plugin` for one table.
+void EmitTableFields(std::string_view field, size_t count, std::vector<std::string>& pointers,
+                     std::vector<std::string>& counts) {
+  std::string_view singular = field.ends_with("s") ? field.substr(0, field.size() - 1) : field;
+  pointers.push_back(
+      fmt::format(".{} = {}", field, count == 0 ? "nullptr" : fmt::format("{}_table", field)));
+  counts.push_back(fmt::format(".{}_count = {}", singular, count));
+}
+
+std::vector<std::string> TableFields(const CheckedTask& task) {
+  std::vector<std::string> pointers;
+  std::vector<std::string> counts;
+  EmitTableFields("sensors", task.sensors.size(), pointers, counts);
+  EmitTableFields("params", task.params.size(), pointers, counts);
+  EmitTableFields("memory", task.memory.size(), pointers, counts);
+  EmitTableFields("terms", task.terms.size(), pointers, counts);
+  EmitTableFields("metrics", task.metrics.size(), pointers, counts);
+  EmitTableFields("ends", task.ends.size(), pointers, counts);
+  pointers.insert(pointers.end(), counts.begin(), counts.end());
+  return pointers;
+}
+
+std::vector<std::string> IdentityFields(const CheckedTask& task, const SourceFile& source) {
+  return {".abi_version = TASKC_ABI_VERSION",
+          ".struct_size = sizeof(taskc_plugin)",
+          ".compiler = " + StringLiteral("taskc " TASKC_VERSION),
+          ".name = " + StringLiteral(task.name),
+          ".doc = " + StringLiteral(task.doc),
+          ".robot = " + StringLiteral(task.robot),
+          ".start_pose = " + StringLiteral(task.start_pose),
+          ".source_file = " + StringLiteral(source.path()),
+          ".source = source",
+          ".source_hash = " + StringLiteral(Sha256(source.text()))};
+}
+
+}  // namespace
+
+void EmitTables(const CheckedTask& task, const SourceFile& source, const PluginNames& names,
+                TextWriter& writer) {
+  writer.BlankLine();
+  writer.Line("constexpr char source[] =");
+  writer.Line(SplitStringLiteral(source.text(), "    ") + ";");
+  EmitMemoryStruct(task, names, writer);
+  EmitTermNumbers(task, names, writer);
+  EmitTable("taskc_sensor", "sensors_table", task.sensors, kRow, writer);
+  EmitTable("taskc_param", "params_table", task.params, kRow, writer);
+  auto memory_row = [&](const CheckedMemory& memory, size_t index) {
+    return fmt::format("{}, {}, {}, {}, {}, __builtin_offsetof(Memory, {})",
+                       StringLiteral(memory.name), StringLiteral(ToString(memory.type)),
+                       StringLiteral(ToString(memory.unit)), TypeFields(memory.type),
+                       ConstantFor("TASKC_PER_", NameOf(memory.scope, kScopeNames)),
+                       names.memory[index]);
+  };
+  EmitTable("taskc_memory", "memory_table", task.memory, memory_row, writer);
+  EmitTable("taskc_reward_term", "terms_table", task.terms, kRow, writer);
+  EmitTable("taskc_metric", "metrics_table", task.metrics, kRow, writer);
+  EmitTable("taskc_end", "ends_table", task.ends, kRow, writer);
+}
+
+void EmitEntry(const CheckedTask& task, const SourceFile& source, TextWriter& writer) {
+  std::vector<std::string> fields = IdentityFields(task, source);
+  for (std::string& field : TableFields(task)) fields.push_back(std::move(field));
+  fields.push_back(task.memory.empty() ? ".memory_size = 0" : ".memory_size = sizeof(Memory)");
+  fields.push_back(".initialize = initialize");
+  std::vector<std::string_view> functions;
+  for (size_t event = 0; event < kEventCount; ++event) {
+    auto kind = static_cast<EventKind>(event);
+    functions.push_back(HasFunction(task, kind) ? kEventNames[event].text : "nullptr");
+  }
+  fields.push_back(fmt::format(".events = {{{}}}", fmt::join(functions, ", ")));
+  fields.push_back(task.metrics.empty() ? ".measure = nullptr" : ".measure = measure");
+
+  writer.BlankLine();
+  writer.Line("constexpr taskc_plugin plugin = {");
+  for (const std::string& field : fields) writer.Line("    " + field + ",");
+  writer.Line("};");
+}
+
+}  // namespace compiler

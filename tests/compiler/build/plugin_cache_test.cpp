@@ -1,0 +1,82 @@
+#include "compiler/build/plugin_cache.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "compiler/build/file_io.h"
+#include "compiler/source/diagnostic.h"
+#include "tests/compiler/scoped_environment.h"
+#include "tests/compiler/temporary_folder.h"
+
+namespace compiler {
+namespace {
+
+TEST(DefaultCacheFolder, FollowsTheEnvironment) {
+  ScopedEnvironment home("HOME", "/home/ann");
+  ScopedEnvironment xdg("XDG_CACHE_HOME", "/caches");
+  ScopedEnvironment own("TASKC_CACHE", "/own");
+  EXPECT_EQ(DefaultCacheFolder(), "/own");
+  ScopedEnvironment no_own("TASKC_CACHE", "");
+  EXPECT_EQ(DefaultCacheFolder(), "/caches/taskc");
+  ScopedEnvironment no_xdg("XDG_CACHE_HOME", std::nullopt);
+  EXPECT_EQ(DefaultCacheFolder(), "/home/ann/.cache/taskc");
+  ScopedEnvironment no_home("HOME", std::nullopt);
+  EXPECT_THROW(DefaultCacheFolder(), CallError);
+}
+
+TEST(Seal, IsBrokenByAnyChange) {
+  TemporaryFolder folder;
+  std::filesystem::path file = folder.path() / "plugin.so";
+  std::string sealed = Seal(std::string("plugin\0bytes", 12));
+  WriteWholeFile(file, sealed);
+  EXPECT_TRUE(IsIntact(file));
+  for (size_t length = 0; length < sealed.size(); length += 7) {
+    WriteWholeFile(file, sealed.substr(0, length));
+    EXPECT_FALSE(IsIntact(file)) << length;
+  }
+  for (size_t i = 0; i < sealed.size(); i += 3) {
+    std::string changed = sealed;
+    changed[i] ^= 1;
+    WriteWholeFile(file, changed);
+    EXPECT_FALSE(IsIntact(file)) << i;
+  }
+}
+
+TEST(Seal, IsMissedWhereThereIsNoFile) {
+  TemporaryFolder folder;
+  EXPECT_FALSE(IsIntact(folder.path() / "absent.so"));
+  EXPECT_FALSE(IsIntact(folder.path()));
+}
+
+TEST(BuildFolder, GoesAwayUnlessItIsKept) {
+  TemporaryFolder cache;
+  std::filesystem::path kept = cache.path() / "kept";
+  std::filesystem::path path;
+  {
+    BuildFolder folder(cache.path() / "new" / "cache");
+    path = folder.path();
+    WriteWholeFile(path / "file", "x");
+  }
+  EXPECT_FALSE(std::filesystem::exists(path));
+  for (const char* text : {"first", "second"}) {
+    BuildFolder folder(cache.path());
+    WriteWholeFile(folder.path() / "file", text);
+    folder.KeepAs(kept);
+  }
+  EXPECT_EQ(ReadWholeFile(kept / "file"), "second");
+}
+
+TEST(BuildFolder, SaysWhyThereCanBeNone) {
+  TemporaryFolder folder;
+  WriteWholeFile(folder.path() / "file", "");
+  try {
+    BuildFolder impossible(folder.path() / "file" / "cache");
+    FAIL();
+  } catch (const CallError& error) {
+    EXPECT_THAT(error.what(), testing::AllOf(testing::HasSubstr("file/cache`: Not a directory"),
+                                             testing::HasSubstr("--cache DIR")));
+  }
+}
+
+}  // namespace
+}  // namespace compiler

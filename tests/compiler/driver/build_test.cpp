@@ -1,0 +1,110 @@
+#include <dlfcn.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <taskc/plugin.h>
+
+#include "compiler/build/file_io.h"
+#include "tests/compiler/driver/taskc_process.h"
+#include "tests/compiler/golden.h"
+
+namespace compiler {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+// The task's name as its plugin says it.
+std::string NameIn(const std::filesystem::path& plugin) {
+  void* library = dlopen(plugin.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (library == nullptr) return dlerror();
+  auto entry = reinterpret_cast<taskc_plugin_entry>(dlsym(library, TASKC_PLUGIN_ENTRY));
+  std::string name = entry()->name;
+  dlclose(library);
+  return name;
+}
+
+std::string WithoutEnd(std::string line) {
+  if (line.ends_with('\n')) line.pop_back();
+  return line;
+}
+
+TEST(Build, PrintsWhereThePluginIs) {
+  TaskcProcess taskc;
+  taskc.Write("good.task", kGoodTask);
+  Outcome outcome = taskc.Run("build good.task");
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.error, "");
+  std::filesystem::path plugin = WithoutEnd(outcome.out);
+  EXPECT_EQ(plugin.parent_path(), taskc.path("cache"));
+  EXPECT_EQ(NameIn(plugin), "good");
+  EXPECT_EQ(taskc.Run("build good.task").out, outcome.out);
+}
+
+TEST(Build, WritesThePluginWhereItIsTold) {
+  TaskcProcess taskc;
+  taskc.Write("good.task", kGoodTask);
+  Outcome outcome = taskc.Run("build good.task -o out.so --cache elsewhere");
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_EQ(NameIn(taskc.path("out.so")), "good");
+  EXPECT_TRUE(std::filesystem::exists(taskc.path("elsewhere")));
+  EXPECT_FALSE(std::filesystem::exists(taskc.path("cache")));
+}
+
+TEST(Build, BuildsThePapersTasks) {
+  TaskcProcess taskc;
+  for (const auto& file : golden::FilesIn(SOURCE_DIR "/tasks", "", ".task")) {
+    Outcome outcome = taskc.Run("build '" + file.string() + "'");
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_EQ(NameIn(WithoutEnd(outcome.out)), file.stem());
+  }
+}
+
+TEST(Build, MakesNothingOfAWrongTask) {
+  TaskcProcess taskc;
+  taskc.Write("bad.task", "task bad\nmetric x = nothing\n");
+  Outcome outcome = taskc.Run("build bad.task -o bad.so");
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_FALSE(std::filesystem::exists(taskc.path("bad.so")));
+  EXPECT_FALSE(std::filesystem::exists(taskc.path("cache")));
+}
+
+TEST(Build, SaysWhyItCannotWrite) {
+  TaskcProcess taskc;
+  taskc.Write("good.task", kGoodTask);
+  Outcome outcome = taskc.Run("build good.task -o absent/out.so");
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_THAT(outcome.error, AllOf(HasSubstr("`absent/out.so`"), HasSubstr("No such file")));
+  outcome = taskc.Run("build good.task --cache good.task/cache");
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_THAT(outcome.error, AllOf(HasSubstr("good.task/cache"), HasSubstr("TASKC_CACHE")));
+}
+
+TEST(Build, SaysThatThereIsNoCppCompiler) {
+  TaskcProcess taskc;
+  taskc.Write("good.task", kGoodTask);
+  Outcome outcome = taskc.Run("build good.task", "PATH=/nowhere");
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_THAT(outcome.error, HasSubstr("no C++ compiler found"));
+}
+
+// A C++ compiler that refuses everything stands for a mistake in the emitted text.
+TEST(Build, ReportsARefusedTextAsOurMistake) {
+  TaskcProcess taskc;
+  taskc.Write("good.task", kGoodTask);
+  taskc.Write("refuse", "#!/bin/sh\necho 'error: gibberish'\nexit 1\n");
+  std::filesystem::permissions(taskc.path("refuse"), std::filesystem::perms::owner_all);
+  Outcome outcome = taskc.Run("build good.task", "CXX='" + taskc.path("refuse").string() + "'");
+  EXPECT_EQ(outcome.status, 3);
+  EXPECT_THAT(outcome.error, AllOf(HasSubstr("internal error"), HasSubstr("please report"),
+                                   Not(HasSubstr("gibberish"))));
+  size_t begin = outcome.error.find("folder ") + 7;
+  std::filesystem::path folder = WithoutEnd(outcome.error.substr(begin));
+  EXPECT_EQ(ReadWholeFile(folder / "good.task"), kGoodTask);
+  EXPECT_EQ(ReadWholeFile(folder / "compiler-output.txt"), "error: gibberish\n");
+  EXPECT_THAT(ReadWholeFile(folder / "plugin.cpp").value(), HasSubstr("taskc_plugin_get"));
+}
+
+}  // namespace
+}  // namespace compiler

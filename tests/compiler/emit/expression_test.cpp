@@ -1,0 +1,209 @@
+// Expressions, computed by compiled plugins and compared with values worked out by hand or by
+// <cmath>.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "tests/compiler/emit/compiled_task.h"
+
+namespace compiler {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+struct Case {
+  std::string expression;
+  double expected;
+};
+
+// One metric for each expression.
+void ExpectValues(const std::string& declarations, const std::vector<Case>& cases,
+                  const std::map<std::string, std::vector<double>>& senses) {
+  std::string text = "task expressions\n" + declarations;
+  for (size_t i = 0; i < cases.size(); ++i) {
+    text += fmt::format("metric value{} = {}\n", i, cases[i].expression);
+  }
+  text += "on end_of_time_step { truncate_episode \"done\" }\n";
+  CompiledTask task(text);
+  Instance instance(task);
+  for (const auto& [sensor, values] : senses) instance.Sense(sensor, values);
+  instance.Measure();
+  for (size_t i = 0; i < cases.size(); ++i) {
+    double value = instance.Metric(fmt::format("value{}", i));
+    if (std::isnan(cases[i].expected)) {
+      EXPECT_TRUE(std::isnan(value)) << cases[i].expression << " gives " << value;
+    } else {
+      EXPECT_EQ(value, cases[i].expected) << cases[i].expression;
+    }
+  }
+}
+
+TEST(Expressions, FollowTheUsualPrecedence) {
+  ExpectValues("sensor a: real\nsensor b: real\nsensor n: int\n",
+               {{"a - (b - a)", 4},    // 3 - (2 - 3)
+                {"a - b - a", -2},     // (3 - 2) - 3
+                {"a / (b * a)", 0.5},  // 3 / 6
+                {"a / b * a", 4.5},    // 1.5 * 3
+                {"-a - -b", -1},
+                {"-(a + b) * b", -10},
+                {"a * (b + a)", 15},
+                {"n / 2", 3.5},  // no integer division
+                {"n * n - 1", 48},
+                {"a - -1.5", 4.5}},
+               {{"a", {3}}, {"b", {2}}, {"n", {7}}});
+}
+
+TEST(Expressions, CountTheElementsOfASet) {
+  ExpectValues("sensor f: bool[3]\n",
+               {{"count(f)", 2}, {"count(f[0, 1])", 1}, {"count(f[1 .. 2])", 1}},
+               {{"f", {1, 0, 1}}});
+}
+
+TEST(Expressions, CombineConditions) {
+  CompiledTask task(R"(task conditions
+sensor a: real
+sensor p: bool
+sensor q: bool
+memory or_of_and: bool = false
+memory and_of_or: bool = false
+memory not_and: bool = false
+memory same: bool = false
+memory between: bool = false
+on end_of_time_step {
+  or_of_and = p or q and p
+  and_of_or = (p or q) and q
+  not_and = not (p and q)
+  same = (a > 1) == (p or q)
+  between = a > 1 and not a >= 4 or a != a
+  if or_of_and and and_of_or and not_and and same and between { end_episode success "all" }
+}
+)");
+  auto expect = [&](double a, bool p, bool q, const std::vector<bool>& expected) {
+    Instance instance(task);
+    instance.Sense("a", {a});
+    instance.Sense("p", {static_cast<double>(p)});
+    instance.Sense("q", {static_cast<double>(q)});
+    instance.Fire(TASKC_END_OF_TIME_STEP);
+    std::vector<bool> values;
+    for (const char* name : {"or_of_and", "and_of_or", "not_and", "same", "between"}) {
+      values.push_back(instance.Memory(name) != 0);
+    }
+    EXPECT_EQ(values, expected) << a << p << q;
+  };
+  expect(3, true, false, {true, false, true, true, true});
+  expect(0, true, true, {true, true, false, false, false});
+  expect(4, false, true, {false, true, true, true, false});
+  expect(kNan, false, false, {false, false, true, true, true});
+}
+
+TEST(Expressions, ComputeWithVectors) {
+  ExpectValues("sensor v: vec3 [m]\nsensor w: vec3 [m]\n",
+               {{"dot(v, w)", 32},  // 4 + 10 + 18
+                {"norm(v - w)", std::sqrt(27.0)},
+                {"norm(v.xy)", std::sqrt(5.0)},
+                {"cross(v, w).x", -3},  // 2 * 6 - 3 * 5
+                {"cross(v, w).y", 6},   // 3 * 4 - 1 * 6
+                {"cross(v, w).z", -3},  // 1 * 5 - 2 * 4
+                {"dot(cross(v, w), v)", 0},
+                {"norm(cross(v + w, v - w))", std::sqrt(36.0 + 144 + 36)},
+                {"(2 * v + w / 2).z", 9},  // 6 + 3
+                {"(-v).y", -2},
+                {"v.zyx.x", 3},
+                {"v[2] - w[0]", -1},
+                {"dot(v * dot(v, w), w)", 1024},  // 32 * 32
+                {"sum(v)", 6},
+                {"min(v)", 1},
+                {"max(v - w)", -3}},
+               {{"v", {1, 2, 3}}, {"w", {4, 5, 6}}});
+}
+
+TEST(Expressions, CallTheMathematicalFunctionsOfTheLibrary) {
+  ExpectValues("sensor a: real\nsensor b: real\nsensor angle: real [rad]\n",
+               {{"exp(a)", std::exp(0.3)},
+                {"log(a)", std::log(0.3)},
+                {"tanh(a)", std::tanh(0.3)},
+                {"sin(angle)", std::sin(0.7)},
+                {"cos(angle)", std::cos(0.7)},
+                {"atan2(a, b)", std::atan2(0.3, -2.0)},
+                {"sqrt(a)", std::sqrt(0.3)},
+                {"abs(b)", 2},
+                {"min(a, b)", -2},
+                {"max(a, b, 5)", 5},
+                {"clamp(b, -1, 1)", -1},
+                {"clamp(a, -1, 1)", 0.3}},
+               {{"a", {0.3}}, {"b", {-2}}, {"angle", {0.7}}});
+}
+
+// Not a number must reach the check at the payment, whichever argument it is.
+TEST(Expressions, KeepWhatIsNotANumber) {
+  ExpectValues("sensor a: real\nsensor bad: real\nsensor v: vec3\n",
+               {{"min(a, bad)", kNan},
+                {"min(bad, a)", kNan},
+                {"max(a, bad)", kNan},
+                {"max(bad, a)", kNan},
+                {"clamp(bad, 0, 1)", kNan},
+                {"min(v)", kNan},
+                {"max(v)", kNan}},
+               {{"a", {1}}, {"bad", {kNan}}, {"v", {1, kNan, 3}}});
+}
+
+TEST(Expressions, ReadMatricesRowByRow) {
+  ExpectValues("sensor r: mat3\nsensor q: quat\n",
+               {{"r[0, 2]", 3}, {"r[1, 0]", 4}, {"r[2, 2]", 9}, {"q.w", 1}, {"q.z", 4}},
+               {{"r", {1, 2, 3, 4, 5, 6, 7, 8, 9}}, {"q", {1, 2, 3, 4}}});
+}
+
+// Beyond 32 elements the text has loops.
+TEST(Expressions, ComputeWithLongArrays) {
+  std::vector<double> values(100);
+  std::vector<double> flags(100);
+  for (size_t i = 0; i < 100; ++i) values[i] = static_cast<double>(i);
+  flags[99] = 1;
+  ExpectValues("sensor a: real[100]\nsensor f: bool[100]\n",
+               {{"sum(a)", 4950},
+                {"sum(a[10 .. 59])", 1725},               // 50 * 34.5
+                {"sum(a[10 .. 59] + a[0 .. 49])", 2950},  // and 50 * 24.5
+                {"sum(a[0 .. 39, 50 .. 59])", 1325},      // 780 + 545
+                {"norm(a)", std::sqrt(328350.0)},         // the sum of the squares
+                {"norm(2 * a)", std::sqrt(4 * 328350.0)},
+                {"dot(a, a)", 328350},
+                {"max(a)", 99},
+                {"min(a - 50)", -50},
+                {"count(f)", 1},
+                {"count(f[0 .. 98])", 0}},
+               {{"a", values}, {"f", flags}});
+}
+
+TEST(Expressions, AnyAllAndNoneSeeEveryElement) {
+  std::string text =
+      "task t\nsensor f: bool[3]\nsensor h: bool[50]\n"
+      "memory few_any: bool = false\nmemory few_all: bool = false\n"
+      "memory few_none: bool = false\nmemory many_any: bool = false\n"
+      "memory many_all: bool = false\nmemory many_none: bool = false\n"
+      "on end_of_time_step {\n"
+      "few_any = any(f)\nfew_all = all(f)\nfew_none = none(f)\n"
+      "many_any = any(h)\nmany_all = all(h)\nmany_none = none(h)\n"
+      "truncate_episode \"done\" }\n";
+  CompiledTask task(text);
+  auto expect = [&](std::vector<double> few, std::vector<double> many, bool any, bool all) {
+    Instance instance(task);
+    instance.Sense("f", few);
+    instance.Sense("h", many);
+    instance.Fire(TASKC_END_OF_TIME_STEP);
+    for (std::string prefix : {"few_", "many_"}) {
+      EXPECT_EQ(instance.Memory(prefix + "any"), any);
+      EXPECT_EQ(instance.Memory(prefix + "all"), all);
+      EXPECT_EQ(instance.Memory(prefix + "none"), !any);
+    }
+  };
+  std::vector<double> last(50);
+  last.back() = 1;
+  expect({0, 0, 0}, std::vector<double>(50), false, false);
+  expect({0, 0, 1}, last, true, false);
+  expect({1, 1, 1}, std::vector<double>(50, 1), true, true);
+}
+
+}  // namespace
+}  // namespace compiler
