@@ -1,0 +1,85 @@
+// The modules of one agent and the connections between their ports.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "runtime/module/module.h"
+
+namespace runtime {
+
+// What a module may need at its creation besides its parameters.
+struct Context;
+
+using ModuleFactory = std::function<std::unique_ptr<Module>(std::string name, const Context&)>;
+
+// Creates modules by the name of their type.
+class ModuleTypes {
+ public:
+  // For modules with the constructor M(std::string name, const Context&).
+  template <class M>
+  void Add(std::string type) {
+    Add(std::move(type), [](std::string name, const Context& context) {
+      return std::make_unique<M>(std::move(name), context);
+    });
+  }
+  void Add(std::string type, ModuleFactory factory);
+  // Throws UserError for an unknown type, with the nearest one.
+  const ModuleFactory& Find(std::string_view type) const;
+  std::unique_ptr<Module> Make(std::string_view type, std::string name, const Context&) const;
+  std::vector<std::string> names() const;
+
+ private:
+  std::map<std::string, ModuleFactory, std::less<>> factories_;
+};
+
+class Network {
+ public:
+  Network() = default;
+  Network(Network&&) = default;
+  ~Network();  // destroys the modules in the reverse order of their creation
+
+  // Throws UserError if the name is taken, empty, or contains a '.'.
+  Module& Add(std::unique_ptr<Module> module);
+  // Throws UserError for an unknown module, with the nearest name.
+  Module& Find(std::string_view module) const;
+  // The module of this name as an M. Throws UserError if it is of another class.
+  template <class M>
+  M& FindAs(std::string_view module) const;
+  // "task.reward". Throws UserError for an unknown module or port, with the nearest name.
+  Port& FindPort(std::string_view port) const;
+
+  // Connects a signal to a slot, or an out port to an in port; the order of the two does not
+  // matter. Throws UserError if kinds or types do not fit (and lists the ports that would), if they
+  // are connected already, or if the in port has another out port.
+  //
+  // "environment.*", "task.*" connects each in port of the second module that has no connection yet
+  // to the out port of the same name of the first module, if it has one.
+  void Connect(std::string_view first, std::string_view second);
+  void Disconnect(std::string_view first, std::string_view second);
+
+  // Starts every module in the order of their creation.
+  void Start();
+
+  const std::vector<std::unique_ptr<Module>>& modules() const { return modules_; }
+  // One line per module and connection, for a person.
+  std::string ToText() const;
+
+ private:
+  void ConnectAll(const Module& from, const Module& to);
+  [[noreturn]] void ThrowOtherClass(std::string_view module) const;
+
+  std::vector<std::unique_ptr<Module>> modules_;
+};
+
+template <class M>
+M& Network::FindAs(std::string_view module) const {
+  if (M* found = dynamic_cast<M*>(&Find(module))) return *found;
+  ThrowOtherClass(module);
+}
+
+}  // namespace runtime
