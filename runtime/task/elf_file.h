@@ -1,0 +1,17 @@
+// A look at a shared object before the dynamic loader sees it: the loader maps what the headers
+// promise, and a file that was cut off kills the whole program with SIGBUS.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+
+namespace runtime {
+
+// What makes `content` something other than a whole shared object for this machine, as the
+// predicate of a sentence about the file ("is cut off: ..."); nothing if it is one. Reads nothing
+// outside `content`, whatever stands there.
+std::optional<std::string> ElfDefect(std::span<const std::byte> content);
+
+}  // namespace runtime

@@ -1,0 +1,137 @@
+#include "runtime/task/plugin.h"
+
+#include <dlfcn.h>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "runtime/module/user_error.h"
+#include "runtime/task/elf_file.h"
+#include "runtime/task/plugin_check.h"
+#include "runtime/task/plugin_seal.h"
+
+namespace runtime {
+namespace {
+
+constexpr off_t kLargestFile = off_t{256} << 20;  // bytes; a compiled task has some ten thousand
+
+class Descriptor {
+ public:
+  explicit Descriptor(int number) : number_(number) {}
+  ~Descriptor() {
+    if (number_ >= 0) close(number_);
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+
+  int get() const { return number_; }
+  bool ok() const { return number_ >= 0; }
+  int Release() { return std::exchange(number_, -1); }
+
+ private:
+  int number_;
+};
+
+[[noreturn]] void Refuse(const std::filesystem::path& file, const std::string& reason) {
+  throw UserError(fmt::format("{}: {}", file.string(), reason));
+}
+
+[[noreturn]] void RefuseByErrno(const std::filesystem::path& file, const char* action) {
+  Refuse(file, fmt::format("{}: {}", action, std::strerror(errno)));
+}
+
+std::vector<std::byte> ReadWhole(const std::filesystem::path& file) {
+  // Without O_NONBLOCK a named pipe would make us wait for its writer.
+  const Descriptor source(open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  if (!source.ok()) RefuseByErrno(file, "cannot be opened");
+  struct stat status;
+  if (fstat(source.get(), &status) != 0) RefuseByErrno(file, "cannot be examined");
+  if (!S_ISREG(status.st_mode)) Refuse(file, "is no regular file");
+  if (status.st_size > kLargestFile) Refuse(file, "is too large for a compiled task");
+
+  std::vector<std::byte> content(static_cast<size_t>(status.st_size));
+  size_t done = 0;
+  while (done < content.size()) {
+    const ssize_t count = read(source.get(), content.data() + done, content.size() - done);
+    if (count < 0) RefuseByErrno(file, "cannot be read");
+    if (count == 0) break;  // it has become shorter meanwhile
+    done += static_cast<size_t>(count);
+  }
+  content.resize(done);
+  return content;
+}
+
+// Anonymous memory that holds `content` and that nothing can change any more.
+int PrivateCopy(const std::filesystem::path& file, std::span<const std::byte> content) {
+  Descriptor copy(memfd_create(file.filename().c_str(), MFD_CLOEXEC | MFD_ALLOW_SEALING));
+  if (!copy.ok()) RefuseByErrno(file, "cannot be copied to memory");
+  while (!content.empty()) {
+    const ssize_t count = write(copy.get(), content.data(), content.size());
+    if (count < 0) RefuseByErrno(file, "cannot be copied to memory");
+    content = content.subspan(static_cast<size_t>(count));
+  }
+  if (fcntl(copy.get(), F_ADD_SEALS, F_SEAL_WRITE | F_SEAL_SHRINK | F_SEAL_GROW) != 0) {
+    RefuseByErrno(file, "cannot be sealed in memory");
+  }
+  return copy.Release();
+}
+
+}  // namespace
+
+Plugin::Plugin(const std::filesystem::path& file) : file_(file) {
+  const std::vector<std::byte> content = ReadWhole(file);
+  if (const auto defect = ElfDefect(content)) {
+    Refuse(file, *defect + "; build the task with `taskc build`");
+  }
+  if (HasBrokenSeal(content)) {
+    Refuse(file,
+           "is damaged: it has changed since it was built; build the task with `taskc build`");
+  }
+  copy_ = PrivateCopy(file, content);
+  try {
+    Load();
+  } catch (...) {
+    Unload();
+    throw;
+  }
+}
+
+void Plugin::Load() {
+  copy_path_ = fmt::format("/proc/{}/fd/{}", getpid(), copy_);
+  handle_ = dlopen(copy_path_.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (handle_ == nullptr) {
+    Refuse(file_,
+           fmt::format("cannot be loaded: {}; build the task with `taskc build`", dlerror()));
+  }
+  const auto entry = reinterpret_cast<taskc_plugin_entry>(dlsym(handle_, TASKC_PLUGIN_ENTRY));
+  if (entry == nullptr) {
+    Refuse(file_, fmt::format("is no compiled task: it does not export `{}`; build the task with "
+                              "`taskc build`",
+                              TASKC_PLUGIN_ENTRY));
+  }
+  table_ = entry();
+  CheckPlugin(file_, table_);
+}
+
+void Plugin::Unload() {
+  if (handle_ != nullptr) dlclose(handle_);
+  // A library that does not go away when it is closed (one with unique symbols, say) would be found
+  // again by its name: then the name must never be used again.
+  if (void* still_loaded = dlopen(copy_path_.c_str(), RTLD_LAZY | RTLD_NOLOAD)) {
+    dlclose(still_loaded);
+  } else {
+    close(copy_);
+  }
+}
+
+Plugin::~Plugin() { Unload(); }
+
+}  // namespace runtime

@@ -1,0 +1,41 @@
+// A compiled task in memory.
+#pragma once
+
+#include <taskc/plugin.h>
+
+#include <filesystem>
+#include <string>
+
+namespace runtime {
+
+// The loaded shared object of one task, unloaded with this object: everything that `table()` points
+// to ends then.
+//
+// The dynamic loader tells files apart by name and inode. It would give the old code for a new file
+// under a loaded name, and crash when a loaded file is overwritten in place. So what is loaded is a
+// private copy in anonymous memory: the file itself may be rebuilt, moved or deleted at any time,
+// and each Plugin holds what the file held when it was made. Debuggers find the copy under /proc.
+class Plugin {
+ public:
+  // Throws UserError, naming the file and the remedy, for a file that is missing, damaged, cut off,
+  // no compiled task, built for another version of the ABI, or described by a senseless table.
+  explicit Plugin(const std::filesystem::path& file);
+  ~Plugin();
+  Plugin(const Plugin&) = delete;
+  Plugin& operator=(const Plugin&) = delete;
+
+  const std::filesystem::path& file() const { return file_; }
+  const taskc_plugin& table() const { return *table_; }
+
+ private:
+  void Load();
+  void Unload();
+
+  std::filesystem::path file_;
+  int copy_ = -1;          // descriptor of the private copy
+  std::string copy_path_;  // under which the loader knows it
+  void* handle_ = nullptr;
+  const taskc_plugin* table_ = nullptr;
+};
+
+}  // namespace runtime

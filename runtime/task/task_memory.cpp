@@ -1,0 +1,61 @@
+#include "runtime/task/task_memory.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "runtime/module/sensor_data.h"
+#include "runtime/task/saved_values.h"
+#include "runtime/task/scalar_size.h"
+
+namespace runtime {
+namespace {
+
+std::string TypeAndUnit(const taskc_memory& variable) {
+  return SensorTypeText(variable.type, variable.unit);
+}
+
+}  // namespace
+
+TaskMemory::TaskMemory(const taskc_plugin& table)
+    : blocks_((table.memory_size + sizeof(Block) - 1) / sizeof(Block)) {
+  for (const taskc_memory& variable : std::span(table.memory, table.memory_count)) {
+    if (variable.scope == TASKC_PER_RUN) kept_.push_back(variable);
+  }
+}
+
+std::span<std::byte> TaskMemory::Bytes(const taskc_memory& variable) {
+  return {reinterpret_cast<std::byte*>(blocks_.data()) + variable.offset, SizeInBytes(variable)};
+}
+
+std::span<const std::byte> TaskMemory::Bytes(const taskc_memory& variable) const {
+  return {reinterpret_cast<const std::byte*>(blocks_.data()) + variable.offset,
+          SizeInBytes(variable)};
+}
+
+void TaskMemory::Save(std::ostream& stream) const {
+  SaveNumber(stream, static_cast<uint32_t>(kept_.size()));
+  for (const taskc_memory& variable : kept_) {
+    const std::span<const std::byte> bytes = Bytes(variable);
+    SaveText(stream, variable.name);
+    SaveText(stream, TypeAndUnit(variable));
+    SaveText(stream, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  }
+}
+
+void TaskMemory::Load(std::istream& stream) {
+  const auto count = LoadNumber<uint32_t>(stream);
+  for (uint32_t i = 0; i < count; ++i) {
+    const std::string name = LoadText(stream);
+    const std::string type = LoadText(stream);
+    const std::string content = LoadText(stream);
+    const auto variable =
+        std::find_if(kept_.begin(), kept_.end(), [&](const taskc_memory& candidate) {
+          return candidate.name == name && TypeAndUnit(candidate) == type &&
+                 SizeInBytes(candidate) == content.size();
+        });
+    if (variable == kept_.end()) continue;
+    std::memcpy(Bytes(*variable).data(), content.data(), content.size());
+  }
+}
+
+}  // namespace runtime

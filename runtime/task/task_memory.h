@@ -1,0 +1,39 @@
+#pragma once
+
+#include <taskc/plugin.h>
+
+#include <cstddef>
+#include <iosfwd>
+#include <new>
+#include <span>
+#include <vector>
+
+namespace runtime {
+
+// The memory block of one instance of a task, aligned as the ABI wants it.
+class TaskMemory {
+ public:
+  // All bytes are 0. `table` outlives this object.
+  explicit TaskMemory(const taskc_plugin& table);
+
+  void* data() { return blocks_.data(); }
+
+  // The variables that live as long as the run: the only ones that survive an episode's boundary.
+  void Save(std::ostream& stream) const;
+  // Takes over each variable that the task still has under the same name, type and unit; the others
+  // keep their values. Throws UserError if the stream ends early.
+  void Load(std::istream& stream);
+
+ private:
+  struct alignas(16) Block {
+    std::byte bytes[16];
+  };
+
+  std::span<std::byte> Bytes(const taskc_memory& variable);
+  std::span<const std::byte> Bytes(const taskc_memory& variable) const;
+
+  std::vector<taskc_memory> kept_;  // those with the scope of the run
+  std::vector<Block> blocks_;
+};
+
+}  // namespace runtime

@@ -1,0 +1,6 @@
+#include "plugin_table.h"
+
+static const taskc_sensor sensors[] = {{"contact", "bool[3]", "", TASKC_BOOL, 3, 1, 0},
+                                       {"base.velocity", "vec3", "m/s", TASKC_REAL, 3, 1, 0}};
+
+PLUGIN(.robot = "", .sensors = sensors, .sensor_count = 2)

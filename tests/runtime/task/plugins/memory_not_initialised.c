@@ -1,0 +1,3 @@
+#include "plugin_table.h"
+
+PLUGIN(.memory_size = 24)

@@ -1,0 +1,3 @@
+#include "plugin_table.h"
+
+PLUGIN(.struct_size = sizeof(taskc_plugin) - 8)

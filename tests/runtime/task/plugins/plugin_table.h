@@ -1,0 +1,20 @@
+// The table of a task that does nothing, for the robot of these tests. PLUGIN(.field = value, ...)
+// defines and exports it with some fields changed.
+#include <stddef.h>
+#include <taskc/plugin.h>
+
+#define PLUGIN(...)                                                                   \
+  static const taskc_plugin plugin = {.abi_version = TASKC_ABI_VERSION,               \
+                                      .struct_size = sizeof(taskc_plugin),            \
+                                      .compiler = "by hand",                          \
+                                      .name = "test",                                 \
+                                      .doc = "",                                      \
+                                      .robot = "walker",                              \
+                                      .start_pose = "",                               \
+                                      .source_file = "test.task",                     \
+                                      .source = "",                                   \
+                                      .source_hash = "",                              \
+                                      __VA_ARGS__};                                   \
+  __attribute__((visibility("default"))) const taskc_plugin* taskc_plugin_get(void) { \
+    return &plugin;                                                                   \
+  }

@@ -1,0 +1,5 @@
+#include "plugin_table.h"
+
+static const taskc_sensor sensors[] = {{"base.velocity", "quat", "m/s", TASKC_REAL, 4, 1, 0}};
+
+PLUGIN(.sensors = sensors, .sensor_count = 1)

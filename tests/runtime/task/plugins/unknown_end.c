@@ -1,0 +1,5 @@
+#include "plugin_table.h"
+
+static const taskc_end ends[] = {{"over", 3, 12}};
+
+PLUGIN(.ends = ends, .end_count = 1)

@@ -1,0 +1,5 @@
+#include "plugin_table.h"
+
+static const taskc_sensor sensors[] = {{"time", "real", "s", TASKC_REAL, 1, 1, 1u << 12}};
+
+PLUGIN(.sensors = sensors, .sensor_count = 1)

@@ -1,0 +1,5 @@
+#include "plugin_table.h"
+
+static const taskc_sensor sensors[] = {{"time", "real", "s", 7, 1, 1, 0}};
+
+PLUGIN(.sensors = sensors, .sensor_count = 1)

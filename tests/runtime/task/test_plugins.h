@@ -1,0 +1,39 @@
+// Where the plugins of these tests are, and the robot that they are for.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "plugins/robot/robot_description.h"
+#include "runtime/module/user_error.h"
+
+namespace runtime {
+
+inline std::filesystem::path PluginFile(const std::string& name) {
+  return std::filesystem::path(PLUGIN_FOLDER) / (name + ".so");
+}
+
+// Three links and two joints.
+inline robot::RobotDescription Walker() {
+  robot::RobotDescription walker;
+  walker.name = "walker";
+  walker.links.resize(3);
+  walker.joints.resize(2);
+  return walker;
+}
+
+// What the action complains about, without the folder of the plugins.
+template <class Action>
+std::string MessageOf(Action action) {
+  try {
+    action();
+  } catch (const UserError& error) {
+    std::string message = error.what();
+    const std::string folder = std::string(PLUGIN_FOLDER) + "/";
+    if (message.starts_with(folder)) message.erase(0, folder.size());
+    return message;
+  }
+  return "no error";
+}
+
+}  // namespace runtime

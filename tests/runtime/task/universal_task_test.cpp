@@ -1,0 +1,427 @@
+#include "runtime/task/universal_task.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <limits>
+#include <map>
+#include <sstream>
+
+#include "plugins/robot/sensors.h"
+#include "runtime/module/network.h"
+#include "tests/runtime/task/allocation_count.h"
+#include "tests/runtime/task/test_plugins.h"
+
+namespace runtime {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+using testing::Pair;
+using testing::UnorderedElementsAre;
+
+// Offers all sensors of a robot, and counts who is read how often.
+class FakeEnvironment : public Module {
+ public:
+  explicit FakeEnvironment(const robot::RobotDescription& robot) : Module("environment") {
+    for (const robot::SensorDescription& description : robot::Sensors()) {
+      auto sensor = std::make_unique<Sensor>();
+      sensor->values.resize(static_cast<size_t>(robot::ElementCount(description, robot)));
+      const bool is_flag = description.type.starts_with("bool");
+      sensor->data.data = is_flag ? static_cast<const void*>(sensor->flags) : sensor->values.data();
+      ports_of_sensors_.push_back(std::make_unique<SensorOut>(
+          this, std::string(description.name), sensor.get(), Bind<&Sensor::Read>{},
+          SensorTypeText(description.type, description.unit)));
+      sensors_[std::string(description.name)] = std::move(sensor);
+    }
+  }
+
+  std::vector<double>& values(const std::string& sensor) { return sensors_.at(sensor)->values; }
+  bool* flags(const std::string& sensor) { return sensors_.at(sensor)->flags; }
+
+  // How often each sensor was read since the last call; those that were not are not listed.
+  std::map<std::string, int> TakeReads() {
+    std::map<std::string, int> reads;
+    for (auto& [name, sensor] : sensors_) {
+      if (sensor->reads > 0) reads[name] = std::exchange(sensor->reads, 0);
+    }
+    return reads;
+  }
+
+ private:
+  struct Sensor {
+    const SensorData& Read() {
+      ++reads;
+      return data;
+    }
+    std::vector<double> values;
+    bool flags[8] = {};
+    SensorData data;
+    int reads = 0;
+  };
+  std::map<std::string, std::unique_ptr<Sensor>> sensors_;
+  std::vector<std::unique_ptr<SensorOut>> ports_of_sensors_;
+};
+
+// Writes down what the task emits, in its order.
+class FakeLearner : public Module {
+ public:
+  FakeLearner() : Module("learner") { rewards.reserve(10000); }
+
+  void OnReward(double value) {
+    rewards.push_back(value);
+    if (on_reward) on_reward();
+  }
+  void OnEnd(EpisodeEnd episode_end) {
+    ends.emplace_back(episode_end.kind, episode_end.reason);
+    rewards_before_end = rewards.size();
+    if (on_end) on_end();
+  }
+
+  std::vector<double> rewards;
+  std::vector<std::pair<EndKind, std::string>> ends;
+  size_t rewards_before_end = 0;
+  std::function<void()> on_reward, on_end;
+
+  Slot<double> reward{this, "reward", Bind<&FakeLearner::OnReward>{}};
+  Slot<EpisodeEnd> end{this, "end", Bind<&FakeLearner::OnEnd>{}};
+};
+
+class UniversalTaskTest : public testing::Test {
+ protected:
+  UniversalTaskTest() {
+    context_.robot = &robot_;
+    context_.task_plugin = PluginFile("walking");
+    task_ = MakeTask("task");
+  }
+
+  std::unique_ptr<UniversalTask> MakeTask(const std::string& name) {
+    auto task = std::make_unique<UniversalTask>(name, context_);
+    for (Port* in : task->ports()) {
+      if (in->kind() == PortKind::kIn) Port::Connect(environment_.FindPort(in->name()), *in);
+    }
+    task->reward.Connect(learner_.reward);
+    task->end_of_episode.Connect(learner_.end);
+    task->Start();
+    return task;
+  }
+
+  std::vector<double> TakeRewards() { return std::exchange(learner_.rewards, {}); }
+
+  robot::RobotDescription robot_ = Walker();
+  Context context_;
+  FakeEnvironment environment_{robot_};
+  FakeLearner learner_;
+  std::unique_ptr<UniversalTask> task_;
+};
+
+TEST_F(UniversalTaskTest, HasAnInPortForEachSensorOfThePlugin) {
+  std::vector<std::string> names;
+  for (const Port* port : task_->ports()) {
+    if (port->kind() == PortKind::kIn) names.push_back(port->name() + " " + port->type().text);
+  }
+  EXPECT_THAT(names,
+              ElementsAre("time real [s]", "base.position vec3 [m]", "base.velocity vec3 [m/s]",
+                          "contact bool[link]", "joint.angle real[joint] [rad]"));
+}
+
+TEST_F(UniversalTaskTest, RefusesToStartWithASensorThatIsNotConnected) {
+  Port& in = task_->FindPort("base.velocity");
+  Port::Disconnect(in, *in.Connections().front());
+  EXPECT_EQ(MessageOf([&] { task_->Start(); }),
+            "`task.base.velocity` has no connection: connect it to an out port of the type `vec3 "
+            "[m/s]`");
+}
+
+TEST_F(UniversalTaskTest, RefusesAPluginForAnotherRobot) {
+  context_.task_plugin = PluginFile("other_robot");
+  EXPECT_EQ(MessageOf([&] { UniversalTask("other", context_); }),
+            "other_robot.so: the task `test` is for the robot `snake`, and this run has the robot "
+            "`walker`");
+}
+
+TEST_F(UniversalTaskTest, EventReadsOnlyItsOwnSensors) {
+  task_->on_start_of_episode();
+  EXPECT_THAT(environment_.TakeReads(), IsEmpty());
+  task_->on_start_of_action();
+  EXPECT_THAT(environment_.TakeReads(), UnorderedElementsAre(Pair("joint.angle", 1)));
+  task_->on_end_of_physics_step(0.001);
+  EXPECT_THAT(environment_.TakeReads(), IsEmpty());
+  // The event itself reads velocity and contact, the metrics time and position.
+  task_->on_end_of_time_step(0.005);
+  EXPECT_THAT(environment_.TakeReads(),
+              UnorderedElementsAre(Pair("base.position", 1), Pair("base.velocity", 1),
+                                   Pair("contact", 1), Pair("time", 1)));
+}
+
+TEST_F(UniversalTaskTest, EventsWithoutAFunctionDoNothing) {
+  task_->on_start_of_episode();
+  TakeRewards();
+  task_->on_end_of_action();
+  task_->on_start_of_time_step(0.005);
+  task_->on_start_of_physics_step(0.001);
+  EXPECT_THAT(environment_.TakeReads(), IsEmpty());
+  EXPECT_THAT(learner_.rewards, IsEmpty());
+}
+
+TEST_F(UniversalTaskTest, EventGetsSensorsParamsMemoryAndTimeStep) {
+  environment_.values("base.velocity") = {3, 0, 0};
+  environment_.values("joint.angle") = {0.125, 0.375};
+  environment_.flags("contact")[2] = true;
+  task_->on_start_of_episode();
+  task_->on_start_of_action();
+  task_->on_end_of_time_step(0.5);  // 2 * 3 * 0.5, and a fall
+  task_->on_end_of_time_step(0.5);  // the fall is paid once for each action
+  task_->on_start_of_action();
+  task_->on_end_of_time_step(0.25);
+  task_->on_end_of_physics_step(0.125);  // 0.125 + 100 + 1 episode
+  EXPECT_THAT(TakeRewards(), ElementsAre(0, 0.5, 2, 3, 0.5, 0.5, 101.125));
+  EXPECT_THAT(task_->term_sums(), ElementsAre(7.5, -2, 101.125, 1));
+}
+
+TEST_F(UniversalTaskTest, RewardOfZeroIsEmittedToo) {
+  task_->on_start_of_episode();
+  task_->on_end_of_time_step(0.5);
+  EXPECT_THAT(TakeRewards(), ElementsAre(0, 0));
+}
+
+TEST_F(UniversalTaskTest, TermSumsStartAnewWithEachEpisode) {
+  environment_.values("base.velocity") = {1, 0, 0};
+  task_->on_start_of_episode();
+  task_->on_end_of_time_step(0.5);
+  task_->on_start_of_episode();
+  EXPECT_THAT(task_->term_sums(), ElementsAre(0, 0, 0, 0));
+  task_->on_end_of_time_step(0.25);
+  EXPECT_THAT(task_->term_sums(), ElementsAre(0.5, 0, 0, 0));
+}
+
+TEST_F(UniversalTaskTest, EndComesAfterTheReward) {
+  environment_.values("base.velocity") = {100, 0, 0};
+  task_->on_start_of_episode();
+  task_->on_end_of_time_step(0.5);
+  EXPECT_THAT(learner_.ends, ElementsAre(Pair(EndKind::kSuccess, "far enough")));
+  EXPECT_EQ(learner_.rewards_before_end, 2u);
+}
+
+TEST_F(UniversalTaskTest, FirstEndOfAnEpisodeWins) {
+  environment_.values("base.velocity") = {0, 6, 0};
+  task_->on_start_of_episode();
+  task_->on_end_of_time_step(0.5);
+  environment_.values("base.velocity") = {100, 0, 0};
+  task_->on_end_of_time_step(0.5);  // the episode goes on to the end of its action
+  task_->on_end_of_episode({});
+  EXPECT_THAT(learner_.ends, ElementsAre(Pair(EndKind::kFailure, "too fast")));
+  task_->on_start_of_episode();
+  task_->on_end_of_time_step(0.5);
+  EXPECT_THAT(learner_.ends, ElementsAre(Pair(EndKind::kFailure, "too fast"),
+                                         Pair(EndKind::kSuccess, "far enough")));
+}
+
+TEST_F(UniversalTaskTest, LimitIsNoTerminalEnd) {
+  task_->Set("strict", true);
+  environment_.flags("contact")[2] = true;
+  task_->on_start_of_episode();
+  task_->on_end_of_time_step(0.5);
+  EXPECT_THAT(learner_.ends, ElementsAre(Pair(EndKind::kTruncated, "time is up")));
+}
+
+TEST_F(UniversalTaskTest, EndInTheEventAtTheEndIsNotEmitted) {
+  task_->on_start_of_episode();
+  task_->on_end_of_episode({});
+  EXPECT_THAT(learner_.ends, IsEmpty());
+  EXPECT_THAT(TakeRewards(), ElementsAre(0, 3));
+}
+
+TEST_F(UniversalTaskTest, EpisodeEndsOnce) {
+  task_->on_start_of_episode();
+  task_->on_end_of_episode({});
+  task_->on_end_of_episode({});
+  EXPECT_THAT(TakeRewards(), ElementsAre(0, 3));
+}
+
+TEST_F(UniversalTaskTest, MetricsAreReducedOverTheTimeSteps) {
+  task_->on_start_of_episode();
+  for (const double height : {0.5, 2.0, -1.0, 0.5}) {
+    environment_.values("base.position") = {0, 0, height};
+    environment_.values("time")[0] += 0.25;
+    task_->on_end_of_time_step(0.25);
+  }
+  environment_.values("time")[0] = 1.5;
+  environment_.values("base.position") = {0, 0, 99};  // after the last step: only `last` sees it
+  task_->on_end_of_episode({});
+  EXPECT_THAT(task_->metrics(), ElementsAre(1.5, 2, 2, -1, 0.5));
+}
+
+TEST_F(UniversalTaskTest, StepThatEndsTheEpisodeBelongsToTheMetrics) {
+  learner_.on_end = [&] { task_->on_end_of_episode({}); };  // a learner that ends at once
+  environment_.values("base.velocity") = {0, 6, 0};
+  environment_.values("base.position") = {0, 0, 4};
+  task_->on_start_of_episode();
+  task_->on_end_of_time_step(0.5);
+  EXPECT_THAT(task_->metrics(), ElementsAre(0, 4, 4, 4, 4));
+  task_->on_end_of_time_step(0.5);
+  EXPECT_THAT(task_->metrics(), ElementsAre(0, 4, 4, 4, 4));
+}
+
+TEST_F(UniversalTaskTest, EventDuringAnEmissionDoesNotChangeItsEnd) {
+  // The reward's receiver starts another event of the same task before the end is emitted.
+  learner_.on_reward = [&] {
+    learner_.on_reward = nullptr;
+    task_->on_end_of_physics_step(0.5);
+  };
+  environment_.values("base.velocity") = {0, 6, 0};
+  task_->on_end_of_time_step(0.5);
+  EXPECT_THAT(learner_.ends, ElementsAre(Pair(EndKind::kFailure, "too fast")));
+}
+
+TEST_F(UniversalTaskTest, ValueThatIsNotFiniteIsNotPaidButCounted) {
+  task_->on_start_of_episode();
+  TakeRewards();
+  task_->on_end_of_time_step(0.5);
+  environment_.values("base.velocity") = {std::nan(""), 0, 0};
+  environment_.flags("contact")[2] = true;
+  task_->on_end_of_time_step(0.5);
+  environment_.values("base.velocity") = {std::numeric_limits<double>::infinity(), 0, 0};
+  task_->on_end_of_time_step(0.5);
+  EXPECT_THAT(TakeRewards(), ElementsAre(0, -1, 0));
+  EXPECT_EQ(task_->fault_count(), 2);
+  EXPECT_EQ(task_->faults()[0].count, 2);
+  EXPECT_EQ(task_->faults()[0].first_time, 1.0);
+  EXPECT_EQ(task_->faults()[1].count, 0);
+  task_->on_start_of_episode();
+  EXPECT_EQ(task_->fault_count(), 0);
+  EXPECT_EQ(task_->faults()[0].count, 0);
+}
+
+TEST_F(UniversalTaskTest, SumOfFiniteTermsThatIsNotFiniteIsNotPaidButCounted) {
+  const double largest = std::numeric_limits<double>::max();
+  environment_.values("joint.angle") = {largest, largest};
+  task_->on_start_of_episode();
+  task_->on_start_of_action();
+  EXPECT_THAT(TakeRewards(), ElementsAre(0, 0));
+  EXPECT_EQ(task_->fault_count(), 1);
+}
+
+TEST_F(UniversalTaskTest, ParamsAreTheModulesParameters) {
+  EXPECT_EQ(task_->Get("gain"), ParameterValue(2.0));
+  EXPECT_EQ(task_->Get("bonus"), ParameterValue(int64_t{3}));
+  EXPECT_EQ(task_->Get("strict"), ParameterValue(false));
+  task_->Set("gain", int64_t{5});
+  task_->Set("bonus", int64_t{-4});
+  environment_.values("base.velocity") = {1, 0, 0};
+  task_->on_start_of_episode();
+  task_->on_end_of_time_step(1);
+  task_->on_end_of_episode({});
+  EXPECT_THAT(TakeRewards(), ElementsAre(0, 5, -4));
+}
+
+TEST_F(UniversalTaskTest, ParamsAreChecked) {
+  EXPECT_EQ(MessageOf([&] { task_->Set("gian", 1.0); }),
+            "the module `task` has no parameter `gian`: did you mean `gain`?");
+  EXPECT_EQ(MessageOf([&] { task_->Set("gain", -1.0); }),
+            "`task.gain` must lie in 0 .. 1000, and -1 does not");
+  EXPECT_EQ(MessageOf([&] { task_->Set("bonus", 1.5); }),
+            "`task.bonus` is a whole number, and 1.5 is not one");
+  EXPECT_EQ(MessageOf([&] { task_->Set("strict", 1.0); }),
+            "`task.strict` is true or false, and 1.0 is not one");
+}
+
+TEST_F(UniversalTaskTest, InstancesShareNoMemory) {
+  const auto other = MakeTask("other");
+  environment_.values("base.velocity") = {1, 0, 0};
+  task_->Set("gain", 4.0);
+  task_->on_start_of_episode();
+  task_->on_start_of_episode();
+  other->on_start_of_episode();
+  TakeRewards();
+  task_->on_end_of_physics_step(0);
+  other->on_end_of_physics_step(0);
+  task_->on_end_of_time_step(1);
+  other->on_end_of_time_step(1);
+  EXPECT_THAT(TakeRewards(), ElementsAre(102, 101, 4, 2));
+}
+
+TEST_F(UniversalTaskTest, MemoryOfTheRunAndParamsSurviveACheckpoint) {
+  environment_.values("base.velocity") = {1, 0, 0};
+  task_->Set("gain", 7.0);
+  task_->Set("bonus", int64_t{1});
+  task_->on_start_of_episode();
+  task_->on_end_of_time_step(1);
+  task_->on_end_of_episode({});
+  std::stringstream checkpoint;
+  task_->Save(checkpoint);
+
+  const auto resumed = MakeTask("task");
+  resumed->Load(checkpoint);
+  TakeRewards();
+  for (UniversalTask* task : {task_.get(), resumed.get()}) {
+    task->on_start_of_episode();
+    task->on_end_of_time_step(1);
+    task->on_end_of_physics_step(0);
+    task->on_end_of_episode({});
+  }
+  EXPECT_THAT(TakeRewards(), ElementsAre(0, 7, 102, 1, 0, 7, 102, 1));
+  std::stringstream again, of_resumed;
+  task_->Save(again);
+  resumed->Save(of_resumed);
+  EXPECT_EQ(again.str(), of_resumed.str());
+}
+
+TEST_F(UniversalTaskTest, CheckpointOfAnotherTaskChangesOnlyWhatBothHave) {
+  std::stringstream checkpoint;
+  task_->Save(checkpoint);
+  context_.task_plugin = PluginFile("empty");
+  const auto other = MakeTask("task");
+  EXPECT_NO_THROW(other->Load(checkpoint));
+
+  std::stringstream of_other;
+  other->Save(of_other);
+  task_->on_start_of_episode();
+  task_->Load(of_other);
+  task_->on_end_of_physics_step(0);
+  EXPECT_EQ(learner_.rewards.back(), 101);
+}
+
+TEST_F(UniversalTaskTest, CheckpointThatIsCutOffIsRefused) {
+  std::stringstream checkpoint;
+  task_->Save(checkpoint);
+  const std::string whole = checkpoint.str();
+  for (size_t size = 0; size < whole.size(); ++size) {
+    std::istringstream cut(whole.substr(0, size));
+    ASSERT_THROW(task_->Load(cut), UserError) << "cut at " << size;
+  }
+}
+
+TEST_F(UniversalTaskTest, AnEpisodeAllocatesNothing) {
+  const auto run_episode = [&] {
+    task_->on_start_of_episode();
+    for (int action = 0; action < 10; ++action) {
+      task_->on_start_of_action();
+      for (int step = 0; step < 20; ++step) {
+        task_->on_start_of_time_step(0.005);
+        task_->on_start_of_physics_step(0.001);
+        task_->on_end_of_physics_step(0.001);
+        task_->on_end_of_time_step(0.005);
+      }
+      task_->on_end_of_action();
+    }
+    task_->on_end_of_episode({});
+  };
+  const int64_t before = AllocationCount();
+  run_episode();
+  EXPECT_EQ(AllocationCount(), before);
+}
+
+TEST_F(UniversalTaskTest, PluginWithoutAnythingRuns) {
+  context_.task_plugin = PluginFile("empty");
+  const auto empty = MakeTask("empty");
+  TakeRewards();
+  empty->on_start_of_episode();
+  empty->on_end_of_time_step(0.005);
+  empty->on_end_of_episode({});
+  EXPECT_THAT(learner_.rewards, IsEmpty());
+  EXPECT_THAT(empty->metrics(), IsEmpty());
+}
+
+}  // namespace
+}  // namespace runtime
