@@ -1,0 +1,78 @@
+// An agent as its file says it: modules, their parameters, and the connections between their ports.
+//
+//   connections = [["task.reward", "learner.reward"]]
+//
+//   [modules.learner]
+//   type = "PengQLambda"
+//   temperature = 5
+//
+// Everything keeps the place where it was written, for messages that appear when it is used.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "runtime/module/module.h"
+#include "runtime/module/network.h"
+
+namespace runtime {
+
+struct SourcePlace {
+  std::string file;  // as messages name it
+  int line = 0;      // from 1, like the column
+  int column = 0;
+
+  // "agent.toml:3:12"
+  std::string ToText() const;
+};
+
+struct ParameterSetting {
+  std::string name;
+  ParameterValue value;
+  SourcePlace place;
+};
+
+struct ModuleSetting {
+  std::string name;
+  std::string type;  // "" in a file that changes a module of another file
+  SourcePlace place;
+  std::vector<ParameterSetting> parameters;
+};
+
+struct ConnectionSetting {
+  std::string first;
+  std::string second;
+  SourcePlace place;
+};
+
+struct Agent {
+  std::vector<ModuleSetting> modules;  // in the order of their creation
+  std::vector<ConnectionSetting> connections;
+};
+
+// Reads an agent file. Throws UserError with file, line, column and, for a misspelt key, the
+// nearest one. Whether types, parameters and ports exist is found out by BuildNetwork.
+Agent ReadAgent(const std::filesystem::path& file);
+// The same from a text; `name` stands for the file in messages.
+Agent ParseAgent(std::string_view text, const std::string& name);
+
+// `agent` with the changes of another file: parameters replace those of the same name, modules with
+// a type of their own are added or replace the one of their name with all its parameters,
+// connections are added. Throws UserError for a change of a module that there is not.
+Agent Changed(Agent agent, const Agent& changes);
+
+// Makes the modules, sets their parameters and connects their ports. Throws UserError, with the
+// place in the agent file, for whatever does not exist or does not fit.
+Network BuildNetwork(const Agent& agent, const ModuleTypes& types, const Context& context);
+
+// `agent` with the present values of all parameters of `network`, which was built from it: nothing
+// is left to defaults that another version of the program might change.
+Agent Resolved(const Agent& agent, const Network& network);
+
+// As an agent file. The same agent gives the same text, byte for byte, and reading it gives the
+// same agent.
+std::string ToToml(const Agent& agent);
+
+}  // namespace runtime
