@@ -1,0 +1,21 @@
+// Where the links of a robot are in a pose.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <vector>
+
+#include "plugins/robot/robot_description.h"
+
+namespace runtime {
+
+// The frame of a link lies in its centre of mass and is parallel to the world's in the zero pose.
+struct LinkFrame {
+  Eigen::Vector3d position;
+  Eigen::Quaterniond orientation;  // link -> world
+};
+
+// One frame for each link. The robot is turned as a whole about its base, moved to the pose's
+// position, and then each joint turns all that hangs on it, by minus its angle about its axis.
+std::vector<LinkFrame> LinkFrames(const robot::RobotDescription& robot, const robot::Pose& pose);
+
+}  // namespace runtime

@@ -1,0 +1,49 @@
+// One episode's physics: a robot on flat ground.
+#pragma once
+
+#include <span>
+
+#include "plugins/robot/robot_description.h"
+#include "runtime/simulation/collision.h"
+#include "runtime/simulation/contact_filter.h"
+#include "runtime/simulation/joint_controller.h"
+#include "runtime/simulation/ode_library.h"
+#include "runtime/simulation/profile.h"
+#include "runtime/simulation/robot_body.h"
+
+namespace runtime {
+
+// Two worlds made alike and stepped alike have the same bits. A world that was stepped has a past
+// in ODE's caches and orders, so every episode gets a new one.
+class World {
+ public:
+  // The robot rests in the pose. `robot` outlives the world.
+  World(const robot::RobotDescription& robot, const Profile& profile, const robot::Pose& pose);
+
+  World(const World&) = delete;
+  World& operator=(const World&) = delete;
+
+  double time_step() const { return time_step_; }  // [s]
+  int steps_per_control_step() const { return steps_per_control_step_; }
+
+  // One physics step towards `targets`, one angle for each joint [rad]. Throws OdeFailure if there
+  // is no sensible state to continue from; the world must not be stepped again then.
+  void Step(std::span<const double> targets);
+
+  const RobotBody& body() const { return body_; }
+  const Collision& collision() const { return collision_; }
+  const JointController& controller() const { return controller_; }
+  const ContactFilter& contacts() const { return contact_filter_; }
+
+ private:
+  int steps_per_control_step_;
+  double time_step_;
+  OdeThreading threading_;
+  OdeWorld world_;
+  RobotBody body_;
+  Collision collision_;
+  JointController controller_;
+  ContactFilter contact_filter_;
+};
+
+}  // namespace runtime
