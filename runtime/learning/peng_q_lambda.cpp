@@ -1,0 +1,173 @@
+#include "runtime/learning/peng_q_lambda.h"
+
+#include <fmt/format.h>
+
+#include <istream>
+#include <limits>
+#include <ostream>
+#include <utility>
+
+#include "runtime/learning/connections.h"
+#include "runtime/learning/exponential_schedule.h"
+
+namespace runtime {
+namespace {
+
+constexpr const char* kOriginal = "original";
+constexpr const char* kClean = "clean";
+
+constexpr double kLowestTemperature = 1e-300;
+
+constexpr const char* kFormat = "peng_q_lambda_1";  // of a checkpoint
+constexpr int64_t kMostElements = int64_t{1} << 31;
+
+bool IsTerminal(EndKind kind) { return kind == EndKind::kSuccess || kind == EndKind::kFailure; }
+
+}  // namespace
+
+PengQLambda::PengQLambda(std::string name, const Context& context)
+    : Module(std::move(name)), random_(context.seed) {
+  const auto add = [this](const char* parameter, const char* doc, double* target, double maximum) {
+    AddParameter(
+        {.name = parameter, .doc = doc, .target = target, .minimum = 0, .maximum = maximum});
+  };
+  constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+  add("discount", "gamma, for each action however long it lasts", &discount_, 1);
+  add("trace_decay", "lambda", &trace_decay_, 1);
+  add("learning_rate", "alpha in the first episode", &learning_rate_, kNoLimit);
+  add("learning_rate_decay", "exponent for each finished episode", &learning_rate_decay_, kNoLimit);
+  add("learning_rate_min", "alpha does not fall below it", &learning_rate_min_, kNoLimit);
+  add("temperature", "of the selection in the first episode; 0 is greedy", &temperature_, kNoLimit);
+  add("temperature_decay", "exponent for each finished episode", &temperature_decay_, kNoLimit);
+  add("trace_max", "upper limit of a trace (replacing traces: 1)", &trace_max_, kNoLimit);
+  AddParameter({"episode_end",
+                "when an episode ends, and what its last state is worth",
+                &episode_end_,
+                {kOriginal, kClean}});
+}
+
+void PengQLambda::Start() {
+  RequireConnections(*this);
+  if (learning_rate_min_ > learning_rate_) {
+    throw UserError(fmt::format("`{0}.learning_rate_min` is {1}, more than `{0}.learning_rate` {2}",
+                                name(), learning_rate_min_, learning_rate_));
+  }
+}
+
+double PengQLambda::learning_rate() const {
+  return ExponentialSchedule{learning_rate_, learning_rate_decay_, learning_rate_min_}.At(
+      episodes_);
+}
+
+double PengQLambda::temperature() const {
+  return ExponentialSchedule{temperature_, temperature_decay_, kLowestTemperature}.At(episodes_);
+}
+
+void PengQLambda::StartOfEpisode() {
+  const Eigen::VectorXd& features = features_in_();
+  PrepareTheta(static_cast<int>(features.size()));
+  phase_ = Phase::kRunning;
+  end_ = std::exchange(early_end_, std::nullopt);
+  reward_ = 0;
+  return_ = 0;
+  actions_ = 0;
+  q_lambda_.StartEpisode(features, temperature(), random_);
+  if (end_ && episode_end_ == kClean) {
+    Finish();
+  } else {
+    ExecuteAction();
+  }
+}
+
+void PengQLambda::PrepareTheta(int features) {
+  const int actions = action_count_in_();
+  if (q_lambda_.actions() == 0) q_lambda_ = QLambda(actions, features);
+  if (q_lambda_.actions() == actions && q_lambda_.features() == features) return;
+  throw UserError(
+      fmt::format("`{}` has learned with {} actions and {} features, and the agent has {} and {}: "
+                  "go on with the net and the intervals that it was trained with, or start anew",
+                  name(), q_lambda_.actions(), q_lambda_.features(), actions, features));
+}
+
+void PengQLambda::ExecuteAction() {
+  reward_ = 0;
+  ++actions_;
+  start_of_action_();
+  if (phase_ == Phase::kRunning) execute_(q_lambda_.action());
+}
+
+void PengQLambda::Reward(double reward) {
+  if (phase_ != Phase::kOver) reward_ += reward;
+}
+
+void PengQLambda::EndOfAction() {
+  if (phase_ != Phase::kRunning) return;
+  if (end_) return Finish();
+  LearnAndSelect();
+  return_ += reward_;
+  ExecuteAction();
+}
+
+void PengQLambda::EndOfEpisode(EpisodeEnd end) {
+  const bool diverged = end.kind == EndKind::kDiverged;
+  // A task hears of an episode's start before the learner does, and can end it right there.
+  if (phase_ == Phase::kOver && !diverged) early_end_ = end;
+  if (phase_ != Phase::kRunning) return;
+  if (!end_ || diverged) end_ = end;
+  if (diverged || episode_end_ == kClean) Finish();
+}
+
+void PengQLambda::Finish() {
+  phase_ = Phase::kEnding;
+  episode_over_(*end_);  // may still bring rewards
+  LearnFromLastAction();
+  return_ += reward_;
+  reward_ = 0;
+  ++episodes_;
+  phase_ = Phase::kOver;
+}
+
+void PengQLambda::LearnFromLastAction() {
+  if (end_->kind == EndKind::kDiverged || actions_ == 0) return;
+  if (episode_end_ == kClean && IsTerminal(end_->kind)) {
+    q_lambda_.EndEpisode(reward_, settings(), learning_rate());
+  } else {
+    LearnAndSelect();
+  }
+}
+
+void PengQLambda::LearnAndSelect() {
+  q_lambda_.Step(reward_, settings(), learning_rate(), features_in_(), temperature(), random_);
+}
+
+void PengQLambda::Save(std::ostream& out) const {
+  const QLambda::Matrix& theta = q_lambda_.theta();
+  out << kFormat << ' ' << episodes_ << ' ' << theta.rows() << ' ' << theta.cols() << ' ' << random_
+      << '\n';
+  out.write(reinterpret_cast<const char*>(theta.data()),
+            static_cast<std::streamsize>(theta.size() * sizeof(double)));
+}
+
+void PengQLambda::Load(std::istream& in) {
+  std::string format;
+  int64_t episodes = 0, actions = 0, features = 0;
+  Random random(0);
+  in >> format >> episodes >> actions >> features >> random;
+  const bool sound = in && format == kFormat && in.get() == '\n' && episodes >= 0 && actions >= 0 &&
+                     features >= 0 && (features == 0 || actions <= kMostElements / features);
+  QLambda::Matrix theta;
+  if (sound) {
+    theta.resize(actions, features);
+    in.read(reinterpret_cast<char*>(theta.data()),
+            static_cast<std::streamsize>(theta.size() * sizeof(double)));
+  }
+  if (!sound || !in) {
+    throw UserError(fmt::format("the checkpoint of `{}` is damaged or of another version", name()));
+  }
+  q_lambda_ = QLambda(std::move(theta));
+  random_ = random;
+  episodes_ = episodes;
+  phase_ = Phase::kOver;
+}
+
+}  // namespace runtime
