@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+
+#include "plugins/robot/robot_description.h"
+
+namespace runtime {
+
+// The shapes of the robot's links, for who draws the recordings: a JSON list with one object per
+// link,
+// {"name", "shape": "box"|"capsule"|"sphere", "size": [x, y, z], "radius", "length", "axis":
+// 0|1|2}.
+std::string BodyJson(const robot::RobotDescription& robot);
+
+}  // namespace runtime

@@ -1,0 +1,16 @@
+// The state of a run between two episodes as one blob: what every module of the network saves.
+#pragma once
+
+#include <string>
+
+#include "runtime/module/network.h"
+
+namespace runtime {
+
+std::string SaveModules(const Network& network);
+
+// Into a network of the same modules, started already. Throws UserError where the state is damaged
+// or belongs to other modules.
+void LoadModules(Network& network, const std::string& state);
+
+}  // namespace runtime

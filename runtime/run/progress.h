@@ -1,0 +1,70 @@
+// Tells whoever started a run how it goes: one line that stays up to date on a terminal, a line
+// every so often elsewhere, or one JSON object per episode for programs.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <cstdio>
+#include <string>
+
+#include "runtime/run/return_statistics.h"
+#include "runtime/run/run_records.h"
+
+namespace runtime {
+
+enum class ProgressStyle { kText, kJson, kQuiet };
+
+struct ProgressValues {
+  int64_t episode = 0;  // finished so far
+  int64_t episodes_planned = 0;
+  double last_return = 0;
+  double mean = 0;
+  double best_return = 0;
+  double simulated_seconds_per_second = 0;
+  double elapsed = 0;    // [s]
+  double remaining = 0;  // [s]
+};
+
+// "episode 12/1000  return -3.25  mean of 20 -4.1  best 1.5  4.2x real time  0:05 elapsed, 6:40
+// left"
+std::string ProgressLine(const ProgressValues& values);
+
+// "0:05", "6:40", "1:02:03"
+std::string DurationText(double seconds);
+
+// One line, without its end: {"episode": 1, "return": ..., "end": {...}, "terms": {...}, ...}
+std::string EpisodeJson(const EpisodeRecord& episode, const RunRecord& run);
+
+class Progress {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  // Everything goes to `output`, warnings to `warnings`; neither is owned.
+  Progress(ProgressStyle style, const RunRecord& run, std::FILE* output, std::FILE* warnings);
+  ~Progress();  // leaves the cursor below the live line
+
+  // Call after `episode` was counted by `statistics`, which cover all episodes of the run up to
+  // now.
+  void FinishEpisode(const EpisodeRecord& episode, const ReturnStatistics& statistics);
+  // A line for the user, between the others.
+  void Warn(const std::string& text);
+  void Note(const std::string& text);  // not for programs: nothing with kJson and kQuiet
+
+ private:
+  void Show();
+  void EraseLiveLine();
+
+  ProgressStyle style_;
+  const RunRecord& run_;
+  std::FILE* output_;
+  std::FILE* warnings_;
+  bool is_live_;
+  bool line_is_shown_ = false;
+  ProgressValues values_;
+  Clock::time_point start_ = Clock::now();
+  Clock::time_point last_line_ = start_;
+  double simulated_seconds_ = 0;  // since the start of this process
+  int64_t episodes_here_ = 0;
+};
+
+}  // namespace runtime

@@ -1,0 +1,218 @@
+#include "runtime/run/run_database.h"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <chrono>
+
+#include "runtime/module/user_error.h"
+#include "runtime/run/run_database_impl.h"
+#include "runtime/run/run_schema.h"
+
+namespace runtime {
+namespace {
+
+constexpr int kSchemaVersion = 1;
+constexpr int kApplicationId = 0x74736b63;  // "tskc"
+
+constexpr const char* kOpening = "open the run";
+
+std::filesystem::path DatabaseFile(const std::filesystem::path& folder) {
+  return folder / "run.db";
+}
+
+std::span<const std::byte> Bytes(const std::string& text) {
+  return std::as_bytes(std::span(text.data(), text.size()));
+}
+
+std::string Now() {
+  const auto now = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
+  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", now);
+}
+
+void CheckSchema(SqliteDatabase& database) {
+  const std::string file = database.file().string();
+  if (database.QueryInteger("PRAGMA application_id", kOpening) != kApplicationId) {
+    throw UserError(fmt::format(
+        "{}: this is a database, but not one of the trainer; name the folder of a run", file));
+  }
+  const int64_t version = database.QueryInteger("PRAGMA user_version", kOpening);
+  if (version != kSchemaVersion) {
+    throw UserError(fmt::format(
+        "{}: the run was written by another version of the trainer (its schema is {}, ours is {}); "
+        "use that version",
+        file, version, kSchemaVersion));
+  }
+}
+
+FolderLock TakeLock(const std::filesystem::path& folder) {
+  std::optional<FolderLock> lock = FolderLock::Take(folder);
+  if (!lock) {
+    throw UserError(fmt::format(
+        "{}: another trainer works on this run, or the folder cannot be opened; wait for it, stop "
+        "it, or use another folder",
+        folder.string()));
+  }
+  return std::move(*lock);
+}
+
+std::unique_ptr<SqliteDatabase> OpenChecked(const std::filesystem::path& folder,
+                                            SqliteAccess access) {
+  if (!RunDatabase::Exists(folder)) {
+    throw UserError(
+        fmt::format("{}: there is no run in this folder; `trainer train TASK --out {}` starts one",
+                    folder.string(), folder.string()));
+  }
+  auto database = std::make_unique<SqliteDatabase>(DatabaseFile(folder), access);
+  CheckSchema(*database);
+  return database;
+}
+
+// Readers see whole episodes while the trainer writes, and a kill costs none that was committed.
+void PrepareForWriting(SqliteDatabase& database) {
+  database.Execute("PRAGMA journal_mode=WAL; PRAGMA synchronous=NORMAL; PRAGMA foreign_keys=ON",
+                   kOpening);
+}
+
+}  // namespace
+
+RunDatabase::RunDatabase(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+RunDatabase::RunDatabase(RunDatabase&&) noexcept = default;
+RunDatabase& RunDatabase::operator=(RunDatabase&&) noexcept = default;
+RunDatabase::~RunDatabase() = default;
+
+bool RunDatabase::Exists(const std::filesystem::path& folder) {
+  std::error_code error;
+  const auto size = std::filesystem::file_size(DatabaseFile(folder), error);
+  return !error && size > 0;  // empty: its trainer was killed before the run was made
+}
+
+void RunDatabase::CheckIsFree(const std::filesystem::path& folder) {
+  if (!Exists(folder)) return;
+  throw UserError(
+      fmt::format("{}: this folder holds a run already; go on with it by `trainer resume {}`, or "
+                  "name another folder with --out",
+                  folder.string(), folder.string()));
+}
+
+RunDatabase RunDatabase::Create(const std::filesystem::path& folder, const RunRecord& run) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) {
+    throw UserError(fmt::format("{}: cannot make this folder: {}; name another one with --out",
+                                folder.string(), error.message()));
+  }
+  auto impl = std::make_unique<Impl>();
+  impl->folder = folder;
+  impl->lock = TakeLock(folder);
+  CheckIsFree(folder);
+  impl->database = std::make_unique<SqliteDatabase>(DatabaseFile(folder), SqliteAccess::kCreate);
+  SqliteTransaction transaction(*impl->database, "make the run");
+  impl->database->Execute(fmt::format("PRAGMA application_id={}; PRAGMA user_version={};\n{}",
+                                      kApplicationId, kSchemaVersion, kRunSchema),
+                          "make the run");
+  impl->write.emplace(*impl->database);
+  impl->WriteRun(run);
+  transaction.Commit();
+  PrepareForWriting(*impl->database);
+  return RunDatabase(std::move(impl));
+}
+
+RunDatabase RunDatabase::Open(const std::filesystem::path& folder) {
+  auto impl = std::make_unique<Impl>();
+  impl->folder = folder;
+  if (Exists(folder)) impl->lock = TakeLock(folder);
+  impl->database = OpenChecked(folder, SqliteAccess::kWrite);
+  PrepareForWriting(*impl->database);
+  impl->write.emplace(*impl->database);
+  return RunDatabase(std::move(impl));
+}
+
+RunDatabase RunDatabase::OpenToRead(const std::filesystem::path& folder) {
+  auto impl = std::make_unique<Impl>();
+  impl->folder = folder;
+  impl->database = OpenChecked(folder, SqliteAccess::kRead);
+  return RunDatabase(std::move(impl));
+}
+
+void RunDatabase::Impl::WriteCheckpoint(const Checkpoint& checkpoint) {
+  write->checkpoint.Bind(checkpoint.episode, Bytes(checkpoint.state)).Run();
+}
+
+void RunDatabase::Impl::WriteRun(const RunRecord& run) {
+  for (const TextKey& text : kTexts) Set(text.key, run.*text.member);
+  Set("seed", fmt::format("{}", run.seed));
+  Set("episodes_planned", fmt::format("{}", run.episodes_planned));
+  Set("record_every", fmt::format("{}", run.record_every));
+  Set("checkpoint_seconds", fmt::format("{}", run.checkpoint_seconds));
+  Set("started_at", Now());
+  Set("state", std::string(RunStateName(RunState::kRunning)));
+  SqliteStatement term(*database, "INSERT INTO term VALUES (?, ?, ?)", "make the run");
+  for (size_t i = 0; i < run.terms.size(); ++i) {
+    term.Bind(static_cast<int64_t>(i), std::string_view(run.terms[i].name),
+              std::string_view(run.terms[i].doc))
+        .Run();
+  }
+  SqliteStatement metric(*database, "INSERT INTO metric VALUES (?, ?, ?, ?, ?)", "make the run");
+  for (size_t i = 0; i < run.metrics.size(); ++i) {
+    const MetricRecord& record = run.metrics[i];
+    metric
+        .Bind(static_cast<int64_t>(i), std::string_view(record.name), std::string_view(record.unit),
+              std::string_view(record.reduction), std::string_view(record.doc))
+        .Run();
+  }
+}
+
+void RunDatabase::AddEpisode(const EpisodeRecord& episode,
+                             const std::optional<Recording>& recording,
+                             const std::optional<Checkpoint>& checkpoint) {
+  WriteStatements& write = *impl_->write;
+  SqliteTransaction transaction(*impl_->database, fmt::format("save episode {}", episode.number));
+  write.episode
+      .Bind(episode.number, episode.episode_return, std::string_view(episode.end_kind),
+            std::string_view(episode.end_reason), episode.steps, episode.actions,
+            episode.simulated_seconds, episode.wall_seconds, episode.faults)
+      .Run();
+  for (size_t i = 0; i < episode.terms.size(); ++i) {
+    write.term.Bind(episode.number, static_cast<int64_t>(i), episode.terms[i]).Run();
+  }
+  for (size_t i = 0; i < episode.metrics.size(); ++i) {
+    write.metric.Bind(episode.number, static_cast<int64_t>(i), episode.metrics[i]).Run();
+  }
+  if (recording) {
+    write.recording
+        .Bind(episode.number, recording->is_best ? 1 : 0, recording->frames,
+              recording->frame_interval, Bytes(recording->poses))
+        .Run();
+  }
+  if (checkpoint) impl_->WriteCheckpoint(*checkpoint);
+  transaction.Commit();
+}
+
+void RunDatabase::WriteCheckpoint(const Checkpoint& checkpoint) {
+  impl_->WriteCheckpoint(checkpoint);
+}
+
+void RunDatabase::DeleteEpisodesAfter(int64_t episode) {
+  SqliteStatement(*impl_->database, "DELETE FROM episode WHERE number > ?",
+                  "delete the episodes after the checkpoint")
+      .Bind(episode)
+      .Run();
+}
+
+void RunDatabase::SetState(RunState state) {
+  SqliteTransaction transaction(*impl_->database, "save the run's state");
+  impl_->Set("state", std::string(RunStateName(state)));
+  if (state == RunState::kRunning) {
+    impl_->database->Execute("DELETE FROM run WHERE key = 'finished_at'", "save the run's state");
+  } else {
+    impl_->Set("finished_at", Now());
+  }
+  transaction.Commit();
+}
+
+void RunDatabase::SetEpisodesPlanned(int64_t episodes) {
+  impl_->Set("episodes_planned", fmt::format("{}", episodes));
+}
+
+}  // namespace runtime

@@ -1,0 +1,58 @@
+// The database of one run: DIR/run.db (schema.sql). One program writes it, any number read it at
+// the same time (write-ahead log). What was saved once stays, whatever happens to the trainer.
+//
+// All functions throw UserError, naming the file, what failed and the remedy.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "runtime/run/run_records.h"
+
+namespace runtime {
+
+class RunDatabase {
+ public:
+  // Makes the folder and a new run in it, in the state `running`. Refuses a folder that holds a
+  // run.
+  static RunDatabase Create(const std::filesystem::path& folder, const RunRecord& run);
+  // To go on with a run. Refuses a run that another trainer works on.
+  static RunDatabase Open(const std::filesystem::path& folder);
+  static RunDatabase OpenToRead(const std::filesystem::path& folder);
+  // Whether `folder` holds a run; also one that cannot be read.
+  static bool Exists(const std::filesystem::path& folder);
+  // Throws if it does.
+  static void CheckIsFree(const std::filesystem::path& folder);
+
+  RunDatabase(RunDatabase&&) noexcept;
+  RunDatabase& operator=(RunDatabase&&) noexcept;
+  ~RunDatabase();
+
+  RunRecord ReadRun() const;
+  // What a trainer that was killed left behind reads as interrupted.
+  RunState ReadState() const;
+  std::string ReadValue(const std::string& key) const;  // of the table `run`; "" if there is none
+  std::vector<EpisodeRecord> ReadEpisodes() const;      // ascending, with terms and metrics
+  std::optional<Checkpoint> ReadCheckpoint() const;
+  std::optional<Recording> ReadRecording(int64_t episode) const;
+
+  // All of these at once or nothing.
+  void AddEpisode(const EpisodeRecord& episode, const std::optional<Recording>& recording,
+                  const std::optional<Checkpoint>& checkpoint);
+  void WriteCheckpoint(const Checkpoint& checkpoint);
+  // Deletes the episodes after `episode` with all that belongs to them.
+  void DeleteEpisodesAfter(int64_t episode);
+  // Also notes the time at which the run was finished or interrupted.
+  void SetState(RunState state);
+  void SetEpisodesPlanned(int64_t episodes);
+
+ private:
+  struct Impl;
+  explicit RunDatabase(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace runtime

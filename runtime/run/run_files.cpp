@@ -1,0 +1,94 @@
+#include "runtime/run/run_files.h"
+
+#include <fmt/format.h>
+#include <openssl/evp.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+
+#include "runtime/module/user_error.h"
+
+namespace runtime {
+namespace {
+
+// The first 16 hexadecimal digits of the SHA-256: enough to tell versions of a plugin apart.
+std::string Hash(const std::string& bytes) {
+  std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
+  unsigned int size = 0;
+  EVP_Digest(bytes.data(), bytes.size(), digest.data(), &size, EVP_sha256(), nullptr);
+  std::string text;
+  for (int i = 0; i < 8; ++i) text += fmt::format("{:02x}", digest[static_cast<size_t>(i)]);
+  return text;
+}
+
+std::string PluginName(const std::string& bytes) {
+  return fmt::format("plugin-{}.so", Hash(bytes));
+}
+
+// Under a temporary name first: no one ever sees, or maps, half a file.
+void WriteFile(const std::filesystem::path& file, const std::string& bytes) {
+  const std::filesystem::path temporary = file.string() + ".new";
+  std::ofstream out(temporary, std::ios::binary);
+  out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  out.close();
+  std::error_code error;
+  if (out) std::filesystem::rename(temporary, file, error);
+  if (!out || error) {
+    const std::string cause = error ? error.message() : std::strerror(errno);
+    std::filesystem::remove(temporary, error);
+    throw UserError(
+        fmt::format("{}: cannot write this file: {}; check the disk and the folder's permissions",
+                    file.string(), cause));
+  }
+}
+
+}  // namespace
+
+std::string ReadText(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  if (!in) {
+    throw UserError(
+        fmt::format("{}: cannot read this file: {}", file.string(), std::strerror(errno)));
+  }
+  return text.str();
+}
+
+std::string KeepPlugin(const std::filesystem::path& plugin, const std::filesystem::path& folder) {
+  const std::string bytes = ReadText(plugin);
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);  // a failure shows when the file is written
+  const std::string name = PluginName(bytes);
+  WriteFile(folder / name, bytes);
+  return name;
+}
+
+std::filesystem::path FindKeptPlugin(const std::filesystem::path& folder, const std::string& name) {
+  const std::filesystem::path file = folder / name;
+  if (!std::filesystem::exists(file)) {
+    throw UserError(fmt::format(
+        "{}: the run's plugin is gone, and without it the run cannot go on; put it back, or start "
+        "another run by `trainer train`",
+        file.string()));
+  }
+  if (PluginName(ReadText(file)) != name) {
+    throw UserError(fmt::format(
+        "{}: the run's plugin was changed, so the run cannot go on with it; put the original back, "
+        "or start another run by `trainer train`",
+        file.string()));
+  }
+  return file;
+}
+
+robot::RobotDescription ReadKeptRobot(const std::filesystem::path& folder,
+                                      const std::string& description) {
+  const std::filesystem::path file = folder / "robot.toml";
+  WriteFile(file, description);
+  return robot::ReadRobot(file);
+}
+
+}  // namespace runtime

@@ -1,0 +1,26 @@
+// What a run's folder keeps beside its database, so that it goes on even if the sources have
+// changed.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "plugins/robot/robot_description.h"
+
+namespace runtime {
+
+// Copies the shared object into `folder` (made if need be) under a name that holds its hash;
+// returns this name. Throws UserError where it cannot be read or written.
+std::string KeepPlugin(const std::filesystem::path& plugin, const std::filesystem::path& folder);
+
+// The plugin in the run's folder. Throws UserError where it is gone or was changed.
+std::filesystem::path FindKeptPlugin(const std::filesystem::path& folder, const std::string& name);
+
+// The robot with this description, which is written to `folder`/robot.toml for that.
+robot::RobotDescription ReadKeptRobot(const std::filesystem::path& folder,
+                                      const std::string& description);
+
+// The whole file. Throws UserError.
+std::string ReadText(const std::filesystem::path& file);
+
+}  // namespace runtime

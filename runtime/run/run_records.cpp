@@ -1,0 +1,33 @@
+#include "runtime/run/run_records.h"
+
+#include <cstdlib>
+
+namespace runtime {
+
+std::string_view RunStateName(RunState state) {
+  switch (state) {
+    case RunState::kRunning:
+      return "running";
+    case RunState::kInterrupted:
+      return "interrupted";
+    case RunState::kFinished:
+      return "finished";
+  }
+  std::abort();
+}
+
+std::string_view EndKindName(EndKind kind) {
+  switch (kind) {
+    case EndKind::kSuccess:
+      return "success";
+    case EndKind::kFailure:
+      return "failure";
+    case EndKind::kTruncated:
+      return "truncated";
+    case EndKind::kDiverged:
+      return "diverged";
+  }
+  std::abort();
+}
+
+}  // namespace runtime

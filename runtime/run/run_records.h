@@ -1,0 +1,78 @@
+// What is stored about a run, as plain values. SI units throughout.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "runtime/module/values.h"
+
+namespace runtime {
+
+enum class RunState { kRunning, kInterrupted, kFinished };
+
+std::string_view RunStateName(RunState state);  // "running"
+std::string_view EndKindName(EndKind kind);     // "success"
+
+struct TermRecord {
+  std::string name;
+  std::string doc;
+};
+
+struct MetricRecord {
+  std::string name;
+  std::string unit;
+  std::string reduction;  // "last", "sum", "max", "min", "mean"
+  std::string doc;
+};
+
+// What makes a run what it is: with it, the plugin's file and the last checkpoint a run goes on.
+struct RunRecord {
+  std::string task;
+  std::string task_file;
+  std::string task_source;
+  std::string task_hash;  // SHA-256 of the source
+  std::string plugin;     // file name of the shared object in the run's folder
+  std::string robot;
+  std::string robot_description;  // text of the robot's file
+  std::string agent;              // resolved agent file, TOML
+  std::string profile;
+  std::string version;   // of the trainer
+  std::string compiler;  // of the task
+  std::string body;      // links' names and shapes, JSON
+  uint64_t seed = 0;
+  int64_t episodes_planned = 0;
+  int64_t record_every = 0;       // 0: only the best episodes
+  double checkpoint_seconds = 0;  // at most one checkpoint in this time
+  std::vector<TermRecord> terms;
+  std::vector<MetricRecord> metrics;
+};
+
+struct EpisodeRecord {
+  int64_t number = 0;  // from 1
+  double episode_return = 0;
+  std::string end_kind;
+  std::string end_reason;
+  int64_t steps = 0;
+  int64_t actions = 0;
+  double simulated_seconds = 0;
+  double wall_seconds = 0;
+  int64_t faults = 0;
+  std::vector<double> terms;    // one for each term of the run
+  std::vector<double> metrics;  // one for each metric of the run
+};
+
+struct Recording {
+  int64_t frames = 0;
+  double frame_interval = 0;  // [s]
+  bool is_best = false;
+  std::string poses;  // compressed, see schema.sql
+};
+
+struct Checkpoint {
+  int64_t episode = 0;  // the last that is part of it
+  std::string state;    // compressed, see checkpoint.h
+};
+
+}  // namespace runtime

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <taskc/plugin.h>
+
+#include "runtime/run/run_records.h"
+
+namespace runtime {
+
+// Notes in `run` what the plugin says about its task: name, source, compiler, terms and metrics.
+void DescribeTask(const taskc_plugin& plugin, RunRecord& run);
+
+}  // namespace runtime

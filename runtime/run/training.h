@@ -1,0 +1,58 @@
+// The loop of a run: episode after episode, each stored as soon as it is over.
+#pragma once
+
+#include <chrono>
+#include <optional>
+
+#include "runtime/learning/peng_q_lambda.h"
+#include "runtime/module/network.h"
+#include "runtime/run/progress.h"
+#include "runtime/run/recorder.h"
+#include "runtime/run/return_statistics.h"
+#include "runtime/run/run_database.h"
+#include "runtime/run/stop_request.h"
+#include "runtime/simulation/robot_environment.h"
+#include "runtime/task/universal_task.h"
+
+namespace runtime {
+
+class Training {
+ public:
+  // `network`: started, with the modules `environment`, `task` and `learner`; throws UserError
+  // where one is missing or of another type. Everything passed must outlive the training.
+  Training(Network& network, const RunRecord& run, RunDatabase& database, Progress& progress);
+
+  // Goes back to the last checkpoint (the start, if there is none): loads the modules' state and
+  // deletes the episodes that came after it. They will come again, bit for bit.
+  void Restore();
+
+  // Runs the episodes that are left. Where a stop is requested, ends after the present episode;
+  // returns whether all are done. Throws UserError where an episode cannot be saved.
+  bool Run(const StopRequest& stop);
+
+  int64_t episodes_done() const { return episodes_done_; }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  EpisodeRecord RunEpisode(const StopRequest& stop);
+  void CaptureFrame();
+  void WarnAbout(const EpisodeRecord& episode);
+  std::optional<Recording> RecordingOf(const EpisodeRecord& episode) const;
+  std::optional<Checkpoint> CheckpointIfDue(bool is_last_episode);
+
+  Network& network_;
+  const RunRecord& run_;
+  RunDatabase& database_;
+  Progress& progress_;
+  RobotEnvironment& environment_;
+  UniversalTask& task_;
+  PengQLambda& learner_;
+  Recorder recorder_;
+  ReturnStatistics statistics_;
+  int64_t episodes_done_ = 0;
+  bool stop_is_noted_ = false;
+  Clock::time_point last_checkpoint_ = Clock::now();
+};
+
+}  // namespace runtime

@@ -1,0 +1,28 @@
+// How a run's agent comes about: the robot's own agent file, and what changes it.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "runtime/agent/agent.h"
+
+namespace runtime {
+
+// One change from the command line, "learner.temperature=2", as a change of the agent. The value is
+// written as in TOML; quotes around a text may be left out. Throws CallError, or UserError.
+Agent ParseSetting(const std::string& setting);
+
+// In this order, later ones win: robot's agent.toml, start pose of the task ("": none), agent file
+// of the task (NAME.agent.toml beside NAME.task, if it is there), `file` ("": none), `settings`.
+struct AgentLayers {
+  std::filesystem::path robot_file;
+  std::string start_pose;
+  std::filesystem::path task_file;  // .task or .so
+  std::filesystem::path file;
+  std::vector<std::string> settings;
+
+  Agent Merge() const;
+};
+
+}  // namespace runtime

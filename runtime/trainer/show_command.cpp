@@ -1,0 +1,125 @@
+#include <fmt/format.h>
+
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "runtime/run/progress.h"
+#include "runtime/run/run_database.h"
+#include "runtime/trainer/commands.h"
+
+namespace runtime {
+namespace {
+
+using Ends = std::map<std::pair<std::string, std::string>, int64_t>;  // kind and reason
+
+// What there is to say about a run in a few lines.
+struct Summary {
+  RunRecord run;
+  std::string state;
+  std::string started_at;
+  std::string finished_at;
+  int64_t episodes = 0;
+  ReturnStatistics returns;
+  double simulated_seconds = 0;
+  double wall_seconds = 0;
+  int64_t faults = 0;
+  Ends ends;
+};
+
+Summary Summarise(const std::filesystem::path& folder) {
+  const RunDatabase database = RunDatabase::OpenToRead(folder);
+  Summary summary;
+  summary.run = database.ReadRun();
+  summary.state = RunStateName(database.ReadState());
+  summary.started_at = database.ReadValue("started_at");
+  summary.finished_at = database.ReadValue("finished_at");
+  const std::vector<EpisodeRecord> episodes = database.ReadEpisodes();
+  summary.episodes = static_cast<int64_t>(episodes.size());
+  for (const EpisodeRecord& episode : episodes) {
+    summary.returns.Add(episode);
+    summary.simulated_seconds += episode.simulated_seconds;
+    summary.wall_seconds += episode.wall_seconds;
+    summary.faults += episode.faults;
+    ++summary.ends[{episode.end_kind, episode.end_reason}];
+  }
+  return summary;
+}
+
+void PrintLine(const char* name, const std::string& value) {
+  fmt::print("{:<10} {}\n", name, value);
+}
+
+void PrintText(const Summary& summary) {
+  const RunRecord& run = summary.run;
+  PrintLine("task", fmt::format("{} ({})", run.task, run.task_file));
+  PrintLine("robot", fmt::format("{}, profile {}", run.robot, run.profile));
+  PrintLine("seed", fmt::format("{}", run.seed));
+  PrintLine("state",
+            fmt::format("{}, since {}", summary.state,
+                        summary.finished_at.empty() ? summary.started_at : summary.finished_at));
+  PrintLine("episodes", fmt::format("{} of {}", summary.episodes, run.episodes_planned));
+  if (summary.episodes == 0) return;
+  if (summary.returns.best_episode() > 0) {
+    PrintLine("best", fmt::format("{:.6g} (episode {})", summary.returns.best(),
+                                  summary.returns.best_episode()));
+  }
+  PrintLine("last 20", fmt::format("{:.6g} on average", summary.returns.mean()));
+  PrintLine("time", fmt::format("{} simulated in {}", DurationText(summary.simulated_seconds),
+                                DurationText(summary.wall_seconds)));
+  if (summary.faults > 0) {
+    PrintLine("faults", fmt::format("{} reward values were not finite", summary.faults));
+  }
+  for (const auto& [end, count] : summary.ends) {
+    PrintLine("ends", fmt::format("{} {}: {}", count, end.first, end.second));
+  }
+}
+
+void PrintJson(const Summary& summary) {
+  const RunRecord& run = summary.run;
+  nlohmann::ordered_json ends = nlohmann::ordered_json::array();
+  for (const auto& [end, count] : summary.ends) {
+    ends.push_back({{"kind", end.first}, {"reason", end.second}, {"count", count}});
+  }
+  nlohmann::ordered_json json = {{"task", run.task},
+                                 {"task_file", run.task_file},
+                                 {"task_hash", run.task_hash},
+                                 {"robot", run.robot},
+                                 {"profile", run.profile},
+                                 {"agent", run.agent},
+                                 {"seed", run.seed},
+                                 {"state", summary.state},
+                                 {"started_at", summary.started_at},
+                                 {"finished_at", summary.finished_at},
+                                 {"episodes", summary.episodes},
+                                 {"episodes_planned", run.episodes_planned},
+                                 {"simulated_seconds", summary.simulated_seconds},
+                                 {"wall_seconds", summary.wall_seconds},
+                                 {"faults", summary.faults},
+                                 {"mean_of_last_20", summary.returns.mean()},
+                                 {"ends", ends}};
+  if (summary.returns.best_episode() > 0) {
+    json["best"] = {{"episode", summary.returns.best_episode()},
+                    {"return", summary.returns.best()}};
+  }
+  fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+}
+
+}  // namespace
+
+void AddShowCommand(CLI::App& app, int& status) {
+  struct Options {
+    std::filesystem::path folder;
+    bool json = false;
+  };
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("show", "Prints what a run is and how far it got.");
+  command->add_option("DIR", options->folder, "folder of the run")->required();
+  command->add_flag("--json", options->json, "print JSON");
+  command->callback([options, &status] {
+    const Summary summary = Summarise(options->folder);
+    options->json ? PrintJson(summary) : PrintText(summary);
+    status = kSuccess;
+  });
+}
+
+}  // namespace runtime

@@ -1,0 +1,284 @@
+#include "runtime/run/run_database.h"
+
+#include <gmock/gmock.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <csignal>
+#include <fstream>
+#include <limits>
+
+#include "runtime/run/sqlite.h"
+#include "tests/runtime/run/error_of.h"
+#include "tests/runtime/run/sample_run.h"
+#include "tests/runtime/run/temporary_folder.h"
+
+namespace runtime {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+class RunDatabaseTest : public testing::Test {
+ protected:
+  std::filesystem::path folder() const { return parent_.path() / "run"; }
+  std::filesystem::path file() const { return folder() / "run.db"; }
+
+  TemporaryFolder parent_;
+};
+
+TEST_F(RunDatabaseTest, GivesBackWhatTheRunIs) {
+  const RunRecord written = SampleRun();
+  RunDatabase::Create(folder(), written);
+  const RunRecord read = RunDatabase::OpenToRead(folder()).ReadRun();
+  EXPECT_EQ(read.task, written.task);
+  EXPECT_EQ(read.task_file, written.task_file);
+  EXPECT_EQ(read.task_source, written.task_source);
+  EXPECT_EQ(read.task_hash, written.task_hash);
+  EXPECT_EQ(read.plugin, written.plugin);
+  EXPECT_EQ(read.robot, written.robot);
+  EXPECT_EQ(read.robot_description, written.robot_description);
+  EXPECT_EQ(read.agent, written.agent);
+  EXPECT_EQ(read.profile, written.profile);
+  EXPECT_EQ(read.version, written.version);
+  EXPECT_EQ(read.compiler, written.compiler);
+  EXPECT_EQ(read.body, written.body);
+  EXPECT_EQ(read.seed, written.seed);
+  EXPECT_EQ(read.episodes_planned, written.episodes_planned);
+  EXPECT_EQ(read.record_every, written.record_every);
+  EXPECT_EQ(read.checkpoint_seconds, written.checkpoint_seconds);
+  ASSERT_EQ(read.terms.size(), 2u);
+  EXPECT_EQ(read.terms[0].name, "speed");
+  EXPECT_EQ(read.terms[0].doc, "forward speed");
+  EXPECT_EQ(read.terms[1].name, "fall");
+  ASSERT_EQ(read.metrics.size(), 1u);
+  EXPECT_EQ(read.metrics[0].name, "distance");
+  EXPECT_EQ(read.metrics[0].unit, "m");
+  EXPECT_EQ(read.metrics[0].reduction, "last");
+  EXPECT_EQ(read.metrics[0].doc, "how far it got");
+}
+
+TEST_F(RunDatabaseTest, GivesBackEpisodesBitForBit) {
+  RunDatabase database = RunDatabase::Create(folder(), SampleRun());
+  EpisodeRecord second = SampleEpisode(2);
+  second.episode_return = std::numeric_limits<double>::quiet_NaN();
+  second.terms = {std::numeric_limits<double>::infinity(), 5e-324};
+  database.AddEpisode(SampleEpisode(1), {}, {});
+  database.AddEpisode(second, {}, {});
+
+  const std::vector<EpisodeRecord> read = RunDatabase::OpenToRead(folder()).ReadEpisodes();
+  ASSERT_EQ(read.size(), 2u);
+  const EpisodeRecord first = SampleEpisode(1);
+  EXPECT_EQ(read[0].number, 1);
+  EXPECT_EQ(read[0].episode_return, first.episode_return);
+  EXPECT_EQ(read[0].end_kind, "truncated");
+  EXPECT_EQ(read[0].end_reason, "time is over");
+  EXPECT_EQ(read[0].steps, first.steps);
+  EXPECT_EQ(read[0].actions, first.actions);
+  EXPECT_EQ(read[0].simulated_seconds, first.simulated_seconds);
+  EXPECT_EQ(read[0].wall_seconds, first.wall_seconds);
+  EXPECT_EQ(read[0].faults, 2);
+  EXPECT_EQ(read[0].terms, first.terms);
+  EXPECT_EQ(read[0].metrics, first.metrics);
+  EXPECT_TRUE(std::isnan(read[1].episode_return));
+  EXPECT_EQ(read[1].terms, second.terms);
+}
+
+TEST_F(RunDatabaseTest, KeepsTheLastCheckpointAndAllRecordings) {
+  RunDatabase database = RunDatabase::Create(folder(), SampleRun());
+  const std::string poses("\0\1\2 poses", 9);
+  database.AddEpisode(SampleEpisode(1), Recording{3, 0.02, true, poses}, Checkpoint{1, "old"});
+  database.AddEpisode(SampleEpisode(2), {}, Checkpoint{2, "new"});
+  EXPECT_EQ(database.ReadCheckpoint()->episode, 2);
+  EXPECT_EQ(database.ReadCheckpoint()->state, "new");
+  const std::optional<Recording> recording = database.ReadRecording(1);
+  ASSERT_TRUE(recording.has_value());
+  EXPECT_EQ(recording->frames, 3);
+  EXPECT_EQ(recording->frame_interval, 0.02);
+  EXPECT_TRUE(recording->is_best);
+  EXPECT_EQ(recording->poses, poses);
+  EXPECT_FALSE(database.ReadRecording(2).has_value());
+}
+
+TEST_F(RunDatabaseTest, DeletesLaterEpisodesWithAllThatBelongsToThem) {
+  RunDatabase database = RunDatabase::Create(folder(), SampleRun());
+  for (int number = 1; number <= 3; ++number) {
+    database.AddEpisode(SampleEpisode(number), Recording{1, 0.02, false, "p"}, {});
+  }
+  database.DeleteEpisodesAfter(1);
+  EXPECT_EQ(database.ReadEpisodes().size(), 1u);
+  SqliteDatabase raw(file(), SqliteAccess::kRead);
+  for (const char* table : {"episode", "episode_term", "episode_metric", "recording"}) {
+    const std::string column = table == std::string("episode") ? "number" : "episode";
+    EXPECT_EQ(raw.QueryInteger("SELECT max(" + column + ") FROM " + table, "count"), 1) << table;
+  }
+}
+
+TEST_F(RunDatabaseTest, IsReadWhileItIsWritten) {
+  RunDatabase writer = RunDatabase::Create(folder(), SampleRun());
+  const RunDatabase reader = RunDatabase::OpenToRead(folder());
+  EXPECT_TRUE(reader.ReadEpisodes().empty());
+  writer.AddEpisode(SampleEpisode(1), {}, {});
+  EXPECT_EQ(reader.ReadEpisodes().size(), 1u);
+  EXPECT_EQ(reader.ReadState(), RunState::kRunning);
+}
+
+TEST_F(RunDatabaseTest, LeavesOneFileBehind) {
+  RunDatabase::Create(folder(), SampleRun()).AddEpisode(SampleEpisode(1), {}, {});
+  RunDatabase::Open(folder()).AddEpisode(SampleEpisode(2), {}, {});
+  EXPECT_EQ(RunDatabase::OpenToRead(folder()).ReadEpisodes().size(), 2u);
+  for (const auto& entry : std::filesystem::directory_iterator(folder())) {
+    EXPECT_EQ(entry.path(), file());
+  }
+}
+
+TEST_F(RunDatabaseTest, CountsAsInterruptedOnceItsTrainerIsGone) {
+  {
+    const RunDatabase writer = RunDatabase::Create(folder(), SampleRun());
+    EXPECT_EQ(writer.ReadState(), RunState::kRunning);
+  }
+  EXPECT_EQ(RunDatabase::OpenToRead(folder()).ReadState(), RunState::kInterrupted);
+}
+
+TEST_F(RunDatabaseTest, NotesWhenItWasFinished) {
+  RunDatabase database = RunDatabase::Create(folder(), SampleRun());
+  EXPECT_THAT(database.ReadValue("started_at"), testing::MatchesRegex("20..-..-..T..:..:..Z"));
+  EXPECT_EQ(database.ReadValue("finished_at"), "");
+  database.SetState(RunState::kFinished);
+  EXPECT_EQ(database.ReadState(), RunState::kFinished);
+  EXPECT_THAT(database.ReadValue("finished_at"), testing::MatchesRegex("20..-..-..T..:..:..Z"));
+  database.SetState(RunState::kRunning);
+  EXPECT_EQ(database.ReadValue("finished_at"), "");
+}
+
+TEST_F(RunDatabaseTest, RefusesAFolderThatHoldsARun) {
+  RunDatabase::Create(folder(), SampleRun()).AddEpisode(SampleEpisode(1), {}, {});
+  EXPECT_THAT(ErrorOf([&] { RunDatabase::Create(folder(), SampleRun()); }),
+              AllOf(HasSubstr(folder().string()), HasSubstr("trainer resume"), HasSubstr("--out")));
+  EXPECT_EQ(RunDatabase::OpenToRead(folder()).ReadEpisodes().size(), 1u);
+}
+
+TEST_F(RunDatabaseTest, MakesARunWhereOneWasNeverFinishedBeingMade) {
+  std::filesystem::create_directories(folder());
+  std::ofstream(file()).close();
+  EXPECT_EQ(ErrorOf([&] { RunDatabase::Create(folder(), SampleRun()); }), "");
+}
+
+TEST_F(RunDatabaseTest, RefusesASecondTrainer) {
+  const RunDatabase first = RunDatabase::Create(folder(), SampleRun());
+  EXPECT_THAT(ErrorOf([&] { RunDatabase::Open(folder()); }),
+              AllOf(HasSubstr(folder().string()), HasSubstr("another trainer")));
+}
+
+TEST_F(RunDatabaseTest, RefusesAFolderWithoutARun) {
+  for (const auto& open : {RunDatabase::Open, RunDatabase::OpenToRead}) {
+    EXPECT_THAT(ErrorOf([&] { open(folder()); }),
+                AllOf(HasSubstr(folder().string()), HasSubstr("trainer train")));
+  }
+}
+
+TEST_F(RunDatabaseTest, RefusesAPlaceWhereNoFolderCanBeMade) {
+  std::filesystem::create_directories(folder());
+  std::ofstream(folder() / "file") << "x";
+  const std::filesystem::path below_file = folder() / "file" / "run";
+  EXPECT_THAT(ErrorOf([&] { RunDatabase::Create(below_file, SampleRun()); }),
+              AllOf(HasSubstr(below_file.string()), HasSubstr("--out")));
+}
+
+TEST_F(RunDatabaseTest, RefusesAForeignDatabase) {
+  std::filesystem::create_directories(folder());
+  SqliteDatabase(file(), SqliteAccess::kCreate).Execute("CREATE TABLE episode (number)", "make it");
+  EXPECT_THAT(ErrorOf([&] { RunDatabase::Open(folder()); }),
+              AllOf(HasSubstr(file().string()), HasSubstr("not one of the trainer")));
+}
+
+TEST_F(RunDatabaseTest, RefusesANewerSchema) {
+  RunDatabase::Create(folder(), SampleRun());
+  SqliteDatabase(file(), SqliteAccess::kWrite).Execute("PRAGMA user_version=99", "change it");
+  EXPECT_THAT(ErrorOf([&] { RunDatabase::OpenToRead(folder()); }),
+              AllOf(HasSubstr(file().string()), HasSubstr("99"), HasSubstr("use that version")));
+}
+
+TEST_F(RunDatabaseTest, RefusesAFileThatIsNoDatabase) {
+  std::filesystem::create_directories(folder());
+  std::ofstream(file()) << std::string(5000, 'x');
+  EXPECT_THAT(ErrorOf([&] { RunDatabase::Open(folder()); }),
+              AllOf(HasSubstr(file().string()), HasSubstr("damaged")));
+}
+
+TEST_F(RunDatabaseTest, ReportsDamage) {
+  {
+    RunDatabase database = RunDatabase::Create(folder(), SampleRun());
+    for (int number = 1; number <= 200; ++number) {
+      database.AddEpisode(SampleEpisode(number), {}, {});
+    }
+  }
+  const auto size = static_cast<std::streamoff>(std::filesystem::file_size(file()));
+  std::fstream raw(file(), std::ios::in | std::ios::out | std::ios::binary);
+  raw.seekp(4096);  // all but the first page
+  raw << std::string(static_cast<size_t>(size - 4096), '\x5a');
+  raw.close();
+  EXPECT_THAT(ErrorOf([&] {
+                const RunDatabase database = RunDatabase::OpenToRead(folder());
+                database.ReadRun();
+                database.ReadEpisodes();
+              }),
+              AllOf(HasSubstr(file().string()), HasSubstr("damaged")));
+}
+
+TEST_F(RunDatabaseTest, ReportsAProgramThatKeepsItLocked) {
+  RunDatabase database = RunDatabase::Create(folder(), SampleRun());
+  SqliteDatabase other(file(), SqliteAccess::kWrite);
+  other.Execute("BEGIN IMMEDIATE", "lock it");
+  EXPECT_THAT(ErrorOf([&] { database.AddEpisode(SampleEpisode(1), {}, {}); }),
+              AllOf(HasSubstr(file().string()), HasSubstr("episode 1"), HasSubstr("locked")));
+  other.Execute("ROLLBACK", "free it");
+  database.AddEpisode(SampleEpisode(1), {}, {});
+  EXPECT_EQ(database.ReadEpisodes().size(), 1u);
+}
+
+TEST_F(RunDatabaseTest, ReportsAFullDisk) {
+  SqliteDatabase database(parent_.path() / "full.db", SqliteAccess::kCreate);
+  database.Execute("CREATE TABLE t (x); PRAGMA max_page_count=3", "make it");
+  SqliteStatement insert(database, "INSERT INTO t VALUES (?)", "save an episode");
+  const std::string value(3000, 'x');
+  EXPECT_THAT(ErrorOf([&] {
+                for (int i = 0; i < 10; ++i) insert.Bind(std::string_view(value)).Run();
+              }),
+              AllOf(HasSubstr("full.db"), HasSubstr("save an episode"), HasSubstr("disk is full"),
+                    HasSubstr("free some space")));
+}
+
+// In a process of its own, because the limit cannot be taken back for sure.
+TEST_F(RunDatabaseTest, LosesNothingThatWasSavedWhenNoMoreCanBeWritten) {
+  RunDatabase::Create(folder(), SampleRun());
+  const pid_t child = fork();
+  if (child == 0) {
+    std::signal(SIGXFSZ, SIG_IGN);
+    RunDatabase database = RunDatabase::Open(folder());
+    const rlimit limit{100'000, 100'000};
+    setrlimit(RLIMIT_FSIZE, &limit);
+    int number = 0;
+    const std::string error = ErrorOf([&] {
+      while (number < 10'000) {
+        database.AddEpisode(SampleEpisode(number + 1), {}, {});
+        ++number;
+      }
+    });
+    const bool is_explained = error.find(file().string()) != std::string::npos &&
+                              error.find("save episode") != std::string::npos &&
+                              error.find("check the disk") != std::string::npos;
+    _exit(is_explained && number > 0 && number < 200 ? number : 0);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  ASSERT_TRUE(WIFEXITED(status));
+  const int saved = WEXITSTATUS(status);
+  ASSERT_GT(saved, 0);
+  EXPECT_EQ(RunDatabase::Open(folder()).ReadEpisodes().size(), static_cast<size_t>(saved));
+}
+
+}  // namespace
+}  // namespace runtime

@@ -1,0 +1,36 @@
+#include "runtime/run/stop_request.h"
+
+#include <gtest/gtest.h>
+
+#include <csignal>
+
+namespace runtime {
+namespace {
+
+TEST(StopRequest, NotesTheFirstSignal) {
+  StopRequest request;
+  EXPECT_EQ(request.signal(), 0);
+  std::raise(SIGTERM);
+  EXPECT_EQ(request.signal(), SIGTERM);
+}
+
+TEST(StopRequest, StartsAnew) {
+  {
+    const StopRequest request;
+    std::raise(SIGINT);
+  }
+  EXPECT_EQ(StopRequest().signal(), 0);
+}
+
+TEST(StopRequestDeathTest, LetsTheSecondSignalEndTheProcess) {
+  EXPECT_EXIT(
+      {
+        StopRequest request;
+        std::raise(SIGINT);
+        std::raise(SIGINT);
+      },
+      testing::KilledBySignal(SIGINT), "");
+}
+
+}  // namespace
+}  // namespace runtime

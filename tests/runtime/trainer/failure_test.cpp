@@ -1,0 +1,93 @@
+#include <csignal>
+#include <fstream>
+#include <sstream>
+
+#include "tests/runtime/trainer/trainer_test.h"
+
+namespace runtime {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+class FailureTest : public TrainerTest {};
+
+std::string Contents(const std::filesystem::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file).rdbuf();
+  return text.str();
+}
+
+// The text with the rest of the line behind `key = ` replaced.
+std::string WithValue(std::string text, const std::string& key, const std::string& value) {
+  const size_t start = text.find("\n" + key + " = ") + 1;
+  text.replace(start, text.find('\n', start) - start, key + " = " + value);
+  return text;
+}
+
+TEST_F(FailureTest, WarnsOfRewardsThatAreNotFinite) {
+  const ProgramResult result = Trainer({"train", TaskFile("faulty"), "--profile", "fast",
+                                        "--episodes", "2", "--quiet", "--out", RunFolder("run")});
+  ASSERT_EQ(result.exit_status, 0) << result.errors;
+  EXPECT_THAT(result.errors,
+              HasSubstr("warning: episode 2: not finite and so not paid: `quotient` (" +
+                        TaskFile("faulty") + ":8) 1x, first at 0.025 s"));
+  for (const EpisodeRecord& episode : RunDatabase::OpenToRead(RunFolder("run")).ReadEpisodes()) {
+    EXPECT_EQ(episode.faults, 1);
+    EXPECT_EQ(episode.episode_return, 0);
+  }
+}
+
+TEST_F(FailureTest, GoesOnAfterASimulationThatDiverged) {
+  const std::filesystem::path robot = folder() / "robots" / "humanoid";
+  std::filesystem::create_directories(robot);
+  std::filesystem::copy_file(ROBOTS "/humanoid/agent.toml", robot / "agent.toml");
+  std::string description = Contents(ROBOTS "/humanoid/robot.toml");
+  description = WithValue(description, "stiffness", "1e9");
+  description = WithValue(description, "max_torque", "1e9");
+  std::ofstream(robot / "robot.toml") << description;
+  setenv("TASKC_ROBOT_PATH", (folder() / "robots").c_str(), 1);
+  const ProgramResult result = Trainer({"train", TaskFile("leaning"), "--profile", "paper",
+                                        "--episodes", "2", "--out", RunFolder("run")});
+  unsetenv("TASKC_ROBOT_PATH");
+  ASSERT_EQ(result.exit_status, 0) << result.errors;
+  EXPECT_THAT(result.errors, HasSubstr("warning: episode 2: the simulation diverged"));
+  EXPECT_THAT(result.output, HasSubstr("best none"));
+  const std::vector<EpisodeRecord> episodes =
+      RunDatabase::OpenToRead(RunFolder("run")).ReadEpisodes();
+  ASSERT_EQ(episodes.size(), 2u);
+  EXPECT_EQ(episodes[1].end_kind, "diverged");
+}
+
+TEST_F(FailureTest, KeepsWhatWasSavedWhenTheDiskIsFull) {
+  std::vector<std::string> words = {"/bin/sh", "-c", "ulimit -f 400; exec \"$@\"", "sh", TRAINER};
+  const std::vector<std::string> training =
+      Training("run", 1000, {"--record-every", "1", "--json"});
+  words.insert(words.end(), training.begin(), training.end());
+  const ProgramResult failed = RunProgram(words);
+  EXPECT_EQ(failed.exit_status, 1);
+  EXPECT_THAT(failed.errors, AllOf(HasSubstr("run.db"), HasSubstr("cannot save episode"),
+                                   HasSubstr("trainer resume " + RunFolder("run"))));
+  const auto shown = std::count(failed.output.begin(), failed.output.end(), '\n');
+  EXPECT_GT(shown, 0);
+  EXPECT_EQ(RunDatabase::OpenToRead(RunFolder("run")).ReadEpisodes().size(),
+            static_cast<size_t>(shown));
+  const ProgramResult resumed = Trainer({"resume", RunFolder("run"), "--episodes", "3", "--quiet"});
+  ASSERT_EQ(resumed.exit_status, 0) << resumed.errors;
+  Train("uninterrupted", 3, {"--record-every", "1", "--quiet"});
+  ExpectEqual(TraceOf("run"), TraceOf("uninterrupted"));
+}
+
+TEST_F(FailureTest, StopsAtOnceAtTheSecondCtrlC) {
+  ChildProcess trainer(
+      {TRAINER, "train", TaskFile("patient"), "--profile", "paper", "--out", RunFolder("run")});
+  ASSERT_TRUE(trainer.WaitForLines(1));
+  trainer.Send(SIGINT);
+  ASSERT_TRUE(trainer.WaitForError("stopping after this episode"));
+  trainer.Send(SIGINT);
+  EXPECT_EQ(trainer.Wait().signal, SIGINT);
+  EXPECT_EQ(RunDatabase::OpenToRead(RunFolder("run")).ReadState(), RunState::kInterrupted);
+}
+
+}  // namespace
+}  // namespace runtime

@@ -1,0 +1,173 @@
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "runtime/run/compression.h"
+#include "tests/runtime/trainer/trainer_test.h"
+
+namespace runtime {
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::Not;
+
+class TrainTest : public TrainerTest {};
+
+TEST_F(TrainTest, StoresWhatTheRunIs) {
+  Train("run", 2, {"--seed", "7", "--set", "learner.temperature=2.5", "--quiet"});
+  const RunDatabase database = RunDatabase::OpenToRead(RunFolder("run"));
+  const RunRecord run = database.ReadRun();
+  EXPECT_EQ(run.task, "leaning");
+  EXPECT_THAT(run.task_source, HasSubstr("task leaning for humanoid"));
+  EXPECT_EQ(run.task_hash.size(), 64u);
+  EXPECT_EQ(run.robot, "humanoid");
+  EXPECT_THAT(run.robot_description, HasSubstr("left_foot"));
+  EXPECT_EQ(run.profile, "fast");
+  EXPECT_EQ(run.seed, 7u);
+  EXPECT_EQ(run.episodes_planned, 2);
+  EXPECT_THAT(run.agent, HasSubstr("temperature = 2.5"));
+  EXPECT_EQ(nlohmann::json::parse(run.body).size(), 18u);
+  ASSERT_EQ(run.terms.size(), 2u);
+  EXPECT_EQ(run.terms[0].name, "forward");
+  ASSERT_EQ(run.metrics.size(), 2u);
+  EXPECT_EQ(run.metrics[0].reduction, "max");
+  EXPECT_EQ(run.metrics[1].unit, "m/s");
+  EXPECT_EQ(database.ReadState(), RunState::kFinished);
+}
+
+TEST_F(TrainTest, StoresEveryEpisode) {
+  Train("run", 3, {"--quiet"});
+  const std::vector<EpisodeRecord> episodes =
+      RunDatabase::OpenToRead(RunFolder("run")).ReadEpisodes();
+  ASSERT_EQ(episodes.size(), 3u);
+  for (const EpisodeRecord& episode : episodes) {
+    ASSERT_EQ(episode.terms.size(), 2u);
+    ASSERT_EQ(episode.metrics.size(), 2u);
+    EXPECT_NEAR(episode.terms[0] + episode.terms[1], episode.episode_return, 1e-12);
+    EXPECT_NEAR(episode.simulated_seconds, 0.005 * static_cast<double>(episode.steps), 1e-9);
+    EXPECT_GT(episode.actions, 0);
+    EXPECT_GT(episode.wall_seconds, 0);
+    EXPECT_EQ(episode.faults, 0);
+  }
+  EXPECT_EQ(episodes[0].end_reason, "time is up");
+  EXPECT_EQ(episodes[0].end_kind, "truncated");
+}
+
+TEST_F(TrainTest, RecordsTheBestEpisodesAndEveryNth) {
+  Train("run", 4, {"--record-every", "3", "--quiet"});
+  const RunDatabase database = RunDatabase::OpenToRead(RunFolder("run"));
+  double best = -1e300;
+  for (const EpisodeRecord& episode : database.ReadEpisodes()) {
+    const bool is_best = episode.episode_return > best;
+    best = std::max(best, episode.episode_return);
+    const std::optional<Recording> recording = database.ReadRecording(episode.number);
+    ASSERT_EQ(recording.has_value(), is_best || episode.number == 3) << episode.number;
+    if (!recording) continue;
+    EXPECT_EQ(recording->is_best, is_best);
+    EXPECT_EQ(recording->frame_interval, 0.02);
+    EXPECT_EQ(recording->frames, episode.steps / 4 + 1);
+    EXPECT_EQ(Decompress(recording->poses, "poses").size(),
+              static_cast<size_t>(recording->frames) * 18 * 7 * sizeof(float));
+  }
+}
+
+TEST_F(TrainTest, RunsAreEqualForEqualSeedsOnly) {
+  Train("one", 4, {"--seed", "1", "--quiet"});
+  Train("two", 4, {"--seed", "1", "--quiet"});
+  Train("three", 4, {"--seed", "2", "--quiet"});
+  ExpectEqual(TraceOf("one"), TraceOf("two"));
+  EXPECT_NE(TraceOf("one").episodes, TraceOf("three").episodes);
+}
+
+TEST_F(TrainTest, TakesAPluginThatIsBuiltAlready) {
+  const std::filesystem::path compiler = std::filesystem::path(TRAINER).parent_path() / "taskc";
+  const std::string plugin = (folder() / "leaning.so").string();
+  const ProgramResult built =
+      RunProgram({compiler.string(), "build", TaskFile("leaning"), "-o", plugin});
+  ASSERT_EQ(built.exit_status, 0) << built.errors;
+  const ProgramResult result = Trainer({"train", plugin, "--profile", "fast", "--episodes", "2",
+                                        "--quiet", "--out", RunFolder("plugin")});
+  ASSERT_EQ(result.exit_status, 0) << result.errors;
+  Train("source", 2, {"--quiet"});
+  ExpectEqual(TraceOf("plugin"), TraceOf("source"));
+}
+
+TEST_F(TrainTest, TakesTheAgentsFilesInTheirOrder) {
+  std::filesystem::copy_file(TaskFile("leaning"), folder() / "leaning.task");
+  std::ofstream(folder() / "leaning.agent.toml")
+      << "[modules.learner]\ntemperature = 1.5\ndiscount = 0.5\n";
+  std::ofstream(folder() / "more.toml") << "[modules.learner]\ndiscount = 0.25\n";
+  const ProgramResult result = Trainer(
+      {"train", (folder() / "leaning.task").string(), "--profile", "fast", "--episodes", "1",
+       "--agent", (folder() / "more.toml").string(), "--quiet", "--out", RunFolder("run")});
+  ASSERT_EQ(result.exit_status, 0) << result.errors;
+  const std::string agent = RunDatabase::OpenToRead(RunFolder("run")).ReadRun().agent;
+  EXPECT_THAT(agent, AllOf(HasSubstr("temperature = 1.5"), HasSubstr("discount = 0.25"),
+                           HasSubstr("start_pose = \"standing\"")));
+}
+
+TEST_F(TrainTest, PrintsOneJsonObjectPerEpisode) {
+  const ProgramResult result = Trainer(Training("run", 2, {"--json"}));
+  ASSERT_EQ(result.exit_status, 0) << result.errors;
+  std::istringstream lines(result.output);
+  int episodes = 0;
+  for (std::string line; std::getline(lines, line);) {
+    const nlohmann::json json = nlohmann::json::parse(line);
+    EXPECT_EQ(json["episode"], ++episodes);
+    EXPECT_TRUE(json["terms"].contains("forward"));
+    EXPECT_TRUE(json["metrics"].contains("leaning"));
+  }
+  EXPECT_EQ(episodes, 2);
+}
+
+TEST_F(TrainTest, PrintsPlainTextIntoAPipe) {
+  const ProgramResult result = Trainer(Training("run", 2));
+  EXPECT_THAT(result.output, AllOf(HasSubstr("episode 2/2"), HasSubstr("trainer report")));
+  EXPECT_EQ(result.output.find_first_of("\r\x1b"), std::string::npos);
+}
+
+TEST_F(TrainTest, SaysNothingWhenQuiet) {
+  const ProgramResult result = Trainer(Training("run", 1, {"--quiet"}));
+  EXPECT_EQ(result.output, "");
+  EXPECT_EQ(result.errors, "");
+}
+
+TEST_F(TrainTest, NamesTheFolderAfterTaskProfileAndSeed) {
+  const std::string here = std::filesystem::current_path().string();
+  std::filesystem::current_path(folder());
+  const ProgramResult result = Trainer({"train", TaskFile("leaning"), "--profile", "fast",
+                                        "--episodes", "1", "--seed", "5", "--quiet"});
+  std::filesystem::current_path(here);
+  ASSERT_EQ(result.exit_status, 0) << result.errors;
+  EXPECT_TRUE(RunDatabase::Exists(folder() / "runs" / "leaning-fast-seed5"));
+}
+
+TEST_F(TrainTest, PassesTheCompilersMessagesThrough) {
+  const ProgramResult result =
+      Trainer({"train", TaskFile("wrong"), "--out", RunFolder("run"), "--quiet"});
+  EXPECT_EQ(result.exit_status, 1);
+  EXPECT_THAT(result.errors, AllOf(HasSubstr("wrong.task:5:"), HasSubstr("velocty")));
+  EXPECT_FALSE(std::filesystem::exists(RunFolder("run")));
+}
+
+TEST_F(TrainTest, RefusesATaskWithoutAnEnd) {
+  const ProgramResult result =
+      Trainer({"train", TaskFile("endless"), "--out", RunFolder("run"), "--quiet"});
+  EXPECT_EQ(result.exit_status, 1);
+  EXPECT_THAT(result.errors, HasSubstr("truncate_episode"));
+  EXPECT_FALSE(std::filesystem::exists(RunFolder("run")));
+}
+
+TEST_F(TrainTest, RefusesAFolderThatHoldsARun) {
+  Train("run", 1, {"--quiet"});
+  const Trace before = TraceOf("run");
+  const ProgramResult result = Trainer(Training("run", 5, {"--quiet"}));
+  EXPECT_EQ(result.exit_status, 1);
+  EXPECT_THAT(result.errors, AllOf(HasSubstr("trainer resume"), HasSubstr(RunFolder("run"))));
+  ExpectEqual(before, TraceOf("run"));
+}
+
+}  // namespace
+}  // namespace runtime

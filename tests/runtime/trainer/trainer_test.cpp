@@ -1,0 +1,24 @@
+#include "tests/runtime/trainer/trainer_test.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace runtime {
+
+TrainerTest::Trace TrainerTest::TraceOf(const std::string& name) const {
+  const RunDatabase database = RunDatabase::OpenToRead(RunFolder(name));
+  Trace trace;
+  for (const EpisodeRecord& episode : database.ReadEpisodes()) {
+    trace.episodes.push_back(
+        fmt::format("{} return {:a} end {} {} steps {} actions {} time {:a} faults {} terms {::a} "
+                    "metrics {::a}",
+                    episode.number, episode.episode_return, episode.end_kind, episode.end_reason,
+                    episode.steps, episode.actions, episode.simulated_seconds, episode.faults,
+                    episode.terms, episode.metrics));
+    const std::optional<Recording> recording = database.ReadRecording(episode.number);
+    trace.recordings.push_back(recording ? recording->poses : "");
+  }
+  return trace;
+}
+
+}  // namespace runtime
