@@ -1,0 +1,15 @@
+// A run as one HTML file that needs no network and no other file: curves and 3-D replay.
+#pragma once
+
+#include <filesystem>
+
+namespace runtime {
+
+// Writes the report of the run in `run_dir` to `output` (empty: report.html in `run_dir`), also
+// while a trainer works on the run, and returns the file. The file appears whole or not at all.
+// Throws UserError, naming file and remedy: no run there, no episode yet, a damaged database, the
+// page's parts not installed, a file that cannot be written.
+std::filesystem::path WriteReport(const std::filesystem::path& run_dir,
+                                  const std::filesystem::path& output = {});
+
+}  // namespace runtime

@@ -1,0 +1,258 @@
+#include "runtime/report/report.h"
+
+#include <gmock/gmock.h>
+#include <signal.h>
+#include <sys/resource.h>
+
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <regex>
+
+#include "runtime/run/compression.h"
+#include "runtime/run/run_files.h"
+#include "tests/runtime/report/report_page.h"
+#include "tests/runtime/report/sample_run.h"
+#include "tests/runtime/run/error_of.h"
+#include "tests/runtime/run/temporary_folder.h"
+
+namespace runtime {
+namespace {
+
+using nlohmann::json;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+
+EpisodeRecord Episode(int64_t number, double value) {
+  EpisodeRecord episode;
+  episode.number = number;
+  episode.episode_return = value;
+  episode.end_kind = "truncated";
+  episode.end_reason = "time is up";
+  episode.simulated_seconds = 20;
+  episode.wall_seconds = 2;
+  episode.terms = {value + 1, -1, 0};
+  episode.metrics = {0.5, 0};
+  return episode;
+}
+
+// A recording of two links with these values.
+Recording TwoLinks(const std::vector<float>& poses) {
+  return {static_cast<int64_t>(poses.size() / 14), 0.02, false,
+          Compress(std::as_bytes(std::span(poses)))};
+}
+
+std::vector<float> Frames(size_t count) {
+  std::vector<float> poses(count * 14);
+  for (size_t i = 0; i < poses.size(); ++i) poses[i] = 0.5f * static_cast<float>(i);
+  return poses;
+}
+
+class WriteReportTest : public testing::Test {
+ protected:
+  WriteReportTest() {
+    run_.body = R"([{"name": "body", "shape": "box", "size": [1, 1, 1]},
+                    {"name": "foot", "shape": "sphere", "radius": 1}])";
+  }
+  RunDatabase Create() { return RunDatabase::Create(folder(), run_); }
+  json Data() { return DataOfPage(WriteReport(folder())); }
+  std::filesystem::path folder() const { return folder_.path() / "run"; }
+
+  RunRecord run_ = SampleRunRecord();
+  TemporaryFolder folder_;
+};
+
+TEST_F(WriteReportTest, TellsReturnsTermsAndMetricsOfEachEpisode) {
+  RunDatabase database = Create();
+  database.AddEpisode(Episode(1, -2.5), std::nullopt, std::nullopt);
+  database.AddEpisode(Episode(2, NAN), std::nullopt, std::nullopt);
+  const json data = Data();
+  EXPECT_THAT(Floats(data["episode"]), ElementsAre(1, 2));
+  EXPECT_THAT(Floats(data["returns"]), ElementsAre(-2.5f, testing::NanSensitiveFloatEq(kNan)));
+  ASSERT_THAT(data["terms"], SizeIs(3));
+  EXPECT_EQ(data["terms"][0]["name"], "forward");
+  EXPECT_THAT(Floats(data["terms"][0]["values"]),
+              ElementsAre(-1.5f, testing::NanSensitiveFloatEq(kNan)));
+  ASSERT_THAT(data["metrics"], SizeIs(2));
+  EXPECT_EQ(data["metrics"][0]["unit"], "m");
+  EXPECT_EQ(data["metrics"][1]["reduction"], "sum");
+  EXPECT_THAT(Floats(data["metrics"][0]["values"]), ElementsAre(0.5f, 0.5f));
+}
+
+TEST_F(WriteReportTest, CountsTheEndsByKindAndReason) {
+  RunDatabase database = Create();
+  EpisodeRecord fall = Episode(2, 0);
+  fall.end_kind = "failure";
+  fall.end_reason = "falls";
+  database.AddEpisode(Episode(1, 0), std::nullopt, std::nullopt);
+  database.AddEpisode(fall, std::nullopt, std::nullopt);
+  database.AddEpisode(Episode(3, 0), std::nullopt, std::nullopt);
+  const json data = Data();
+  EXPECT_EQ(data["ends"], (json{{{"kind", "truncated"}, {"reason", "time is up"}, {"count", 2}},
+                                {{"kind", "failure"}, {"reason", "falls"}, {"count", 1}}}));
+  EXPECT_EQ(data["endOf"], (json{0, 1, 0}));
+  EXPECT_EQ(data["simulatedSeconds"], 60);
+  EXPECT_EQ(data["wallSeconds"], 6);
+}
+
+TEST_F(WriteReportTest, TellsWhereTheRunComesFrom) {
+  RunDatabase database = Create();
+  database.AddEpisode(Episode(1, 0), std::nullopt, std::nullopt);
+  const json data = Data();
+  EXPECT_EQ(data["run"]["task"], "crawling");
+  EXPECT_EQ(data["run"]["seed"], "1");
+  EXPECT_EQ(data["run"]["state"], "running");
+  EXPECT_EQ(data["taskSource"], run_.task_source);
+  EXPECT_EQ(data["agentText"], run_.agent);
+  EXPECT_EQ(data["modules"]["learner"]["type"], "PengQLambda");
+  EXPECT_EQ(data["modules"]["learner"]["temperature"], 5.0);
+}
+
+TEST_F(WriteReportTest, AnAgentThatIsNoTomlIsStillShown) {
+  run_.agent = "= broken";
+  RunDatabase database = Create();
+  database.AddEpisode(Episode(1, 0), std::nullopt, std::nullopt);
+  const json data = Data();
+  EXPECT_EQ(data["agentText"], "= broken");
+  EXPECT_THAT(data["modules"], IsEmpty());
+}
+
+TEST_F(WriteReportTest, CarriesTheRecordedPosesAndMarksTheBest) {
+  RunDatabase database = Create();
+  database.AddEpisode(Episode(1, 7), TwoLinks(Frames(3)), std::nullopt);
+  database.AddEpisode(Episode(2, 5), TwoLinks(Frames(1)), std::nullopt);
+  database.AddEpisode(Episode(3, 9), std::nullopt, std::nullopt);
+  const json data = Data();
+  ASSERT_THAT(data["recordings"], SizeIs(2));
+  const json& first = data["recordings"][0];
+  EXPECT_EQ(first["episode"], 1);
+  EXPECT_EQ(first["best"], true);
+  EXPECT_EQ(first["frames"], 3);
+  EXPECT_EQ(first["interval"], 0.02);
+  EXPECT_EQ(Floats(first["poses"]), Frames(3));
+  EXPECT_EQ(data["recordings"][1]["best"], false);
+  EXPECT_EQ(data["body"][1]["name"], "foot");
+  EXPECT_THAT(data["notes"], IsEmpty());
+}
+
+TEST_F(WriteReportTest, ARecordingEndsWhereItsPosesAreNoLongerFinite) {
+  std::vector<float> poses = Frames(3);
+  poses[2 * 14 + 5] = kNan;
+  RunDatabase database = Create();
+  database.AddEpisode(Episode(1, 7), TwoLinks(poses), std::nullopt);
+  const json recording = Data()["recordings"][0];
+  EXPECT_EQ(recording["frames"], 2);
+  EXPECT_EQ(Floats(recording["poses"]), Frames(2));
+}
+
+TEST_F(WriteReportTest, ADamagedRecordingCostsOnlyItself) {
+  Recording cut = TwoLinks(Frames(3));
+  cut.poses.resize(cut.poses.size() / 2);
+  Recording other_robot = TwoLinks(Frames(3));
+  other_robot.frames = 4;
+  RunDatabase database = Create();
+  database.AddEpisode(Episode(1, 9), cut, std::nullopt);
+  database.AddEpisode(Episode(2, 8), other_robot, std::nullopt);
+  database.AddEpisode(Episode(3, 7), TwoLinks(Frames(1)), std::nullopt);
+  const json data = Data();
+  ASSERT_THAT(data["recordings"], SizeIs(1));
+  EXPECT_EQ(data["recordings"][0]["episode"], 3);
+  EXPECT_THAT(data["notes"], ElementsAre(HasSubstr("episode 1"), HasSubstr("episode 2")));
+}
+
+TEST_F(WriteReportTest, SaysHowManyRecordingsDidNotFit) {
+  RunDatabase database = Create();
+  for (int64_t number = 1; number <= 50; ++number) {
+    database.AddEpisode(Episode(number, 0), TwoLinks(Frames(1)), std::nullopt);
+  }
+  const json data = Data();
+  EXPECT_THAT(data["recordings"], SizeIs(40));
+  EXPECT_THAT(data["notes"], ElementsAre(HasSubstr("40 of 50 recorded episodes")));
+}
+
+TEST_F(WriteReportTest, ARunWithoutShapesHasNoReplay) {
+  run_.body = "nonsense";
+  RunDatabase database = Create();
+  database.AddEpisode(Episode(1, 0), TwoLinks(Frames(1)), std::nullopt);
+  const json data = Data();
+  EXPECT_THAT(data["recordings"], IsEmpty());
+  EXPECT_THAT(data["notes"], ElementsAre(HasSubstr("shapes")));
+}
+
+TEST_F(WriteReportTest, ThePageAsksForNothingFromElsewhere) {
+  WriteSampleRun(folder(), {.episodes = 3, .record_every = 1});
+  const std::string page = ReadText(WriteReport(folder()));
+  EXPECT_THAT(page,
+              HasSubstr("http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'"));
+  const std::regex loads(
+      R"((src|href|action|data)\s*=\s*["']?(https?:)?//|@import|url\(["']?(https?:)?//)",
+      std::regex::optimize);
+  const size_t begin = page.find("<script id=\"report-data\"");
+  const size_t end = page.find("</script>", begin);
+  const std::string markup = page.substr(0, begin);
+  EXPECT_FALSE(std::regex_search(markup, loads));
+  EXPECT_FALSE(
+      std::regex_search(page.begin() + static_cast<std::ptrdiff_t>(end), page.end(), loads));
+}
+
+TEST_F(WriteReportTest, GoesWhereItIsTold) {
+  WriteSampleRun(folder(), {.episodes = 1});
+  const std::filesystem::path output = folder_.path() / "page.html";
+  EXPECT_EQ(WriteReport(folder(), output), output);
+  EXPECT_TRUE(std::filesystem::exists(output));
+  EXPECT_FALSE(std::filesystem::exists(folder() / "report.html"));
+  EXPECT_EQ(WriteReport(folder()), folder() / "report.html");
+}
+
+TEST_F(WriteReportTest, AnUnknownFolderIsNamedWithTheRemedy) {
+  WriteSampleRun(folder(), {.episodes = 1});
+  const std::filesystem::path output = folder_.path() / "nowhere" / "page.html";
+  const std::string error = ErrorOf([&] { WriteReport(folder(), output); });
+  EXPECT_THAT(error, HasSubstr(output.string()));
+  EXPECT_THAT(error, HasSubstr("--output"));
+}
+
+TEST_F(WriteReportTest, AFileThatCannotGrowLeavesTheOlderReport) {
+  WriteSampleRun(folder(), {.episodes = 1});
+  std::ofstream(folder() / "report.html") << "older";
+  rlimit before{};
+  getrlimit(RLIMIT_FSIZE, &before);
+  // Enough for the index that SQLite keeps beside the database, too little for the page.
+  const rlimit small{100000, before.rlim_max};
+  const auto handler = signal(SIGXFSZ, SIG_IGN);
+  setrlimit(RLIMIT_FSIZE, &small);
+  const std::string error = ErrorOf([&] { WriteReport(folder()); });
+  setrlimit(RLIMIT_FSIZE, &before);
+  signal(SIGXFSZ, handler);
+  EXPECT_THAT(error, HasSubstr("cannot write the report: File too large"));
+  EXPECT_EQ(ReadText(folder() / "report.html"), "older");
+  for (const auto& file : std::filesystem::directory_iterator(folder())) {
+    EXPECT_NE(file.path().extension(), ".part");
+  }
+}
+
+TEST_F(WriteReportTest, AFolderWithoutARunIsNamed) {
+  const std::string error = ErrorOf([&] { WriteReport(folder()); });
+  EXPECT_THAT(error, HasSubstr(folder().string()));
+  EXPECT_THAT(error, HasSubstr("no run"));
+}
+
+TEST_F(WriteReportTest, ARunWithoutAnEpisodeSaysToWait) {
+  const RunDatabase database = Create();
+  EXPECT_THAT(ErrorOf([&] { WriteReport(folder()); }), HasSubstr("no finished episode yet; wait"));
+}
+
+TEST_F(WriteReportTest, ADamagedDatabaseIsNamed) {
+  std::filesystem::create_directories(folder());
+  std::ofstream(folder() / "run.db") << std::string(4096, 'x');
+  const std::string error = ErrorOf([&] { WriteReport(folder()); });
+  EXPECT_THAT(error, HasSubstr("run.db"));
+  EXPECT_THAT(error, HasSubstr("damaged"));
+}
+
+}  // namespace
+}  // namespace runtime

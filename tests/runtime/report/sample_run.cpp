@@ -1,0 +1,118 @@
+#include "tests/runtime/report/sample_run.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <random>
+#include <span>
+
+#include "runtime/run/body_json.h"
+#include "runtime/run/compression.h"
+#include "runtime/run/recorder.h"
+#include "tests/runtime/report/moving_humanoid.h"
+
+namespace runtime {
+namespace {
+
+const robot::RobotDescription& Humanoid() {
+  static const robot::RobotDescription robot =
+      robot::ReadRobot(SOURCE_DIR "/plugins/humanoid/robot.toml");
+  return robot;
+}
+
+std::string CrawlingSource() {
+  std::ifstream in(SOURCE_DIR "/tasks/crawling.task");
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+constexpr const char* kAgent = R"([modules.state]
+type = "DofState"
+dof = "5"
+
+[modules.features]
+type = "NgNet"
+net = "bq01"
+
+[modules.action_space]
+type = "Dcob"
+target = "angles"
+intervals = [0.075, 0.1, 0.2]
+
+[modules.learner]
+type = "PengQLambda"
+temperature = 5.0
+)";
+
+EpisodeRecord SampleEpisode(int64_t number, int64_t episodes, std::mt19937& random) {
+  std::normal_distribution<double> noise;
+  const double progress =
+      1 - std::exp(-4. * static_cast<double>(number) / static_cast<double>(episodes));
+  const double speed = std::max(-0.02, 0.16 * progress + 0.025 * noise(random));
+  const double forward = 1000 * speed;
+  const double turning = -30 * (1.1 - 0.7 * progress) * std::abs(1 + 0.35 * noise(random));
+  const double falls = std::floor(std::max(0., (1 - progress) * 9 + noise(random)));
+  EpisodeRecord episode;
+  episode.number = number;
+  episode.terms = {forward, turning, -4 * falls};
+  episode.episode_return = forward + turning - 4 * falls;
+  const bool fails = episode.episode_return < -25;
+  episode.end_kind = fails ? "failure" : "truncated";
+  episode.end_reason = fails ? "falls too often" : "time is up";
+  episode.simulated_seconds = fails ? 8.3 : 20.005;
+  episode.wall_seconds = episode.simulated_seconds / 14;
+  episode.steps = std::lround(episode.simulated_seconds / 0.005);
+  episode.actions = episode.steps / 30;
+  episode.metrics = {speed * episode.simulated_seconds, falls};
+  return episode;
+}
+
+}  // namespace
+
+RunRecord SampleRunRecord() {
+  RunRecord run;
+  run.task = "crawling";
+  run.task_file = "tasks/crawling.task";
+  run.task_source = CrawlingSource();
+  run.task_hash = "8f2d0c5b7a1e";
+  run.robot = "humanoid";
+  run.agent = kAgent;
+  run.profile = "paper";
+  run.version = "0.1.0";
+  run.compiler = "g++ 12.2.0";
+  run.body = BodyJson(Humanoid());
+  run.seed = 1;
+  run.episodes_planned = 2000;
+  run.record_every = 100;
+  run.terms = {{"forward", "speed along the body's heading"}, {"turning", ""}, {"fall", ""}};
+  run.metrics = {{"distance", "m", "last", ""}, {"falls", "", "sum", "actions with a fall"}};
+  return run;
+}
+
+Recording SampleRecording(double duration, double speed) {
+  constexpr double kInterval = Recorder::kFrameInterval;
+  const std::vector<float> poses = CrawlingPoses(Humanoid(), duration, kInterval, speed);
+  const size_t frame_size = Humanoid().links.size() * Recorder::kFloatsPerLink;
+  return {static_cast<int64_t>(poses.size() / frame_size), kInterval, false,
+          Compress(std::as_bytes(std::span(poses)))};
+}
+
+void WriteSampleRun(const std::filesystem::path& folder, const SampleSize& size) {
+  RunDatabase database = RunDatabase::Create(folder, SampleRunRecord());
+  std::mt19937 random(1);
+  double best = -1e300;
+  for (int64_t number = 1; number <= size.episodes; ++number) {
+    const EpisodeRecord episode = SampleEpisode(number, size.episodes, random);
+    std::optional<Recording> recording;
+    const bool is_best = episode.episode_return > best;
+    best = std::max(best, episode.episode_return);
+    if (size.record_every > 0 && (is_best || number % size.record_every == 0)) {
+      recording = SampleRecording(size.duration, episode.metrics[0] / episode.simulated_seconds);
+      recording->is_best = is_best;
+    }
+    database.AddEpisode(episode, recording, std::nullopt);
+  }
+  database.SetState(RunState::kFinished);
+}
+
+}  // namespace runtime

@@ -1,0 +1,26 @@
+// Runs with made-up but plausible contents.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "runtime/run/run_database.h"
+
+namespace runtime {
+
+// What a run of `crawling` notes about itself; `body` is that of the humanoid.
+RunRecord SampleRunRecord();
+
+// A recording of the humanoid crawling for `duration` seconds.
+Recording SampleRecording(double duration, double speed);
+
+struct SampleSize {
+  int64_t episodes = 1;
+  int64_t record_every = 0;  // each of these and each new best one is recorded; 0: none
+  double duration = 1;       // of a recording [s]
+};
+
+// A finished run in `folder`, whose return grows as learning curves do.
+void WriteSampleRun(const std::filesystem::path& folder, const SampleSize& size);
+
+}  // namespace runtime

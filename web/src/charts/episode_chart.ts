@@ -1,0 +1,151 @@
+// A chart over the episodes: what the page's charts have in common.
+
+import uPlot from "uplot";
+
+import { formatCount, formatNumber } from "../data/words.ts";
+import { themeColor } from "../page/dom.ts";
+import { drawPoints } from "./points.ts";
+
+/** A curve of a chart. Colours are names of the style sheet, so that they follow the theme. */
+export interface ChartSeries {
+  values: Float32Array;
+  color: string;
+  kind: "line" | "points";
+}
+
+export interface ChartOptions {
+  episode: Float32Array;
+  series: ChartSeries[];
+  height: number;
+  label: string; // for those who cannot see it
+  onHover?: (index: number | null) => void;
+  onDraw?: (plot: uPlot) => void;
+}
+
+const kFont = "12px system-ui, sans-serif";
+const kEpisodeSync = "episode";
+
+function axis(side: number, format: (value: number) => string): uPlot.Axis {
+  const isBottom = side === 2;
+  return {
+    side,
+    stroke: () => themeColor("--ink-soft"),
+    font: kFont,
+    size: isBottom ? 28 : 56,
+    ...(isBottom ? { label: "episode", labelSize: 18, labelGap: 0, labelFont: kFont } : {}),
+    gap: 6,
+    space: isBottom ? 70 : 36,
+    grid: { stroke: () => themeColor("--grid"), width: 1 },
+    ticks: { show: false },
+    values: (_, splits) => splits.map((value) => (value === null ? "" : format(value))),
+  };
+}
+
+function plotSeries(series: ChartSeries): uPlot.Series {
+  const isLine = series.kind === "line";
+  return {
+    stroke: () => themeColor(series.color),
+    width: 2,
+    points: { show: false },
+    spanGaps: true,
+    ...(isLine ? {} : { paths: () => null }), // drawn by drawPoints
+  };
+}
+
+function drawZeroLine(plot: uPlot): void {
+  const { min, max } = plot.scales["y"] as uPlot.Scale;
+  if (min === undefined || max === undefined || min >= 0 || max <= 0) return;
+  const y = Math.round(plot.valToPos(0, "y", true));
+  const { left, width } = plot.bbox;
+  plot.ctx.fillStyle = themeColor("--zero");
+  plot.ctx.fillRect(left, y, width, window.devicePixelRatio);
+}
+
+/** Lets a view that reaches the first or the last episode reach a little further. */
+function rangeOf(episode: Float32Array): uPlot.Scale.Range {
+  const first = episode[0] ?? 0;
+  const last = episode[episode.length - 1] ?? 1;
+  const room = Math.max(1, (last - first) * 0.01);
+  return (_, low, high) => [low <= first ? first - room : low, high >= last ? last + room : high];
+}
+
+function plotOptions(options: ChartOptions, width: number): uPlot.Options {
+  return {
+    width,
+    height: options.height,
+    padding: [10, 24, 0, 0],
+    legend: { show: false },
+    scales: { x: { time: false, range: rangeOf(options.episode) } },
+    axes: [axis(2, formatCount), axis(3, formatNumberOnAxis)],
+    series: [{}, ...options.series.map(plotSeries)],
+    cursor: {
+      y: false,
+      points: { show: false },
+      sync: { key: kEpisodeSync, setSeries: false, scales: ["x", null] },
+      drag: { x: true, y: false, dist: 5 },
+    },
+    hooks: {
+      drawAxes: [drawZeroLine, (plot) => drawPoints(plot, options.series)],
+      draw: [(plot) => options.onDraw?.(plot)],
+      setCursor: [(plot) => options.onHover?.(plot.cursor.idx ?? null)],
+    },
+  };
+}
+
+const formatNumberOnAxis = (value: number): string =>
+  Number.isInteger(value) ? formatCount(value) : formatNumber(value).replace(/0+$/, "");
+
+export class EpisodeChart {
+  private readonly plot: uPlot;
+  private data: Float32Array[];
+
+  constructor(
+    private readonly host: HTMLElement,
+    options: ChartOptions,
+  ) {
+    this.data = [options.episode, ...options.series.map((series) => series.values)];
+    this.plot = new uPlot(plotOptions(options, host.clientWidth), this.plotData(), host);
+    host.setAttribute("role", "group");
+    host.setAttribute("aria-label", options.label);
+    host.tabIndex = 0;
+    host.addEventListener("keydown", (event) => this.onKey(event));
+    new ResizeObserver(() => this.fit(options.height)).observe(host);
+    uPlot.sync(kEpisodeSync).sub(this.plot);
+  }
+
+  setValues(index: number, values: Float32Array): void {
+    this.data[index + 1] = values;
+    this.plot.setData(this.plotData(), false);
+    this.plot.redraw(true);
+  }
+
+  setVisible(index: number, visible: boolean): void {
+    this.plot.setSeries(index + 1, { show: visible });
+  }
+
+  redraw(): void {
+    this.plot.redraw(true);
+  }
+
+  /** Leads the cursor to the next or the previous episode by the arrow keys. */
+  private onKey(event: KeyboardEvent): void {
+    const step = { ArrowLeft: -1, ArrowRight: 1, PageUp: -10, PageDown: 10 }[event.key];
+    if (step === undefined || event.target !== this.host) return;
+    event.preventDefault();
+    const episodes = this.data[0] as Float32Array;
+    const last = episodes.length - 1;
+    const index = Math.min(Math.max((this.plot.cursor.idx ?? last + 1) + step, 0), last);
+    this.plot.setCursor({ left: this.plot.valToPos(episodes[index] as number, "x"), top: 0 });
+  }
+
+  private fit(height: number): void {
+    if (this.host.clientWidth > 0) this.plot.setSize({ width: this.host.clientWidth, height });
+  }
+
+  /** uPlot draws gaps where a value is null; typed arrays hold NaN there. */
+  private plotData(): uPlot.AlignedData {
+    return this.data.map((values) =>
+      Array.from(values, (value) => (Number.isFinite(value) ? value : null)),
+    ) as uPlot.AlignedData;
+  }
+}

@@ -1,0 +1,74 @@
+// What the user really wants, told apart from the reward: one small chart for each metric.
+
+import type { Curve, Report } from "../data/report_data.ts";
+import { runningMean } from "../data/statistics.ts";
+import { formatCount, formatNumber } from "../data/words.ts";
+import { element, onThemeChange } from "../page/dom.ts";
+import { EpisodeChart } from "./episode_chart.ts";
+
+const kReductionWords: Record<string, string> = {
+  last: "at the end of the episode",
+  max: "greatest in the episode",
+  min: "least in the episode",
+  sum: "sum over the episode",
+  mean: "mean over the episode",
+};
+
+class MetricChart {
+  private readonly chart: EpisodeChart;
+  private readonly value = element("output", { class: "value" });
+  private mean: Float32Array;
+
+  constructor(
+    private readonly report: Report,
+    private readonly metric: Curve,
+    host: HTMLElement,
+    window: number,
+  ) {
+    this.mean = runningMean(metric.values, window);
+    const unit = metric.unit ? ` [${metric.unit}]` : "";
+    const words = [kReductionWords[metric.reduction] ?? metric.reduction, metric.doc];
+    const heading = element("h3", {}, `${metric.name}${unit}`);
+    const note = element("p", { class: "note" }, words.filter(Boolean).join(" — "));
+    const chart = element("div", { class: "chart" });
+    host.append(element("article", {}, element("header", {}, heading, this.value), note, chart));
+    this.chart = new EpisodeChart(chart, {
+      episode: report.episode,
+      series: [
+        { values: metric.values, color: "--point", kind: "points" },
+        { values: this.mean, color: "--accent", kind: "line" },
+      ],
+      height: 190,
+      label: `${metric.name} of each episode and its running mean.`,
+      onHover: (index) => this.showValue(index),
+    });
+    onThemeChange(() => this.chart.redraw());
+    this.showValue(null);
+  }
+
+  setWindow(window: number): void {
+    this.mean = runningMean(this.metric.values, window);
+    this.chart.setValues(1, this.mean);
+    this.showValue(null);
+  }
+
+  private showValue(index: number | null): void {
+    const at = index ?? this.report.episode.length - 1;
+    const episode = formatCount(this.report.episode[at] ?? 0);
+    const mean = `mean ${formatNumber(this.mean[at])}`;
+    const value = formatNumber(this.metric.values[at]);
+    this.value.textContent = index === null ? mean : `episode ${episode}: ${value}, ${mean}`;
+  }
+}
+
+export class MetricCharts {
+  private readonly charts: MetricChart[];
+
+  constructor(report: Report, host: HTMLElement, window: number) {
+    this.charts = report.metrics.map((metric) => new MetricChart(report, metric, host, window));
+  }
+
+  setWindow(window: number): void {
+    for (const chart of this.charts) chart.setWindow(window);
+  }
+}

@@ -1,0 +1,73 @@
+// What the return was paid for: the running mean of each reward term's sum per episode.
+
+import type { Curve, Report } from "../data/report_data.ts";
+import { runningMean } from "../data/statistics.ts";
+import { formatCount, formatNumber } from "../data/words.ts";
+import { element, onThemeChange } from "../page/dom.ts";
+import { EpisodeChart } from "./episode_chart.ts";
+
+const kColors = 8; // --series-1 … --series-8
+
+export class TermCurves {
+  private readonly chart: EpisodeChart;
+  private readonly outputs: HTMLElement[] = [];
+  private means: Float32Array[];
+
+  constructor(
+    private readonly report: Report,
+    private readonly parts: { chart: HTMLElement; legend: HTMLElement; caption: HTMLElement },
+    window: number,
+  ) {
+    this.means = report.terms.map((term) => runningMean(term.values, window));
+    report.terms.forEach((term, i) => this.parts.legend.append(this.legendEntry(term, i)));
+    this.chart = new EpisodeChart(parts.chart, {
+      episode: report.episode,
+      series: this.means.map((values, i) => ({ values, color: colorName(i), kind: "line" })),
+      height: 260,
+      label: "Running mean of each reward term's sum per episode.",
+      onHover: (index) => this.showValues(index),
+    });
+    onThemeChange(() => this.chart.redraw());
+    this.showValues(null);
+  }
+
+  setWindow(window: number): void {
+    this.means = this.report.terms.map((term) => runningMean(term.values, window));
+    this.means.forEach((values, i) => this.chart.setValues(i, values));
+    this.showValues(null);
+  }
+
+  /** A switch for the term's curve, which also shows its value. */
+  private legendEntry(term: Curve, index: number): HTMLElement {
+    const output = element("output", { class: "value" });
+    this.outputs.push(output);
+    const swatch = element("span", { class: "swatch", "aria-hidden": "true" });
+    swatch.style.background = `var(${colorName(index)})`;
+    const name = element("span", { class: "name" }, term.name);
+    const entry = element(
+      "button",
+      { type: "button", "aria-pressed": "true" },
+      swatch,
+      name,
+      output,
+    );
+    if (term.doc) entry.append(element("span", { class: "doc" }, term.doc));
+    entry.addEventListener("click", () => {
+      const visible = entry.getAttribute("aria-pressed") !== "true";
+      entry.setAttribute("aria-pressed", String(visible));
+      this.chart.setVisible(index, visible);
+    });
+    return entry;
+  }
+
+  private showValues(index: number | null): void {
+    const at = index ?? this.report.episode.length - 1;
+    this.outputs.forEach((output, i) => {
+      output.textContent = formatNumber(this.means[i]?.[at]);
+    });
+    const episode = formatCount(this.report.episode[at] ?? 0);
+    this.parts.caption.textContent = `running mean at episode ${episode}`;
+  }
+}
+
+const colorName = (index: number): string => `--series-${(index % kColors) + 1}`;

@@ -1,0 +1,99 @@
+// What the page shows: the JSON that runtime/report/run_data.cpp writes into the page, decoded.
+
+import { decodeFloats } from "./base64.ts";
+
+/** A link of the robot; lengths in metres, `axis` 0, 1, 2 = x, y, z of the link's own frame. */
+export interface BodyLink {
+  name: string;
+  shape: "box" | "capsule" | "sphere";
+  size: [number, number, number]; // box: full extents
+  radius: number; // capsule, sphere
+  length: number; // capsule: total, both caps included
+  axis: number;
+}
+
+export interface EpisodeEnd {
+  kind: string;
+  reason: string;
+  count: number;
+}
+
+export interface Curve {
+  name: string;
+  unit: string;
+  reduction: string; // of a metric: last, sum, max, min, mean; "" for a reward term
+  doc: string;
+  values: Float32Array; // one for each episode; NaN where there is none
+}
+
+/** `poses` holds [frame][link][7]: x, y, z [m], then the quaternion w, x, y, z. */
+export interface Recording {
+  episode: number;
+  best: boolean;
+  frames: number;
+  interval: number; // between two frames [s]
+  poses: Float32Array;
+}
+
+export interface AgentModule {
+  type?: string;
+  [parameter: string]: unknown;
+}
+
+export interface Report {
+  run: Record<string, string>;
+  taskSource: string;
+  agentText: string;
+  modules: Record<string, AgentModule>;
+  body: BodyLink[];
+  madeAt: string;
+  episode: Float32Array; // the episodes' numbers
+  returns: Float32Array;
+  endOf: number[]; // index into `ends`, one for each episode
+  ends: EpisodeEnd[];
+  simulatedSeconds: number;
+  wallSeconds: number;
+  faults: number;
+  terms: Curve[];
+  metrics: Curve[];
+  recordings: Recording[]; // in the order of their episodes
+  notes: string[]; // what was left out, in sentences
+}
+
+interface EncodedCurve extends Omit<Curve, "values"> {
+  values: string;
+}
+interface EncodedRecording extends Omit<Recording, "poses"> {
+  poses: string;
+}
+interface EncodedReport extends Omit<
+  Report,
+  "episode" | "returns" | "terms" | "metrics" | "recordings"
+> {
+  episode: string;
+  returns: string;
+  terms: EncodedCurve[];
+  metrics: EncodedCurve[];
+  recordings: EncodedRecording[];
+}
+
+const decodeCurve = (curve: EncodedCurve): Curve => ({
+  ...curve,
+  values: decodeFloats(curve.values),
+});
+
+/** The report as `text` (JSON) says it. */
+export function decodeReport(text: string): Report {
+  const encoded = JSON.parse(text) as EncodedReport;
+  return {
+    ...encoded,
+    episode: decodeFloats(encoded.episode),
+    returns: decodeFloats(encoded.returns),
+    terms: encoded.terms.map(decodeCurve),
+    metrics: encoded.metrics.map(decodeCurve),
+    recordings: encoded.recordings.map((recording) => ({
+      ...recording,
+      poses: decodeFloats(recording.poses),
+    })),
+  };
+}

@@ -1,0 +1,51 @@
+// Means and ranges of an episode's values. Values that are not finite count as missing.
+
+type Values = ArrayLike<number>;
+
+/** For each value the mean of the last `window` values up to it (of those there are). */
+export function runningMean(values: Values, window: number): Float32Array {
+  const means = new Float32Array(values.length);
+  let sum = 0;
+  let count = 0;
+  const add = (index: number, sign: number): void => {
+    const value = values[index];
+    if (value === undefined || !Number.isFinite(value)) return;
+    sum += sign * value;
+    count += sign;
+  };
+  for (let i = 0; i < values.length; ++i) {
+    add(i, 1);
+    add(i - window, -1);
+    means[i] = count > 0 ? sum / count : NaN;
+  }
+  return means;
+}
+
+/** Numbers of episodes over which the page can take its means. */
+export const kWindows = [1, 3, 5, 10, 20, 50, 100, 200, 500, 1000];
+
+/** The greatest window that is at most a tenth of the run. */
+export const usualWindow = (episodes: number): number =>
+  kWindows.findLast((window) => window * 10 <= episodes) ?? 1;
+
+/** Mean and standard deviation of the last `count` values. */
+export function lastValues(values: Values, count: number): { mean: number; deviation: number } {
+  const last: number[] = [];
+  for (let i = Math.max(0, values.length - count); i < values.length; ++i) {
+    const value = values[i] as number;
+    if (Number.isFinite(value)) last.push(value);
+  }
+  const mean = last.reduce((sum, value) => sum + value, 0) / last.length;
+  const variance = last.reduce((sum, value) => sum + (value - mean) ** 2, 0) / last.length;
+  return { mean, deviation: Math.sqrt(variance) };
+}
+
+/** The index of the greatest value; -1 where there is none. */
+export function indexOfMaximum(values: Values): number {
+  let best = -1;
+  for (let i = 0; i < values.length; ++i) {
+    const value = values[i] as number;
+    if (Number.isFinite(value) && (best < 0 || value > (values[best] as number))) best = i;
+  }
+  return best;
+}

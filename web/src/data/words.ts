@@ -1,0 +1,69 @@
+// Numbers, durations and the agent as text.
+
+import type { AgentModule } from "./report_data.ts";
+
+const kMinus = "\u2212";
+const kThinSpace = "\u202f";
+
+/** `value` with about four significant digits; "–" where there is none. */
+export function formatNumber(value: number | undefined): string {
+  if (value === undefined || !Number.isFinite(value)) return "–";
+  const size = Math.abs(value);
+  if (size !== 0 && (size < 1e-3 || size >= 1e7)) {
+    return value.toExponential(2).replace(/-/g, kMinus);
+  }
+  const decimals = size >= 1000 ? 0 : size >= 100 ? 1 : size >= 10 ? 2 : 3;
+  return group(size.toFixed(decimals), value < 0);
+}
+
+/** A length [m] to the millimetre. */
+export const formatLength = (value: number): string =>
+  (Math.round(value * 1000) / 1000 + 0).toFixed(3).replace("-", kMinus);
+
+/** `value` (a whole number) with its thousands set apart. */
+export function formatCount(value: number): string {
+  return group(Math.abs(Math.round(value)).toString(), value < 0);
+}
+
+function group(digits: string, negative: boolean): string {
+  const [whole = "", fraction] = digits.split(".");
+  const grouped = whole.length > 4 ? whole.replace(/\B(?=(\d{3})+$)/g, kThinSpace) : whole;
+  return (negative ? kMinus : "") + grouped + (fraction === undefined ? "" : `.${fraction}`);
+}
+
+/** A duration [s] in its two largest units. */
+export function formatDuration(seconds: number): string {
+  if (!Number.isFinite(seconds)) return "–";
+  if (seconds < 60) return `${formatNumber(seconds)} s`;
+  const whole = Math.round(seconds);
+  const [hours, minutes] = [Math.floor(whole / 3600), Math.floor(whole / 60) % 60];
+  if (hours === 0) return `${minutes} min ${whole % 60} s`;
+  return `${formatCount(hours)} h ${minutes} min`;
+}
+
+/** "2026-01-31T12:30:59Z" without the seconds, for people. */
+export const formatDate = (iso: string | undefined): string =>
+  (iso ?? "").replace(/^(\d{4}-\d{2}-\d{2})T(\d{2}:\d{2}).*Z$/, "$1 $2 UTC");
+
+/** A moment of a replay [s], always as wide as the longest one of `duration`. */
+export function formatTime(seconds: number, duration: number): string {
+  return seconds.toFixed(2).padStart(duration.toFixed(2).length, "\u2007");
+}
+
+const text = (value: unknown): string => String(value ?? "");
+
+const kModuleWords: Record<string, (module: AgentModule) => string> = {
+  PengQLambda: () => "Peng’s Q(λ)",
+  Dcob: (module) => (module["target"] === "state" ? "DCOB" : "DCOB-Q"),
+  NgNet: (module) => `Gaussian network ${text(module["net"])}`.trim(),
+  DofState: (module) => `DoF configuration ${text(module["dof"])}`.trim(),
+};
+
+/** Learner, action space, features and state of the agent; a type without words by its name. */
+export function agentInWords(modules: Record<string, AgentModule>): string {
+  return ["learner", "action_space", "features", "state"]
+    .map((name) => modules[name])
+    .filter((module): module is AgentModule => module?.type !== undefined)
+    .map((module) => kModuleWords[module.type as string]?.(module) ?? text(module.type))
+    .join(" · ");
+}

@@ -1,0 +1,112 @@
+// Builds the page from the data that it carries.
+
+import "uplot/dist/uPlot.min.css";
+import "./style/theme.css";
+import "./style/page.css";
+import "./style/charts.css";
+import "./style/replay.css";
+
+import { LearningCurve } from "./charts/learning_curve.ts";
+import { MetricCharts } from "./charts/metric_charts.ts";
+import { TermCurves } from "./charts/term_curves.ts";
+import { decodeReport, type Recording, type Report } from "./data/report_data.ts";
+import { kWindows, usualWindow } from "./data/statistics.ts";
+import { formatCount, formatNumber } from "./data/words.ts";
+import { byId, element, prefersReducedMotion } from "./page/dom.ts";
+import { showKeyFigures, showMasthead } from "./page/masthead.ts";
+import { showProvenance, showSource } from "./page/provenance.ts";
+import { Viewer } from "./replay/viewer.ts";
+
+/** The charts; `replay` is called for a recording whose mark is chosen. */
+function showCharts(report: Report, replay: (recording: Recording) => void): LearningCurve {
+  const window = usualWindow(report.episode.length);
+  const curve = new LearningCurve(
+    report,
+    { chart: byId("curve", HTMLElement), readout: byId("curve-readout", HTMLElement) },
+    window,
+    replay,
+  );
+  const terms = new TermCurves(
+    report,
+    {
+      chart: byId("terms", HTMLElement),
+      legend: byId("term-legend", HTMLElement),
+      caption: byId("term-caption", HTMLElement),
+    },
+    window,
+  );
+  const metrics = new MetricCharts(report, byId("metrics", HTMLElement), window);
+  byId("terms-section", HTMLElement).hidden = report.terms.length === 0;
+  byId("metrics-section", HTMLElement).hidden = report.metrics.length === 0;
+  connectWindow(window, (chosen) => {
+    curve.setWindow(chosen);
+    terms.setWindow(chosen);
+    metrics.setWindow(chosen);
+  });
+  return curve;
+}
+
+function connectWindow(window: number, apply: (window: number) => void): void {
+  const select = byId("window", HTMLSelectElement);
+  select.append(...kWindows.map((choice) => element("option", {}, String(choice))));
+  select.value = String(window);
+  select.addEventListener("change", () => apply(Number(select.value)));
+}
+
+function fillRecordings(report: Report, select: HTMLSelectElement): void {
+  report.recordings.forEach((recording, i) => {
+    const value = formatNumber(report.returns[report.episode.indexOf(recording.episode)]);
+    const best = recording.best ? ", best" : "";
+    const words = `${formatCount(recording.episode)} — return ${value}${best}`;
+    select.append(element("option", { value: String(i) }, words));
+  });
+}
+
+/** The viewer, or a message in its place where there is nothing to show or no way to show it. */
+function makeViewer(report: Report): Viewer | undefined {
+  const refuse = (message: string): undefined => {
+    byId("stage-message", HTMLElement).textContent = message;
+    byId("replay", HTMLElement).classList.add("unavailable");
+    return undefined;
+  };
+  if (report.recordings.length === 0) return refuse("No episode has been recorded yet.");
+  if (!hasWebGl()) {
+    return refuse(
+      "This browser offers no WebGL, so the replay cannot be drawn here. " +
+        "Hardware acceleration can be switched on in the browser’s settings. " +
+        "The curves are complete without it.",
+    );
+  }
+  return new Viewer(report);
+}
+
+const hasWebGl = (): boolean => document.createElement("canvas").getContext("webgl2") !== null;
+
+function main(): void {
+  const report = decodeReport(byId("report-data", HTMLElement).textContent ?? "");
+  showMasthead(report);
+  showKeyFigures(report);
+  showSource(report);
+  showProvenance(report);
+  const chosen = byId("recording", HTMLSelectElement);
+  fillRecordings(report, chosen);
+  const viewer = makeViewer(report);
+  const replay = (recording: Recording): void => {
+    chosen.value = String(report.recordings.indexOf(recording));
+    viewer?.show(recording);
+    curve.select(recording);
+  };
+  const curve = showCharts(report, (recording) => {
+    replay(recording);
+    if (viewer && !prefersReducedMotion()) viewer.play();
+  });
+  chosen.addEventListener("change", () => {
+    const recording = report.recordings[Number(chosen.value)];
+    if (recording) replay(recording);
+  });
+  const first = report.recordings.find((recording) => recording.best) ?? report.recordings[0];
+  if (first) replay(first);
+  document.documentElement.dataset["ready"] = "true";
+}
+
+main();

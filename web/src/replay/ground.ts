@@ -1,0 +1,170 @@
+// The floor: a grid with distance marks, a plane for the shadow, and the base's path.
+
+import {
+  BufferAttribute,
+  BufferGeometry,
+  CanvasTexture,
+  Color,
+  Group,
+  Line,
+  LineBasicMaterial,
+  LineSegments,
+  Mesh,
+  MeshBasicMaterial,
+  PlaneGeometry,
+  ShadowMaterial,
+  SRGBColorSpace,
+} from "three";
+
+import { themeColor } from "../page/dom.ts";
+
+const kFine = 0.1; // between grid lines [m]
+const kCoarse = 0.5; // between strong lines and between marks [m]
+const kMargin = 3; // of the grid around the path [m]
+const kLabelHeight = 0.055; // [m]
+
+interface Extent {
+  low: [number, number];
+  high: [number, number];
+}
+
+/** The part of the floor around `path` ([point][x, y]), in whole coarse cells. */
+function extentOf(path: Float32Array): Extent {
+  const extent: Extent = { low: [0, 0], high: [0, 0] };
+  for (let i = 0; i < path.length; ++i) {
+    const axis = (i % 2) as 0 | 1;
+    extent.low[axis] = Math.min(extent.low[axis], path[i] as number);
+    extent.high[axis] = Math.max(extent.high[axis], path[i] as number);
+  }
+  for (const axis of [0, 1] as const) {
+    extent.low[axis] = Math.floor((extent.low[axis] - kMargin) / kCoarse) * kCoarse;
+    extent.high[axis] = Math.ceil((extent.high[axis] + kMargin) / kCoarse) * kCoarse;
+  }
+  return extent;
+}
+
+const isMultiple = (value: number, of: number): boolean =>
+  of > 0 && Math.abs(value / of - Math.round(value / of)) < 1e-6;
+
+/**
+ * Lines along x and y every `spacing`; those on a multiple of `except` are left to others. They are
+ * made of short pieces, since some renderers drop lines that reach behind the camera.
+ */
+function gridLines(extent: Extent, spacing: number, except: number): BufferGeometry {
+  const points: number[] = [];
+  for (const axis of [0, 1] as const) {
+    const other = (1 - axis) as 0 | 1;
+    const lines = Math.round((extent.high[axis] - extent.low[axis]) / spacing);
+    const pieces = Math.round((extent.high[other] - extent.low[other]) / kCoarse);
+    for (let line = 0; line <= lines; ++line) {
+      const place = extent.low[axis] + line * spacing;
+      if (isMultiple(place, except)) continue;
+      for (let piece = 0; piece < pieces; ++piece) {
+        const from = extent.low[other] + piece * kCoarse;
+        if (axis === 0) points.push(place, from, 0, place, from + kCoarse, 0);
+        else points.push(from, place, 0, from + kCoarse, place, 0);
+      }
+    }
+  }
+  const positions = new BufferAttribute(new Float32Array(points), 3);
+  return new BufferGeometry().setAttribute("position", positions);
+}
+
+/** A flat label on the floor, read with +x to the right. */
+function label(text: string, color: string): Mesh {
+  const canvas = document.createElement("canvas");
+  const context = canvas.getContext("2d") as CanvasRenderingContext2D;
+  const font = "500 64px system-ui, sans-serif";
+  context.font = font;
+  canvas.width = Math.ceil(context.measureText(text).width) + 8;
+  canvas.height = 80;
+  context.font = font;
+  context.fillStyle = color;
+  context.textBaseline = "middle";
+  context.fillText(text, 4, 42);
+  const texture = new CanvasTexture(canvas);
+  texture.colorSpace = SRGBColorSpace;
+  texture.anisotropy = 8;
+  const plane = new PlaneGeometry((kLabelHeight * canvas.width) / canvas.height, kLabelHeight);
+  return new Mesh(
+    plane,
+    new MeshBasicMaterial({ map: texture, transparent: true, depthWrite: false }),
+  );
+}
+
+export class Ground {
+  readonly object = new Group();
+  private readonly pathLine: Line;
+
+  /** `path`: the base's way over the ground, [frame][x, y]. */
+  constructor(path: Float32Array) {
+    const extent = extentOf(path);
+    this.addGrid(extent);
+    this.addLabels(extent);
+    this.addShadowPlane(extent);
+    this.pathLine = this.addPath(path);
+  }
+
+  /** Shows the path up to this frame. */
+  setFrame(frame: number): void {
+    this.pathLine.geometry.setDrawRange(0, frame + 1);
+  }
+
+  dispose(): void {
+    this.object.traverse((part) => {
+      if (!(part instanceof Mesh || part instanceof Line)) return;
+      part.geometry.dispose();
+      const material = part.material as MeshBasicMaterial | LineBasicMaterial;
+      if ("map" in material) material.map?.dispose();
+      material.dispose();
+    });
+  }
+
+  private addGrid(extent: Extent): void {
+    const fine = new LineBasicMaterial({ color: new Color(themeColor("--floor-fine")) });
+    const coarse = new LineBasicMaterial({ color: new Color(themeColor("--floor-coarse")) });
+    this.object.add(
+      new LineSegments(gridLines(extent, kFine, kCoarse), fine),
+      new LineSegments(gridLines(extent, kCoarse, 0), coarse),
+    );
+  }
+
+  /** Distances from the start along both axes, beside their lines. */
+  private addLabels(extent: Extent): void {
+    const color = themeColor("--floor-ink");
+    const place = (value: number, x: number, y: number): void => {
+      const mark = label(`${Number(value.toFixed(1))} m`.replace("-", "\u2212"), color);
+      mark.position.set(x + 0.06, y + 0.5 * kLabelHeight, 0.0006);
+      this.object.add(mark);
+    };
+    for (let x = extent.low[0]; x <= extent.high[0]; x += kCoarse) place(x, x, 0);
+    for (let y = extent.low[1]; y <= extent.high[1]; y += kCoarse) {
+      if (Math.abs(y) > 1e-6) place(y, 0, y);
+    }
+  }
+
+  private addShadowPlane(extent: Extent): void {
+    const [x0, y0] = extent.low;
+    const [x1, y1] = extent.high;
+    const opacity = Number(themeColor("--shadow-opacity"));
+    const plane = new Mesh(new PlaneGeometry(x1 - x0, y1 - y0), new ShadowMaterial({ opacity }));
+    plane.position.set((x0 + x1) / 2, (y0 + y1) / 2, 0.0003);
+    plane.receiveShadow = true;
+    this.object.add(plane);
+  }
+
+  private addPath(path: Float32Array): Line {
+    const points = new Float32Array((path.length / 2) * 3);
+    for (let i = 0; i < path.length / 2; ++i) {
+      points.set([path[2 * i] as number, path[2 * i + 1] as number, 0.001], 3 * i);
+    }
+    const geometry = new BufferGeometry().setAttribute("position", new BufferAttribute(points, 3));
+    const line = new Line(
+      geometry,
+      new LineBasicMaterial({ color: new Color(themeColor("--accent")) }),
+    );
+    line.frustumCulled = false;
+    this.object.add(line);
+    return line;
+  }
+}

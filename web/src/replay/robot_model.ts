@@ -1,0 +1,111 @@
+// The robot's links as three.js objects, moved by poses in the world frame (z up).
+
+import {
+  CapsuleGeometry,
+  Color,
+  Group,
+  Mesh,
+  MeshStandardMaterial,
+  SphereGeometry,
+  type BufferGeometry,
+} from "three";
+import { RoundedBoxGeometry } from "three/examples/jsm/geometries/RoundedBoxGeometry.js";
+
+import type { BodyLink } from "../data/report_data.ts";
+import { themeColor } from "../page/dom.ts";
+import { kPoseSize } from "./motion.ts";
+import { sideOf, type Side } from "./side.ts";
+
+const kSideColors: Record<Side, string> = {
+  left: "--left",
+  right: "--right",
+  trunk: "--trunk",
+};
+
+function geometryOf(link: BodyLink): BufferGeometry {
+  if (link.shape === "sphere") return new SphereGeometry(link.radius, 32, 20);
+  if (link.shape === "box") {
+    const [x, y, z] = link.size;
+    return new RoundedBoxGeometry(x, y, z, 4, 0.14 * Math.min(x, y, z));
+  }
+  const straight = Math.max(0, link.length - 2 * link.radius);
+  const capsule = new CapsuleGeometry(link.radius, straight, 12, 28); // along y
+  if (link.axis === 0) capsule.rotateZ(-Math.PI / 2);
+  if (link.axis === 2) capsule.rotateX(Math.PI / 2);
+  return capsule;
+}
+
+/** A dark plate on the front (+x) of base and head: without it, front and back look alike. */
+function frontPlate(link: BodyLink, material: MeshStandardMaterial): Mesh {
+  const [x, y, z] = link.size;
+  const depth = 0.06 * Math.min(y, z);
+  const width = 0.62 * y;
+  const height = 0.34 * z;
+  const plate = new Mesh(
+    new RoundedBoxGeometry(depth, width, height, 3, 0.45 * Math.min(depth, height)),
+    material,
+  );
+  plate.position.set(x / 2, 0, 0.16 * z);
+  return plate;
+}
+
+export class RobotModel {
+  readonly object = new Group();
+  private readonly links: Mesh[];
+  private readonly materials: Record<
+    Side | "joint_left" | "joint_right" | "plate",
+    MeshStandardMaterial
+  >;
+
+  constructor(body: BodyLink[]) {
+    const matte = (): MeshStandardMaterial =>
+      new MeshStandardMaterial({ roughness: 0.62, metalness: 0.05 });
+    this.materials = {
+      left: matte(),
+      right: matte(),
+      trunk: matte(),
+      joint_left: matte(),
+      joint_right: matte(),
+      plate: matte(),
+    };
+    this.links = body.map((link, index) => this.makeLink(link, index));
+    this.object.add(...this.links);
+    this.updateColors();
+  }
+
+  /** Takes the colours of the present theme. */
+  updateColors(): void {
+    for (const side of ["left", "right", "trunk"] as const) {
+      this.materials[side].color = new Color(themeColor(kSideColors[side]));
+    }
+    this.materials.joint_left.color = new Color(themeColor("--left")).multiplyScalar(0.55);
+    this.materials.joint_right.color = new Color(themeColor("--right")).multiplyScalar(0.55);
+    this.materials.plate.color = new Color(themeColor("--plate"));
+  }
+
+  /** `poses`: [link][x, y, z, qw, qx, qy, qz]. */
+  setPoses(poses: Float32Array): void {
+    this.links.forEach((link, i) => {
+      const [x = 0, y = 0, z = 0, qw = 1, qx = 0, qy = 0, qz = 0] = poses.subarray(
+        i * kPoseSize,
+        (i + 1) * kPoseSize,
+      );
+      link.position.set(x, y, z);
+      link.quaternion.set(qx, qy, qz, qw);
+    });
+  }
+
+  private makeLink(link: BodyLink, index: number): Mesh {
+    const side = sideOf(link.name);
+    const isJoint = link.shape === "sphere" && side !== "trunk";
+    const material = this.materials[isJoint ? (`joint_${side}` as const) : side];
+    const mesh = new Mesh(geometryOf(link), material);
+    const hasFront = link.shape === "box" && (index === 0 || link.name === "head");
+    if (hasFront) mesh.add(frontPlate(link, this.materials.plate));
+    mesh.traverse((part) => {
+      part.castShadow = true;
+      part.receiveShadow = true;
+    });
+    return mesh;
+  }
+}

@@ -1,0 +1,189 @@
+// The 3-D picture: robot, floor, light and a camera that follows the base. Draws when asked to.
+
+import {
+  Color,
+  DirectionalLight,
+  Fog,
+  HemisphereLight,
+  PCFShadowMap,
+  PerspectiveCamera,
+  Scene,
+  Vector3,
+  WebGLRenderer,
+} from "three";
+import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
+
+import type { BodyLink } from "../data/report_data.ts";
+import { themeColor } from "../page/dom.ts";
+import { Ground } from "./ground.ts";
+import { durationOf, frameAt, kPoseSize, sampleMotion, smoothPath, type Motion } from "./motion.ts";
+import { RobotModel } from "./robot_model.ts";
+
+const kFollowSmoothing = 0.3; // half the time over which the followed path is averaged [s]
+const kTargetHeight = 0.12; // of the point the camera looks at [m]
+const kFirstView = new Vector3(0.4, -1.12, 0.4); // camera relative to that point [m]
+const kLightPlace = new Vector3(-0.7, -0.9, 1.6);
+const kNothing: Motion = { frames: 0, interval: 1, poses: new Float32Array() };
+
+export class Stage {
+  readonly canvas: HTMLCanvasElement;
+  private readonly renderer: WebGLRenderer;
+  private readonly scene = new Scene();
+  private readonly camera = new PerspectiveCamera(24, 1, 0.05, 30);
+  private readonly controls: OrbitControls;
+  private readonly sky = new HemisphereLight(0xffffff, 0xffffff, 2.3);
+  private readonly light = new DirectionalLight(0xffffff, 1.9);
+  private readonly robot: RobotModel;
+  private readonly poses: Float32Array;
+  private readonly target = new Vector3(0, 0, kTargetHeight);
+  private motion: Motion = kNothing;
+  private path: Float32Array = new Float32Array();
+  private ground: Ground | undefined;
+  private time = 0;
+  private follows = true;
+  private width = 1;
+  private height = 1;
+
+  /** `onView` is called when the user moves the camera. */
+  constructor(body: BodyLink[], onView: () => void) {
+    this.renderer = new WebGLRenderer({ antialias: true });
+    this.canvas = this.renderer.domElement;
+    this.renderer.shadowMap.enabled = true;
+    this.renderer.shadowMap.type = PCFShadowMap;
+    this.camera.up.set(0, 0, 1);
+    this.robot = new RobotModel(body);
+    this.poses = new Float32Array(body.length * kPoseSize);
+    this.addLight();
+    this.scene.add(this.robot.object);
+    this.controls = new OrbitControls(this.camera, this.canvas);
+    this.controls.maxPolarAngle = 0.495 * Math.PI;
+    this.controls.minDistance = 0.4;
+    this.controls.maxDistance = 8;
+    this.controls.addEventListener("change", onView);
+    this.resetView();
+  }
+
+  show(motion: Motion): void {
+    this.motion = motion;
+    this.path = smoothPath(motion, kFollowSmoothing);
+    this.updateTheme();
+    this.setTime(0);
+    this.resetView();
+  }
+
+  setTime(time: number): void {
+    this.time = Math.min(time, durationOf(this.motion));
+    if (this.motion.frames === 0) return;
+    sampleMotion(this.motion, this.time, this.poses);
+    this.robot.setPoses(this.poses);
+    this.ground?.setFrame(frameAt(this.motion, this.time));
+    if (this.follows) this.follow();
+  }
+
+  /** Where the base is now: x, y, z [m]. */
+  get basePosition(): [number, number, number] {
+    return [this.poses[0] as number, this.poses[1] as number, this.poses[2] as number];
+  }
+
+  setFollowing(follows: boolean): void {
+    this.follows = follows;
+    this.setTime(this.time);
+  }
+
+  /** The wheel zooms only while this is set, since it would keep the page from scrolling. */
+  setZoomable(zoomable: boolean): void {
+    this.controls.enableZoom = zoomable;
+  }
+
+  resetView(): void {
+    this.follow();
+    this.camera.position.copy(this.target).add(kFirstView);
+    this.controls.target.copy(this.target);
+    this.controls.update();
+  }
+
+  setSize(width: number, height: number): void {
+    this.width = width;
+    this.height = height;
+    this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
+    this.renderer.setSize(width, height, false);
+    this.frameCamera(width / height);
+  }
+
+  updateTheme(): void {
+    const background = new Color(themeColor("--stage"));
+    this.scene.background = background;
+    this.scene.fog = new Fog(background, 1.6, 5);
+    this.sky.groundColor = new Color(themeColor("--stage-bounce"));
+    this.robot.updateColors();
+    if (this.ground) {
+      this.scene.remove(this.ground.object);
+      this.ground.dispose();
+    }
+    this.ground = new Ground(this.path);
+    this.scene.add(this.ground.object);
+    this.ground.setFrame(frameAt(this.motion, this.time));
+  }
+
+  draw(): void {
+    this.renderer.render(this.scene, this.camera);
+  }
+
+  /** Draws the moments `times` [s] into `canvases`, seen from the side the camera is on now. */
+  drawSnapshots(times: number[], canvases: HTMLCanvasElement[]): void {
+    const { time, follows, width, height } = this;
+    const target = this.target.clone();
+    this.follows = true;
+    times.forEach((moment, i) => {
+      const canvas = canvases[i] as HTMLCanvasElement;
+      this.renderer.setPixelRatio(1);
+      this.renderer.setSize(canvas.width, canvas.height, false);
+      this.frameCamera(canvas.width / canvas.height);
+      this.setTime(moment);
+      this.draw();
+      canvas.getContext("2d")?.drawImage(this.canvas, 0, 0);
+    });
+    this.follows = follows;
+    this.setTime(time);
+    this.moveTo(target);
+    this.setSize(width, height);
+    this.draw();
+  }
+
+  private addLight(): void {
+    this.light.castShadow = true;
+    this.light.shadow.mapSize.set(1024, 1024);
+    this.light.shadow.radius = 3;
+    this.light.shadow.normalBias = 0.002;
+    const frame = this.light.shadow.camera;
+    [frame.left, frame.right, frame.bottom, frame.top] = [-0.6, 0.6, -0.6, 0.6];
+    [frame.near, frame.far] = [0.5, 4];
+    this.scene.add(this.sky, this.light, this.light.target);
+  }
+
+  /** Keeps the robot's whole width in narrow pictures by a wider angle. */
+  private frameCamera(aspect: number): void {
+    this.camera.aspect = aspect;
+    this.camera.fov = aspect >= 1 ? 24 : Math.min(24 / aspect, 50);
+    this.camera.updateProjectionMatrix();
+  }
+
+  private follow(): void {
+    const frame = this.motion.frames > 0 ? frameAt(this.motion, this.time) : 0;
+    const next = Math.min(frame + 1, this.motion.frames - 1);
+    const weight = Math.min(Math.max(this.time / this.motion.interval - frame, 0), 1);
+    const between = (i: number): number =>
+      (1 - weight) * (this.path[2 * frame + i] ?? 0) + weight * (this.path[2 * next + i] ?? 0);
+    this.moveTo(new Vector3(between(0), between(1), kTargetHeight));
+  }
+
+  /** Moves camera and light to look at `target`, from the side that the user has chosen. */
+  private moveTo(target: Vector3): void {
+    this.camera.position.add(target).sub(this.target);
+    this.camera.lookAt(target);
+    this.target.copy(target);
+    this.controls.target.copy(target);
+    this.light.target.position.copy(target);
+    this.light.position.copy(target).add(kLightPlace);
+  }
+}

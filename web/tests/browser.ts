@@ -1,0 +1,203 @@
+// The page in a real browser: browser.mjs FULL_PAGE FIRST_PAGE SCREENSHOTS, where FULL_PAGE shows a
+// run with recordings and FIRST_PAGE one with a single episode and none. CHROMIUM names the
+// browser; without it the exit status is 77 (skipped).
+
+import assert from "node:assert/strict";
+import { existsSync, mkdirSync } from "node:fs";
+import { pathToFileURL } from "node:url";
+
+import { chromium, type Browser, type BrowserContextOptions, type Page } from "playwright-core";
+
+const [fullPage = "", firstPage = "", screenshots = "."] = process.argv.slice(2);
+const kBrowser = process.env["CHROMIUM"] ?? "";
+const kSoftwareGl = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
+
+type Check = (page: Page) => Promise<void>;
+
+/** Opens `file`, runs `check`, and fails for anything on the console and for any request. */
+async function onPage(
+  browser: Browser,
+  file: string,
+  options: BrowserContextOptions,
+  check: Check,
+): Promise<void> {
+  const page = await browser.newPage({ viewport: { width: 1280, height: 900 }, ...options });
+  const complaints: string[] = [];
+  page.on("console", (message) => {
+    if (message.type() === "error") complaints.push(message.text());
+  });
+  page.on("pageerror", (error) => complaints.push(String(error.stack)));
+  page.on("request", (request) => {
+    if (!/^(file|data|blob):/.test(request.url())) complaints.push(`request: ${request.url()}`);
+  });
+  await page.goto(pathToFileURL(file).href);
+  await page.locator("html[data-ready=true]").waitFor({ state: "attached" });
+  await check(page);
+  await page.close();
+  assert.deepEqual(complaints, []);
+}
+
+/** How many pixels of what `selector` shows are coloured, as the robot's limbs are. */
+async function colourfulPixels(page: Page, selector: string): Promise<number> {
+  const png = await page.locator(selector).screenshot();
+  return page.evaluate(async (base64) => {
+    const image = new Image();
+    image.src = `data:image/png;base64,${base64}`;
+    await image.decode();
+    const context = new OffscreenCanvas(image.width, image.height).getContext("2d");
+    if (!context) return 0;
+    context.drawImage(image, 0, 0);
+    const { data } = context.getImageData(0, 0, image.width, image.height);
+    let colourful = 0;
+    for (let i = 0; i < data.length; i += 4) {
+      const [r = 0, g = 0, b = 0] = data.subarray(i, i + 3);
+      if (Math.max(r, g, b) - Math.min(r, g, b) > 60) ++colourful;
+    }
+    return colourful;
+  }, png.toString("base64"));
+}
+
+const textOf = async (page: Page, selector: string): Promise<string> =>
+  (await page.locator(selector).textContent()) ?? "";
+
+const secondsOf = async (page: Page): Promise<number> =>
+  Number.parseFloat(await textOf(page, "#clock"));
+
+const showsTheRun: Check = async (page) => {
+  assert.equal(await textOf(page, "h1"), "crawling");
+  assert.match(await textOf(page, "#agent-words"), /Q\(λ\)/);
+  assert.ok((await page.locator("#figures .figure").count()) === 4);
+  assert.equal(await page.locator("#curve canvas").count(), 1);
+  assert.equal(await page.locator("#term-legend button").count(), 3);
+  assert.equal(await page.locator("#metrics canvas").count(), 2);
+  assert.match(await textOf(page, "#task-source"), /task crawling for humanoid/);
+};
+
+const drawsTheStrip: Check = async (page) => {
+  assert.equal(await page.locator("#strip button").count(), 8);
+  for (let i = 1; i <= 8; ++i) {
+    const pixels = await colourfulPixels(page, `#strip li:nth-child(${i}) canvas`);
+    assert.ok(pixels > 500, `snapshot ${i} shows the robot`);
+  }
+  await page.locator("#strip button").nth(7).click();
+  const duration = Number(await page.locator("#scrub").getAttribute("max"));
+  assert.ok(Math.abs((await secondsOf(page)) - duration) < 0.01);
+};
+
+const playsByKeys: Check = async (page) => {
+  await page.keyboard.press("Home");
+  assert.equal(await secondsOf(page), 0);
+  await page.keyboard.press("ArrowRight");
+  assert.equal(await secondsOf(page), 0.02);
+  await page.keyboard.press("Space");
+  await page.locator('#play[data-state="playing"]').waitFor();
+  await page.waitForFunction(
+    () => Number.parseFloat(document.querySelector("#clock")?.textContent ?? "") > 0.1,
+  );
+  await page.keyboard.press("Space");
+  await page.locator('#play[data-state="paused"]').waitFor();
+};
+
+const scrubs: Check = async (page) => {
+  await page.locator("#scrub").fill("4");
+  assert.equal(await secondsOf(page), 4);
+};
+
+const replaysAMark: Check = async (page) => {
+  const mark = page.locator(".mark").first();
+  await mark.click();
+  assert.equal(await mark.getAttribute("aria-pressed"), "true");
+  assert.equal(await page.locator("#recording").inputValue(), "0");
+  await page.locator('#play[data-state="playing"]').waitFor();
+  await page.keyboard.press("Space");
+  await page.locator('#play[data-state="paused"]').waitFor();
+};
+
+const showsValuesOfAnEpisode: Check = async (page) => {
+  await page.locator("#curve").focus();
+  await page.keyboard.press("ArrowLeft");
+  assert.match(await textOf(page, "#curve-readout"), /^Episode \d+ {2}· {2}return/);
+};
+
+const hidesATerm: Check = async (page) => {
+  const term = page.locator("#term-legend button").first();
+  await term.click();
+  assert.equal(await term.getAttribute("aria-pressed"), "false");
+  await term.click();
+};
+
+const staysAtRest: Check = async (page) => {
+  await page.locator(".mark").first().click();
+  await page.waitForTimeout(200);
+  assert.equal(await secondsOf(page), 0);
+};
+
+const fitsItsWidth: Check = async (page) => {
+  const overflow = await page.evaluate(
+    () => document.documentElement.scrollWidth - document.documentElement.clientWidth,
+  );
+  assert.equal(overflow, 0);
+};
+
+const saysThatNothingIsRecorded: Check = async (page) => {
+  assert.match(await textOf(page, "#stage-message"), /No episode has been recorded/);
+  assert.equal(await page.locator("#curve canvas").count(), 1);
+  assert.ok(await page.locator("#strip").isHidden());
+};
+
+const saysThatWebGlIsMissing: Check = async (page) => {
+  assert.match(await textOf(page, "#stage-message"), /no WebGL/);
+  assert.equal(await page.locator("#curve canvas").count(), 1);
+  assert.ok(await page.locator("#play").isHidden());
+};
+
+const screenshot =
+  (name: string): Check =>
+  async (page) => {
+    await page.screenshot({ path: `${screenshots}/${name}.png`, fullPage: true });
+  };
+
+async function inBrowser(args: string[], run: (browser: Browser) => Promise<void>): Promise<void> {
+  const browser = await chromium.launch({
+    executablePath: kBrowser,
+    args: ["--no-sandbox", ...args],
+  });
+  try {
+    await run(browser);
+  } finally {
+    await browser.close();
+  }
+}
+
+async function checkFullPage(browser: Browser): Promise<void> {
+  await onPage(browser, fullPage, { colorScheme: "light" }, async (page) => {
+    assert.ok((await colourfulPixels(page, "#stage canvas")) > 2000, "the robot is drawn");
+    await screenshot("light")(page);
+    const checks = [showsTheRun, drawsTheStrip, playsByKeys, scrubs, replaysAMark];
+    for (const check of [...checks, showsValuesOfAnEpisode, hidesATerm, fitsItsWidth]) {
+      await check(page);
+    }
+  });
+  await onPage(browser, fullPage, { colorScheme: "dark" }, screenshot("dark"));
+  await onPage(browser, fullPage, { reducedMotion: "reduce" }, staysAtRest);
+  await onPage(browser, fullPage, { viewport: { width: 390, height: 844 } }, async (page) => {
+    await screenshot("narrow")(page);
+    await fitsItsWidth(page);
+  });
+}
+
+if (!existsSync(kBrowser)) {
+  console.log("skipped: there is no Chromium (Debian: apt install chromium)");
+  process.exit(77);
+}
+mkdirSync(screenshots, { recursive: true });
+await inBrowser(kSoftwareGl, async (browser) => {
+  await checkFullPage(browser);
+  await onPage(browser, firstPage, {}, saysThatNothingIsRecorded);
+});
+await inBrowser(["--disable-3d-apis"], async (browser) => {
+  await onPage(browser, fullPage, {}, async (page) => {
+    await saysThatWebGlIsMissing(page);
+    await screenshot("without-webgl")(page);
+  });
+});

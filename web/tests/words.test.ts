@@ -1,0 +1,65 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+
+import {
+  agentInWords,
+  formatCount,
+  formatDate,
+  formatDuration,
+  formatLength,
+  formatNumber,
+  formatTime,
+} from "../src/data/words.ts";
+
+test("numbers have about four digits and a real minus", () => {
+  assert.equal(formatNumber(0), "0.000");
+  assert.equal(formatNumber(-12.345), "\u221212.35");
+  assert.equal(formatNumber(219.94), "219.9");
+  assert.equal(formatNumber(123456), "123\u202f456");
+  assert.equal(formatNumber(-4e-9), "\u22124.00e\u22129");
+  assert.equal(formatNumber(NaN), "–");
+  assert.equal(formatNumber(undefined), "–");
+});
+
+test("lengths have millimetres and no negative zero", () => {
+  assert.equal(formatLength(-2.57e-9), "0.000");
+  assert.equal(formatLength(-0.0336), "\u22120.034");
+});
+
+test("counts are grouped from five digits on", () => {
+  assert.equal(formatCount(2000), "2000");
+  assert.equal(formatCount(-30000), "\u221230\u202f000");
+});
+
+test("durations name their two largest units", () => {
+  assert.equal(formatDuration(12.5), "12.50 s");
+  assert.equal(formatDuration(61), "1 min 1 s");
+  assert.equal(formatDuration(15 * 3600 + 61), "15 h 1 min");
+  assert.equal(formatDuration(59.9999), "60.00 s");
+});
+
+test("moments of a replay are equally wide", () => {
+  assert.equal(formatTime(3, 20), "\u20073.00");
+  assert.equal(formatTime(13, 20), "13.00");
+});
+
+test("dates lose their seconds; what is no date stays", () => {
+  assert.equal(formatDate("2026-01-31T12:30:59Z"), "2026-01-31 12:30 UTC");
+  assert.equal(formatDate("yesterday"), "yesterday");
+  assert.equal(formatDate(undefined), "");
+});
+
+test("an agent is put into words, a type without words by its name", () => {
+  const modules = {
+    environment: { type: "RobotEnvironment" },
+    state: { type: "DofState", dof: "5" },
+    action_space: { type: "Dcob", target: "angles" },
+    features: { type: "NgNet", net: "bq01" },
+    learner: { type: "Sarsa" },
+  };
+  assert.equal(
+    agentInWords(modules),
+    "Sarsa · DCOB-Q · Gaussian network bq01 · DoF configuration 5",
+  );
+  assert.equal(agentInWords({}), "");
+});
