@@ -10,8 +10,9 @@
 #include "compiler/build/file_io.h"
 #include "compiler/build/internal_error.h"
 #include "compiler/build/plugin_cache.h"
-#include "compiler/hash/sha256.h"
 #include "compiler/source/diagnostic.h"
+#include "plugins/seal/seal.h"
+#include "plugins/seal/sha256.h"
 
 namespace compiler {
 namespace {
@@ -35,7 +36,7 @@ std::string KeyOf(const std::string& cpp, const CxxCompiler& cxx) {
   std::string made_from = fmt::format("{}\n{}\n{}\n", cxx.identity, fmt::join(PluginFlags(), " "),
                                       fmt::join(PluginLibraries(), " "));
   // The hash of each text, so that no two pairs of texts look alike in a row.
-  return Sha256(made_from + Sha256(ReadAbiHeader()) + Sha256(cpp)).substr(0, 32);
+  return seal::Sha256(made_from + seal::Sha256(ReadAbiHeader()) + seal::Sha256(cpp)).substr(0, 32);
 }
 
 std::vector<std::string> CommandFor(const CxxCompiler& cxx, const fs::path& output) {
@@ -112,7 +113,7 @@ BuildResult BuildPlugin(const std::string& task_name, const std::string& cpp,
     Explain(task_name, child, status, folder,
             fs::absolute(cache / fmt::format("refused-{}-{}", task_name, key)));
   }
-  ReplaceFile(plugin, Seal(std::move(*bytes)));
+  ReplaceFile(plugin, seal::Seal(std::move(*bytes)));
   return {.plugin = plugin, .from_cache = false};
 }
 

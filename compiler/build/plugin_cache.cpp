@@ -9,14 +9,11 @@
 #include <optional>
 
 #include "compiler/build/file_io.h"
-#include "compiler/hash/sha256.h"
 #include "compiler/source/diagnostic.h"
+#include "plugins/seal/seal.h"
 
 namespace compiler {
 namespace {
-
-constexpr std::string_view kSealMark = "\ntaskc sha-256 ";
-constexpr size_t kHashDigits = 64;
 
 [[noreturn]] void FailToCreate(const std::filesystem::path& cache, const std::string& reason) {
   throw CallError(fmt::format(
@@ -45,19 +42,9 @@ std::filesystem::path DefaultCacheFolder() {
       "variable TASKC_CACHE");
 }
 
-std::string Seal(std::string plugin) {
-  std::string hash = Sha256(plugin);
-  return std::move(plugin.append(kSealMark).append(hash));
-}
-
 bool IsIntact(const std::filesystem::path& file) {
-  std::optional<std::string> sealed = ReadWholeFile(file);
-  size_t seal_size = kSealMark.size() + kHashDigits;
-  if (!sealed || sealed->size() < seal_size) return false;
-  std::string_view plugin(*sealed);
-  std::string_view seal = plugin.substr(plugin.size() - seal_size);
-  plugin.remove_suffix(seal_size);
-  return seal.starts_with(kSealMark) && seal.substr(kSealMark.size()) == Sha256(plugin);
+  const std::optional<std::string> content = ReadWholeFile(file);
+  return content && seal::StateOf(*content) == seal::State::kIntact;
 }
 
 BuildFolder::BuildFolder(const std::filesystem::path& cache) {

@@ -11,10 +11,6 @@ namespace compiler {
 // tells.
 std::filesystem::path DefaultCacheFolder();
 
-// The bytes of a plugin as the cache keeps them: with their own hash behind them. The dynamic
-// linker reads no further than the plugin itself.
-std::string Seal(std::string plugin);
-
 // Whether a file holds a sealed plugin, whole and unchanged.
 bool IsIntact(const std::filesystem::path& file);
 

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "compiler/emit/cpp_literal.h"
-#include "compiler/hash/sha256.h"
 #include "compiler/syntax/words.h"
+#include "plugins/seal/sha256.h"
 
 namespace compiler {
 namespace {
@@ -153,7 +153,7 @@ std::vector<std::string> IdentityFields(const CheckedTask& task, const SourceFil
           ".start_pose = " + StringLiteral(task.start_pose),
           ".source_file = " + StringLiteral(source.path()),
           ".source = source",
-          ".source_hash = " + StringLiteral(Sha256(source.text()))};
+          ".source_hash = " + StringLiteral(seal::Sha256(source.text()))};
 }
 
 }  // namespace

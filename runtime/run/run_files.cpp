@@ -1,31 +1,21 @@
 #include "runtime/run/run_files.h"
 
 #include <fmt/format.h>
-#include <openssl/evp.h>
 
-#include <array>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
 #include <sstream>
 
+#include "plugins/seal/sha256.h"
 #include "runtime/module/user_error.h"
 
 namespace runtime {
 namespace {
 
-// The first 16 hexadecimal digits of the SHA-256: enough to tell versions of a plugin apart.
-std::string Hash(const std::string& bytes) {
-  std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
-  unsigned int size = 0;
-  EVP_Digest(bytes.data(), bytes.size(), digest.data(), &size, EVP_sha256(), nullptr);
-  std::string text;
-  for (int i = 0; i < 8; ++i) text += fmt::format("{:02x}", digest[static_cast<size_t>(i)]);
-  return text;
-}
-
+// The first 16 digits of the hash are enough to tell versions of a plugin apart.
 std::string PluginName(const std::string& bytes) {
-  return fmt::format("plugin-{}.so", Hash(bytes));
+  return fmt::format("plugin-{}.so", seal::Sha256(bytes).substr(0, 16));
 }
 
 // Under a temporary name first: no one ever sees, or maps, half a file.

@@ -1,10 +1,9 @@
--- One run of the trainer: the file run.db in the run's folder. Times are seconds, lengths metres.
--- PRAGMA user_version holds the version of this schema, PRAGMA application_id marks the file as ours
--- (both in run_database.cpp).
+-- One run of the trainer: the file run.db in the run's folder. SI units. PRAGMA user_version holds
+-- the version of this schema, PRAGMA application_id marks the file as ours (run_database.cpp).
 
--- What the run is: task, task_file, task_source, task_hash, robot, robot_description, agent, profile, seed,
--- episodes_planned, record_every, checkpoint_seconds, plugin, version, compiler, started_at,
--- finished_at, state (running, interrupted or finished), body.
+-- What the run is: task, task_file, task_source, task_hash, robot, robot_description, agent,
+-- profile, seed, episodes_planned, record_every, checkpoint_seconds, plugin, version, compiler,
+-- started_at, finished_at, state (running, interrupted or finished), body (body_json.h).
 CREATE TABLE run (
   key TEXT PRIMARY KEY,
   value TEXT NOT NULL
@@ -52,8 +51,8 @@ CREATE TABLE episode_metric (
   PRIMARY KEY (episode, metric)
 ) WITHOUT ROWID;
 
--- `poses`: zstd of little-endian float32 [frames][links][7]: x y z qw qx qy qz of each link's centre,
--- world frame.
+-- `poses`: zstd of little-endian float32 [frames][links][7]: x y z qw qx qy qz of each link's frame
+-- at its centre, world frame.
 CREATE TABLE recording (
   episode INTEGER PRIMARY KEY REFERENCES episode ON DELETE CASCADE,
   is_best INTEGER NOT NULL,       -- 1: the highest return up to then

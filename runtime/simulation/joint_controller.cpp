@@ -1,6 +1,7 @@
 #include "runtime/simulation/joint_controller.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace runtime {
 
@@ -41,6 +42,7 @@ void JointController::Apply(std::span<const double> targets) {
     const double pull = controller_.stiffness * (targets[j] - dJointGetHingeAngle(hinge));
     torques_[j] = std::clamp(pull - controller_.damping * dJointGetHingeAngleRate(hinge),
                              -controller_.max_torque, controller_.max_torque);
+    if (!std::isfinite(torques_[j])) throw OdeFailure("the torque of a joint is no number");
     if (drive_ == JointDrive::kTorque) {
       dJointAddHingeTorque(hinge, torques_[j]);
     } else {

@@ -17,7 +17,8 @@ class JointController {
   JointController(const robot::RobotDescription& robot, const RobotBody& body, dWorldID world,
                   JointDrive drive, double time_step);
 
-  // Drives every joint towards its target [rad] during the next physics step.
+  // Drives every joint towards its target [rad] during the next physics step. Throws OdeFailure if
+  // that takes a torque that is no number: ODE must not get to see one.
   void Apply(std::span<const double> targets);
 
   // What the last Apply() asked for [N m]:

@@ -11,7 +11,7 @@
 
 namespace runtime {
 
-// What ODE would have stopped the program for: a state that it cannot continue from.
+// A state that ODE cannot continue from, and would have stopped the program for.
 class OdeFailure : public std::exception {
  public:
   explicit OdeFailure(std::string message) : message_(std::move(message)) {}

@@ -13,10 +13,10 @@
 #include <utility>
 #include <vector>
 
+#include "plugins/seal/seal.h"
 #include "runtime/module/user_error.h"
 #include "runtime/task/elf_file.h"
 #include "runtime/task/plugin_check.h"
-#include "runtime/task/plugin_seal.h"
 
 namespace runtime {
 namespace {
@@ -91,7 +91,8 @@ Plugin::Plugin(const std::filesystem::path& file) : file_(file) {
   if (const auto defect = ElfDefect(content)) {
     Refuse(file, *defect + "; build the task with `taskc build`");
   }
-  if (HasBrokenSeal(content)) {
+  const std::string_view bytes(reinterpret_cast<const char*>(content.data()), content.size());
+  if (seal::StateOf(bytes) == seal::State::kBroken) {
     Refuse(file,
            "is damaged: it has changed since it was built; build the task with `taskc build`");
   }

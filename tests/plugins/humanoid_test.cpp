@@ -27,7 +27,7 @@ TEST(Humanoid, WeighsTwelveHundredGrams) {
   EXPECT_NEAR(total, 1.2, 1e-9);
 }
 
-TEST(Humanoid, MassesAreTheScaledPartsOfTheKit) {
+TEST(Humanoid, MassesAreThoseOfTheModelScaled) {
   const std::vector<double> grams = {219.6, 32.30, 5.44, 40.16, 37.40, 5.44,  40.16, 37.40, 8.95,
                                      67.84, 40.16, 8.95, 35.00, 8.95,  67.84, 40.16, 8.95,  35.00};
   const double sum = std::accumulate(grams.begin(), grams.end(), 0.0);

@@ -5,7 +5,7 @@
 
 #include <limits>
 
-#include "compiler/hash/sha256.h"
+#include "plugins/seal/sha256.h"
 #include "tests/compiler/emit/compiled_task.h"
 #include "tests/compiler/golden.h"
 
@@ -185,7 +185,7 @@ TEST_F(Crawling, DescribesItself) {
   EXPECT_THAT(plugin.robot, StrEq("humanoid"));
   EXPECT_THAT(plugin.start_pose, StrEq("standing"));
   EXPECT_THAT(plugin.source, StrEq(kCrawling));
-  EXPECT_THAT(plugin.source_hash, StrEq(Sha256(kCrawling)));
+  EXPECT_THAT(plugin.source_hash, StrEq(seal::Sha256(kCrawling)));
   ASSERT_EQ(plugin.param_count, 1u);
   EXPECT_THAT(plugin.params[0].doc, StrEq("What a fall costs."));
   EXPECT_EQ(plugin.params[0].initial, 4);

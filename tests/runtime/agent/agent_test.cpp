@@ -213,7 +213,7 @@ TEST(ReadAgent, FileThatIsNotThereIsRefused) {
 }
 
 // errors/NAME.toml has one mistake; errors/NAME.txt is what is said about it. To accept new
-// messages, run with TASKC_UPDATE_GOLDEN=1 and look at the difference.
+// messages, run with UPDATE_GOLDEN=1 and look at the difference.
 std::vector<std::string> Mistakes() {
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(TEST_FOLDER "/errors")) {
@@ -235,7 +235,7 @@ TEST_P(MistakeTest, IsReportedWithItsPlace) {
     message = std::string(error.what()) + "\n";
   }
   const std::filesystem::path golden = folder / (GetParam() + ".txt");
-  if (std::getenv("TASKC_UPDATE_GOLDEN") != nullptr) std::ofstream(golden) << message;
+  if (std::getenv("UPDATE_GOLDEN") != nullptr) std::ofstream(golden) << message;
   EXPECT_EQ(message, Text(golden));
 }
 

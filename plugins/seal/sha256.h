@@ -4,9 +4,9 @@
 #include <string>
 #include <string_view>
 
-namespace compiler {
+namespace seal {
 
 // 64 hexadecimal digits, lower case.
 std::string Sha256(std::string_view bytes);
 
-}  // namespace compiler
+}  // namespace seal

@@ -1,8 +1,8 @@
-#include "compiler/hash/sha256.h"
+#include "plugins/seal/sha256.h"
 
 #include <gtest/gtest.h>
 
-namespace compiler {
+namespace seal {
 namespace {
 
 // The examples of FIPS 180-2, and the empty text.
@@ -18,4 +18,4 @@ TEST(Sha256, SeesBytesBehindANull) {
 }
 
 }  // namespace
-}  // namespace compiler
+}  // namespace seal

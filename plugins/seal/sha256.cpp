@@ -1,4 +1,4 @@
-#include "compiler/hash/sha256.h"
+#include "plugins/seal/sha256.h"
 
 // libmd: every Debian machine already has it (dpkg stands on it), and it costs a program's start
 // next to nothing, where OpenSSL's libcrypto is 4.5 MB to load.
@@ -8,7 +8,7 @@
 
 #include <array>
 
-namespace compiler {
+namespace seal {
 
 std::string Sha256(std::string_view bytes) {
   std::array<char, SHA256_DIGEST_STRING_LENGTH> digits;
@@ -16,4 +16,4 @@ std::string Sha256(std::string_view bytes) {
   return digits.data();
 }
 
-}  // namespace compiler
+}  // namespace seal
