@@ -76,8 +76,8 @@ struct Coupling {
 // A way to drive the joints by fewer coordinates. Joints without a coupling are held at 0.
 struct DofConfiguration {
   std::string name;
-  std::vector<int>
-      representatives;  // for each coordinate the joint whose angle and rate stand for it
+  // For each coordinate the joint whose angle and rate stand for it.
+  std::vector<int> representatives;
   std::vector<Coupling> couplings;
 
   int dof() const { return static_cast<int>(representatives.size()); }
