@@ -1,0 +1,28 @@
+#!/usr/bin/env bash
+# From a fresh machine to a robot that has learned something: installs, builds, compiles the six
+# tasks, trains one of them for about three minutes and writes a report with its curve and a replay.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+task=tasks/forward_rolling.task
+run=runs/quickstart
+
+./setup.sh
+
+echo "== Compiling the tasks"
+for file in tasks/*.task; do
+  build/bin/taskc build "$file" -o "build/tasks/$(basename "$file" .task).so"
+done
+
+if [ -f "$run/run.db" ]; then
+  echo "== Going on with the training in $run"
+  build/bin/trainer resume "$run"
+else
+  echo "== Training: $task"
+  build/bin/trainer train "$task" --profile fast --episodes 250 --seed 1 --out "$run"
+fi
+
+echo "== Writing the report"
+build/bin/trainer report "$run"
+echo
+echo "Open $run/report.html in a browser: the learning curve, and a replay of the best episode."

@@ -1,0 +1,53 @@
+#!/usr/bin/env bash
+# Installs what a Debian 12 machine lacks, and builds into build/.
+#
+#   ./setup.sh            the programs and what they need
+#   ./setup.sh --tests    the tests and benchmarks as well
+#
+# Can be run any number of times; needs no network once everything is installed.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")"
+
+programs=(
+  g++ cmake ninja-build pkg-config ca-certificates # the build, and what taskc itself calls
+  antlr4 libantlr4-runtime-dev                     # the parser of the task language
+  libode-dev libeigen3-dev                         # the simulation and the learner
+  libfmt-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libmd-dev
+  libsqlite3-dev libzstd-dev                       # the runs' records
+  libgtest-dev libgmock-dev libbenchmark-dev
+)
+tests=(chromium procps)                            # the report is looked at in a real browser
+
+wanted=("${programs[@]}")
+# A Node.js that is there already, from wherever, is good enough for the report's page.
+if ! command -v npm >/dev/null; then wanted+=(nodejs npm); fi
+target=programs
+if [ "${1:-}" = --tests ]; then
+  wanted+=("${tests[@]}")
+  target=all
+fi
+
+is_installed() { [ "$(dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null)" = installed ]; }
+
+missing=()
+for package in "${wanted[@]}"; do is_installed "$package" || missing+=("$package"); done
+
+if [ ${#missing[@]} -gt 0 ]; then
+  echo "== Installing ${missing[*]}"
+  as_root=()
+  if [ "$(id -u)" -ne 0 ]; then
+    command -v sudo >/dev/null || {
+      echo "error: these packages are missing, and installing them needs root or sudo" >&2
+      exit 1
+    }
+    as_root=(sudo)
+  fi
+  "${as_root[@]}" apt-get update -qq
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
+    apt-get install -y -qq --no-install-recommends "${missing[@]}" |
+    awk '/^Setting up/ { printf "\r   %d packages set up", ++n; fflush() } END { if (n) print "" }'
+fi
+
+echo "== Building into build/"
+[ -f build/build.ninja ] || cmake --preset release --log-level=WARNING
+cmake --build --preset release --target "$target"
