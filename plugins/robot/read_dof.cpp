@@ -51,11 +51,17 @@ NetDescription ReadNet(const TomlValue& value, const RobotDescription& robot) {
   const DofConfiguration& dof = robot.dof_configurations[dof_index];
   net.dof = dof.name;
   if (named.At("kind").IndexIn({"grid", "bubble"}, "kind") == 0) {
-    named.AllowKeys({"name", "dof", "kind", "counts", "low", "high"});
+    named.AllowKeys({"name", "dof", "kind", "counts", "low", "high", "deviations"});
     net.kind = NetKind::kGrid;
     const TomlValue counts = named.At("counts");
     counts.Numbers(dof.representatives.size());
     for (const TomlValue& count : counts.Items()) net.counts.push_back(count.Count());
+    if (const auto deviations = named.Find("deviations")) {
+      deviations->Numbers(dof.representatives.size());
+      for (const TomlValue& item : deviations->Items()) {
+        net.deviations.push_back(item.PositiveNumber());
+      }
+    }
   } else {
     named.AllowKeys({"name", "dof", "kind", "units", "low", "high"});
     net.kind = NetKind::kBubble;

@@ -90,11 +90,12 @@ enum class NetKind { kGrid, kBubble };
 struct NetDescription {
   std::string name;
   NetKind kind = NetKind::kGrid;
-  std::string dof;                // name of the DoF configuration; others with the same
-                                  // representatives fit as well
-  std::vector<double> low, high;  // one for each coordinate
-  std::vector<int> counts;        // grid: centres along each coordinate
-  int units = 0;                  // bubble: number of centres
+  std::string dof;                 // name of the DoF configuration; others with the same
+                                   // representatives fit as well
+  std::vector<double> low, high;   // one for each coordinate
+  std::vector<int> counts;         // grid: centres along each coordinate
+  std::vector<double> deviations;  // grid: one for each coordinate; empty: from the spacing
+  int units = 0;                   // bubble: number of centres
 };
 
 struct RobotDescription {

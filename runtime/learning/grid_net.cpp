@@ -33,6 +33,7 @@ GaussianNet GridNet(const robot::NetDescription& net, Norm norm) {
   for (size_t i = 0; i < dimensions; ++i) {
     const double spacing = Spacing(net, i);
     deviations[i] = spacing > 0 ? kDeviationOverSpacing * spacing : kIgnored;
+    if (!net.deviations.empty()) deviations[i] = net.deviations[i];
     for (int k = 0; k < units; ++k) {
       centres(k, i) = Centre(net, i, k / stride % net.counts[i]);
     }

@@ -224,7 +224,10 @@ const Mistake kMistakes[] = {
      "  help: write an integer"},
     {"GridWithUnits", "counts = [3]", "units = 3",
      "41:1: error: unknown key `units` in net `g3`\n"
-     "  help: choose from `name`, `dof`, `kind`, `counts`, `low` and `high`"},
+     "  help: choose from `name`, `dof`, `kind`, `counts`, `low`, `high` and `deviations`"},
+    {"DeviationIsZero", "counts = [3]", "counts = [3]\ndeviations = [0]",
+     "42:15: error: item 1 of `deviations` of net `g3` is not positive\n"
+     "  help: give a number above 0"},
     {"NetUpsideDown", "high = [1]", "high = [-1]",
      "43:9: error: `high` of net `g3` is not above its `low`\n"
      "  help: give one `low` and one greater `high` for each coordinate"},
