@@ -36,13 +36,11 @@ std::filesystem::path FindRobotFile(std::string_view name,
     if (std::filesystem::exists(file, ignored)) return file;
   }
   const std::vector<std::string> names = RobotsIn(folders);
-  std::string suggestion;
-  if (!names.empty()) suggestion = fmt::format("{}; ", SuggestName(name, names));
   std::string places;
   for (const std::filesystem::path& folder : folders) places += fmt::format(" {}", folder.string());
   throw DescriptionError(fmt::format(
-      "there is no robot `{}`\n  help: {}looked in{} (set TASKC_ROBOT_PATH to look elsewhere)",
-      name, suggestion, places));
+      "there is no robot `{}`\n  help: {} (looked in{}; set TASKC_ROBOT_PATH to look elsewhere)",
+      name, SuggestName(name, names), places));
 }
 
 std::vector<std::filesystem::path> DefaultRobotFolders() {

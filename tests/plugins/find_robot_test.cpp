@@ -28,8 +28,8 @@ TEST(FindRobot, TakesTheFirstFolderThatHasIt) {
 
 TEST(FindRobot, SuggestsTheNearestName) {
   EXPECT_EQ(MessageFor("hoper", {ROBOTS, STAGED_ROBOTS}),
-            "there is no robot `hoper`\n  help: did you mean `hopper`?; looked in " ROBOTS
-            " " STAGED_ROBOTS " (set TASKC_ROBOT_PATH to look elsewhere)");
+            "there is no robot `hoper`\n  help: did you mean `hopper`? (looked in " ROBOTS
+            " " STAGED_ROBOTS "; set TASKC_ROBOT_PATH to look elsewhere)");
 }
 
 TEST(FindRobot, ListsTheRobotsIfNoneIsNear) {
@@ -39,8 +39,8 @@ TEST(FindRobot, ListsTheRobotsIfNoneIsNear) {
 
 TEST(FindRobot, SaysWhereItLookedIfThereIsNoRobotAtAll) {
   EXPECT_EQ(MessageFor("hopper", {"/nowhere"}),
-            "there is no robot `hopper`\n  help: looked in /nowhere (set TASKC_ROBOT_PATH to look "
-            "elsewhere)");
+            "there is no robot `hopper`\n  help: there is none at all (looked in /nowhere; set "
+            "TASKC_ROBOT_PATH to look elsewhere)");
 }
 
 TEST(FindRobot, TheEnvironmentComesBeforeTheProgramsOwnFolder) {
