@@ -10,8 +10,9 @@
 //
 // Units: SI throughout (m, kg, s, rad). Matrices are row major, quaternions are (w, x, y, z).
 //
-// Stability: `abi_version` is the first field of `taskc_plugin` in every version, and a host refuses
-// a version it was not built for. Any change of a struct or of a meaning raises TASKC_ABI_VERSION.
+// Stability: `abi_version` is the first field of `taskc_plugin` in every version, and a host
+// refuses a version it was not built for. Any change of a struct or of a meaning raises
+// TASKC_ABI_VERSION.
 #ifndef TASKC_PLUGIN_H
 #define TASKC_PLUGIN_H
 
@@ -40,7 +41,8 @@ enum {
   TASKC_EVENT_COUNT
 };
 
-// Besides the events: the evaluation of the metrics. Used as a bit number in `taskc_sensor.read_by`.
+// Besides the events: the evaluation of the metrics. Used as a bit number in
+// `taskc_sensor.read_by`.
 enum { TASKC_MEASURE = TASKC_EVENT_COUNT };
 
 // How one scalar lies in memory: a bool is one byte (0 or 1), an int 8 bytes, a real a double.
@@ -48,13 +50,13 @@ enum { TASKC_BOOL, TASKC_INT, TASKC_REAL };
 
 // A sensor that the task reads. Its elements lie one behind the other, `rows * columns` of them.
 typedef struct taskc_sensor {
-  const char* name;        // as the task writes it: "base.velocity"
-  const char* type;        // as the task writes it: "vec3", "bool[link]"; compared when binding
-  const char* unit;        // "m/s"; "" for a plain number
-  taskc_int32 scalar;      // TASKC_BOOL, TASKC_INT or TASKC_REAL
-  taskc_uint32 rows;       // 1 for a scalar, n for vectors, arrays and quaternions
-  taskc_uint32 columns;    // 1 except for matrices
-  taskc_uint32 read_by;    // bit e is set: event e (or TASKC_MEASURE) reads the sensor
+  const char* name;      // as the task writes it: "base.velocity"
+  const char* type;      // as the task writes it: "vec3", "bool[link]"; compared when binding
+  const char* unit;      // "m/s"; "" for a plain number
+  taskc_int32 scalar;    // TASKC_BOOL, TASKC_INT or TASKC_REAL
+  taskc_uint32 rows;     // 1 for a scalar, n for vectors, arrays and quaternions
+  taskc_uint32 columns;  // 1 except for matrices
+  taskc_uint32 read_by;  // bit e is set: event e (or TASKC_MEASURE) reads the sensor
 } taskc_sensor;
 
 // A number that can be set while the task runs. Passed as a double, whatever its type.
@@ -64,7 +66,7 @@ typedef struct taskc_param {
   const char* unit;
   taskc_int32 scalar;
   double initial;
-  double minimum;          // -infinity where the task gives no range
+  double minimum;  // -infinity where the task gives no range
   double maximum;
 } taskc_param;
 
@@ -78,15 +80,15 @@ typedef struct taskc_memory {
   taskc_int32 scalar;
   taskc_uint32 rows;
   taskc_uint32 columns;
-  taskc_int32 scope;       // TASKC_PER_RUN, TASKC_PER_EPISODE or TASKC_PER_ACTION
-  taskc_uint32 offset;     // bytes from the start of the memory block
+  taskc_int32 scope;    // TASKC_PER_RUN, TASKC_PER_EPISODE or TASKC_PER_ACTION
+  taskc_uint32 offset;  // bytes from the start of the memory block
 } taskc_memory;
 
 // A named part of the reward.
 typedef struct taskc_reward_term {
   const char* name;
   const char* doc;
-  taskc_uint32 line;       // of its first statement in the source
+  taskc_uint32 line;  // of its first statement in the source
 } taskc_reward_term;
 
 enum { TASKC_LAST, TASKC_SUM, TASKC_MAX, TASKC_MIN, TASKC_MEAN };
@@ -96,7 +98,7 @@ typedef struct taskc_metric {
   const char* name;
   const char* doc;
   const char* unit;
-  taskc_int32 reduction;   // TASKC_LAST ... TASKC_MEAN
+  taskc_int32 reduction;  // TASKC_LAST ... TASKC_MEAN
 } taskc_metric;
 
 enum { TASKC_SUCCESS, TASKC_FAILURE, TASKC_TRUNCATED };
@@ -104,7 +106,7 @@ enum { TASKC_SUCCESS, TASKC_FAILURE, TASKC_TRUNCATED };
 // One statement that ends an episode.
 typedef struct taskc_end {
   const char* reason;
-  taskc_int32 kind;        // success and failure are terminal; truncated is a mere limit
+  taskc_int32 kind;  // success and failure are terminal; truncated is a mere limit
   taskc_uint32 line;
 } taskc_end;
 
@@ -126,16 +128,16 @@ typedef struct taskc_frame {
 typedef void (*taskc_event_function)(taskc_frame* frame);
 
 typedef struct taskc_plugin {
-  taskc_uint32 abi_version;    // TASKC_ABI_VERSION
-  taskc_uint32 struct_size;    // sizeof(taskc_plugin)
-  const char* compiler;        // "taskc 0.1.0"
+  taskc_uint32 abi_version;  // TASKC_ABI_VERSION
+  taskc_uint32 struct_size;  // sizeof(taskc_plugin)
+  const char* compiler;      // "taskc 0.1.0"
   const char* name;
   const char* doc;
-  const char* robot;           // "" where the task declares its own sensors
-  const char* start_pose;      // "" where the task names none
+  const char* robot;       // "" where the task declares its own sensors
+  const char* start_pose;  // "" where the task names none
   const char* source_file;
-  const char* source;          // the whole text
-  const char* source_hash;     // SHA-256 of the text, in hexadecimal
+  const char* source;       // the whole text
+  const char* source_hash;  // SHA-256 of the text, in hexadecimal
 
   const taskc_sensor* sensors;
   const taskc_param* params;
@@ -149,7 +151,7 @@ typedef struct taskc_plugin {
   taskc_uint32 term_count;
   taskc_uint32 metric_count;
   taskc_uint32 end_count;
-  taskc_uint32 memory_size;    // bytes; 0 where the task remembers nothing
+  taskc_uint32 memory_size;  // bytes; 0 where the task remembers nothing
 
   taskc_event_function initialize;                 // gives all memory its initial value
   taskc_event_function events[TASKC_EVENT_COUNT];  // null where the task has nothing to do
