@@ -10,6 +10,7 @@ run=runs/quickstart
 ./setup.sh
 
 echo "== Compiling the tasks"
+mkdir -p build/tasks
 for file in tasks/*.task; do
   build/bin/taskc build "$file" -o "build/tasks/$(basename "$file" .task).so"
 done
@@ -19,7 +20,7 @@ if [ -f "$run/run.db" ]; then
   build/bin/trainer resume "$run"
 else
   echo "== Training: $task"
-  build/bin/trainer train "$task" --profile fast --episodes 250 --seed 1 --out "$run"
+  build/bin/trainer train "$task" --profile fast --episodes 300 --seed 1 --out "$run"
 fi
 
 echo "== Writing the report"
