@@ -50,6 +50,8 @@ struct PublishedNet {
   double neighbour_distance;  // of every unit; 0: not published
 };
 
+void PrintTo(const PublishedNet& net, std::ostream* out) { *out << net.name; }
+
 class HumanoidGridNet : public testing::TestWithParam<PublishedNet> {};
 
 TEST_P(HumanoidGridNet, HasThePublishedFigures) {

@@ -162,6 +162,8 @@ struct BadTable {
   const char* message;
 };
 
+void PrintTo(const BadTable& table, std::ostream* out) { *out << table.plugin; }
+
 class BadTableTest : public testing::TestWithParam<BadTable> {};
 
 TEST_P(BadTableTest, IsRefused) {
