@@ -1,0 +1,101 @@
+// Dependencies run one way: a folder includes only from itself and from the folders listed for it.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <string>
+
+namespace {
+
+using Folders = std::set<std::string>;
+
+// Each folder of sources, and what it may include besides itself.
+const std::map<std::string, Folders> kMayInclude = {
+    {"plugins/abi", {}},
+    {"plugins/text", {}},
+    {"plugins/seal", {}},
+    {"plugins/robot", {"plugins/text"}},
+
+    {"compiler/source", {}},
+    {"compiler/syntax", {"compiler/source", "plugins/text"}},
+    {"compiler/check", {"compiler/source", "compiler/syntax", "plugins/robot", "plugins/text"}},
+    {"compiler/emit", {"compiler/check", "compiler/source", "compiler/syntax", "plugins/seal"}},
+    {"compiler/build", {"compiler/source", "plugins/seal"}},
+    {"compiler/driver",
+     {"compiler/build", "compiler/check", "compiler/emit", "compiler/source", "compiler/syntax",
+      "plugins/robot", "plugins/text"}},
+
+    {"runtime/module", {"plugins/robot", "plugins/text"}},
+    {"runtime/task", {"plugins/robot", "plugins/seal", "runtime/module"}},
+    {"runtime/agent", {"runtime/module"}},
+    {"runtime/simulation", {"plugins/robot", "runtime/module"}},
+    {"runtime/learning", {"plugins/robot", "runtime/module"}},
+    {"runtime/run",
+     {"plugins/robot", "plugins/seal", "runtime/learning", "runtime/module", "runtime/simulation",
+      "runtime/task"}},
+    {"runtime/report", {"runtime/module", "runtime/run"}},
+    {"runtime/trainer",
+     {"plugins/robot", "plugins/text", "runtime/agent", "runtime/module", "runtime/report",
+      "runtime/run", "runtime/simulation", "runtime/task"}},
+};
+
+bool IsSource(const std::filesystem::path& file) {
+  return file.extension() == ".h" || file.extension() == ".cpp";
+}
+
+// "compiler/check" for compiler/check/unit.h.
+std::string FolderOf(const std::filesystem::path& file) {
+  return std::filesystem::relative(file, SOURCE_DIR).parent_path().string();
+}
+
+Folders IncludedBy(const std::filesystem::path& file) {
+  static const std::regex kInclude("^#include \"((?:compiler|plugins|runtime|tests)/\\w+)/.*");
+  Folders folders;
+  std::ifstream in(file);
+  std::smatch match;
+  for (std::string line; std::getline(in, line);) {
+    if (std::regex_match(line, match, kInclude)) folders.insert(match[1]);
+  }
+  return folders;
+}
+
+TEST(Structure, FoldersIncludeOnlyWhatTheyMay) {
+  int files = 0;
+  for (const char* top : {"plugins", "compiler", "runtime"}) {
+    for (const auto& entry :
+         std::filesystem::recursive_directory_iterator(std::filesystem::path(SOURCE_DIR) / top)) {
+      if (!IsSource(entry.path())) continue;
+      ++files;
+      std::string folder = FolderOf(entry.path());
+      if (folder.starts_with("plugins/abi/")) folder = "plugins/abi";
+      const auto allowed = kMayInclude.find(folder);
+      ASSERT_NE(allowed, kMayInclude.end()) << "a new folder, " << folder << ": add it here";
+      for (const std::string& included : IncludedBy(entry.path())) {
+        EXPECT_TRUE(included == folder || allowed->second.contains(included))
+            << entry.path() << " includes from " << included;
+      }
+    }
+  }
+  EXPECT_GT(files, 100);
+}
+
+// An order in which every folder comes after all that it may include proves that there is no
+// circle.
+TEST(Structure, HasNoCircle) {
+  Folders placed;
+  for (size_t before = placed.size() + 1; before != placed.size();) {
+    before = placed.size();
+    for (const auto& [folder, allowed] : kMayInclude) {
+      if (std::includes(placed.begin(), placed.end(), allowed.begin(), allowed.end())) {
+        placed.insert(folder);
+      }
+    }
+  }
+  EXPECT_EQ(placed.size(), kMayInclude.size());
+}
+
+}  // namespace
