@@ -49,5 +49,5 @@ if [ ${#missing[@]} -gt 0 ]; then
 fi
 
 echo "== Building into build/"
-[ -f build/build.ninja ] || cmake --preset release --log-level=WARNING
+cmake --preset release >/dev/null  # every time: what was just installed is found then
 cmake --build --preset release --target "$target"
