@@ -38,9 +38,11 @@ bool PlanEpisodes(const ResumeOptions& options, RunDatabase& database, RunRecord
 int Resume(const ResumeOptions& options) {
   RunDatabase database = RunDatabase::Open(options.folder);
   RunRecord run = database.ReadRun();
+  const RunState run_state = database.ReadState();
   const ProgressStyle style = options.output.style();
   if (!PlanEpisodes(options, database, run)) {
-    database.SetState(RunState::kFinished);
+    // A run that was finished long ago keeps the time at which it was.
+    if (run_state != RunState::kFinished) database.SetState(RunState::kFinished);
     if (style == ProgressStyle::kText) {
       fmt::print("all {} episodes of this run are done; a larger `--episodes` trains on\n",
                  run.episodes_planned);

@@ -1,3 +1,5 @@
+#include <sqlite3.h>
+
 #include <csignal>
 #include <filesystem>
 
@@ -93,6 +95,20 @@ TEST_F(ResumeTest, HasNothingToDoWhereAllEpisodesAreDone) {
   EXPECT_EQ(result.exit_status, 0);
   EXPECT_THAT(result.output, AllOf(HasSubstr("all 2 episodes"), HasSubstr("--episodes")));
   ExpectEqual(before, TraceOf("run"));
+}
+
+TEST_F(ResumeTest, LeavesARunThatIsDoneAsItIs) {
+  Train("run", 1, {"--quiet"});
+  sqlite3* database = nullptr;
+  ASSERT_EQ(sqlite3_open((RunFolder("run") + "/run.db").c_str(), &database), SQLITE_OK);
+  ASSERT_EQ(sqlite3_exec(database, "UPDATE run SET value = 'long ago' WHERE key = 'finished_at'",
+                         nullptr, nullptr, nullptr),
+            SQLITE_OK);
+  sqlite3_close(database);
+  const ProgramResult result = Trainer({"resume", RunFolder("run")});
+  EXPECT_EQ(result.exit_status, 0);
+  EXPECT_THAT(result.output, HasSubstr("all 1 episodes of this run are done"));
+  EXPECT_EQ(RunDatabase::OpenToRead(RunFolder("run")).ReadValue("finished_at"), "long ago");
 }
 
 TEST_F(ResumeTest, RefusesToForgetEpisodes) {
