@@ -11,7 +11,9 @@ target_compile_options(project_options INTERFACE
 target_compile_definitions(project_options INTERFACE TASKC_VERSION="${PROJECT_VERSION}")
 if(TASKC_SANITIZE)
   target_compile_options(project_options INTERFACE
-    -fsanitize=${TASKC_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+    -fsanitize=${TASKC_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all
+    # With sanitizers g++ 12 takes parts of std::regex for uninitialised.
+    -Wno-maybe-uninitialized)
   target_link_options(project_options INTERFACE -fsanitize=${TASKC_SANITIZE})
 endif()
 
