@@ -1,6 +1,7 @@
 #include "runtime/run/run_files.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
@@ -18,24 +19,33 @@ std::string PluginName(const std::string& bytes) {
   return fmt::format("plugin-{}.so", seal::Sha256(bytes).substr(0, 16));
 }
 
-// Under a temporary name first: no one ever sees, or maps, half a file.
 void WriteFile(const std::filesystem::path& file, const std::string& bytes) {
-  const std::filesystem::path temporary = file.string() + ".new";
-  std::ofstream out(temporary, std::ios::binary);
-  out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  out.close();
-  std::error_code error;
-  if (out) std::filesystem::rename(temporary, file, error);
-  if (!out || error) {
-    const std::string cause = error ? error.message() : std::strerror(errno);
-    std::filesystem::remove(temporary, error);
-    throw UserError(
-        fmt::format("{}: cannot write this file: {}; check the disk and the folder's permissions",
-                    file.string(), cause));
-  }
+  const std::error_code error = ReplaceFile(file, bytes);
+  if (!error) return;
+  throw UserError(
+      fmt::format("{}: cannot write this file: {}; check the disk and the folder's permissions",
+                  file.string(), error.message()));
 }
 
 }  // namespace
+
+std::error_code ReplaceFile(const std::filesystem::path& file, const std::string& bytes) {
+  std::filesystem::path part = file;
+  part += fmt::format(".{}.part", ::getpid());
+  errno = 0;
+  std::ofstream out(part, std::ios::binary);
+  out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  out.close();
+  std::error_code error;
+  if (out) {
+    std::filesystem::rename(part, file, error);
+  } else {
+    error = std::error_code(errno != 0 ? errno : EIO, std::generic_category());
+  }
+  std::error_code ignored;
+  if (error) std::filesystem::remove(part, ignored);
+  return error;
+}
 
 std::string ReadText(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <string>
+#include <system_error>
 
 #include "plugins/robot/robot_description.h"
 
@@ -19,6 +20,10 @@ std::filesystem::path FindKeptPlugin(const std::filesystem::path& folder, const 
 // The robot with this description, which is written to `folder`/robot.toml for that.
 robot::RobotDescription ReadKeptRobot(const std::filesystem::path& folder,
                                       const std::string& description);
+
+// Writes under a temporary name in the same folder, then renames: no one ever sees, or maps, half a
+// file. Returns why it could not be done; then the old file is as it was.
+std::error_code ReplaceFile(const std::filesystem::path& file, const std::string& bytes);
 
 // The whole file. Throws UserError.
 std::string ReadText(const std::filesystem::path& file);
