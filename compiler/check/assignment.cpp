@@ -59,7 +59,7 @@ std::optional<CheckedExpression> Combine(const AssignStatement& assign, const Sy
       assign.op == AssignOperator::kMultiply || assign.op == AssignOperator::kDivide;
   if (scales && !IsPlain(value.unit)) {
     Report(scope.diagnostics, code::kUnitChange, assign.value.span,
-           fmt::format("this would change the unit of `{}`", assign.target.text),
+           fmt::format("this would change the unit of `{}`", assign.target.name.text),
            {.note = fmt::format("this is in {}", NameOf(value.unit)),
             .help = "multiply and divide a memory by plain numbers"});
     return std::nullopt;
@@ -71,7 +71,7 @@ std::optional<CheckedExpression> Combine(const AssignStatement& assign, const Sy
   if (!result || result->type == memory.type) return result;
   const bool is_division = assign.op == AssignOperator::kDivide;
   Report(scope.diagnostics, code::kWrongType, assign.value.span,
-         fmt::format("`{}` is {}", assign.target.text, WithArticle(memory.type)),
+         fmt::format("`{}` is {}", assign.target.name.text, WithArticle(memory.type)),
          {.note = fmt::format("the result would be {}", WithArticle(result->type)),
           .help = is_division && memory.type.scalar == Scalar::kInt
                       ? "a division gives a `real`: declare the memory as `real`"
@@ -83,20 +83,20 @@ std::optional<CheckedExpression> Combine(const AssignStatement& assign, const Sy
 
 std::optional<CheckedAssign> CheckAssignment(const AssignStatement& assign, const Place& place,
                                              const TaskScope& scope) {
-  const Symbol* memory = FindTarget(assign.target, scope);
+  const Symbol* memory = FindTarget(assign.target.name, scope);
   auto value = CheckExpression(assign.value, place, scope);
   if (memory == nullptr || !value) return std::nullopt;
   if (assign.op == AssignOperator::kSet) {
     auto fitting = ConvertTo({std::move(*value), &assign.value}, memory->type, memory->unit,
-                             fmt::format("`{}`", assign.target.text), scope.diagnostics);
+                             fmt::format("`{}`", assign.target.name.text), scope.diagnostics);
     if (!fitting) return std::nullopt;
-    return CheckedAssign{memory->index, assign.op, std::move(*fitting)};
+    return CheckedAssign{memory->index, {}, assign.op, std::move(*fitting)};
   }
   auto result = Combine(assign, *memory, std::move(*value), scope);
   if (!result) return std::nullopt;
   CheckedExpression& right = *std::get<CheckedBinary>(result->node).right;
-  if (right.type == memory->type) return CheckedAssign{memory->index, assign.op, std::move(right)};
-  return CheckedAssign{memory->index, AssignOperator::kSet, std::move(*result)};
+  if (right.type == memory->type) return CheckedAssign{memory->index, {}, assign.op, std::move(right)};
+  return CheckedAssign{memory->index, {}, AssignOperator::kSet, std::move(*result)};
 }
 
 }  // namespace compiler

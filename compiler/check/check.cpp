@@ -22,7 +22,7 @@ std::optional<CheckedTask> Check(const SyntaxTree& tree, const SourceFile& sourc
   if (scope.has_robot) scope.sensors = SensorCatalog::OfRobot(scope.enumerations);
 
   CheckedTask task;
-  task.name = tree.task.text;
+  task.name = tree.task->text;
   task.doc = tree.doc;
   if (tree.robot) task.robot = tree.robot->text;
   CheckStartPose(tree, robot, task, diagnostics);

@@ -32,7 +32,7 @@ enum class Scalar { kBool, kInt, kReal };
 enum class Shape {
   kScalar,
   kVector,      // vec2, vec3, vec4: rows elements
-  kMatrix,      // mat3: rows x columns, row major
+  kMatrix,      // mat2, mat3, mat4: rows x columns, row major
   kQuaternion,  // w, x, y, z
   kArray        // indexed by an enumeration of the robot, or by 0 .. rows-1
 };
@@ -69,7 +69,10 @@ struct MemoryRead {
   uint32_t memory = 0;
 };
 struct LocalRead {
-  uint32_t local = 0;  // index into CheckedEvent::locals
+  uint32_t local = 0;  // index into the locals of the event, or of the function
+};
+struct ArgumentRead {
+  uint32_t argument = 0;  // index into CheckedFunction::arguments; only inside that function
 };
 struct RewardSoFar {};  // the sum of this callback's terms so far
 struct TimeStep {};     // length of this event's time step [s]
@@ -117,6 +120,22 @@ struct BuiltinCall {
   Builtin function;
   std::vector<CheckedExpressionPtr> arguments;
 };
+struct FunctionCall {
+  uint32_t function = 0;  // index into CheckedTask::functions
+  std::vector<CheckedExpressionPtr> arguments;  // of the types that the function declares
+};
+// What only a test's `expect` reads; see docs/language.md.
+struct TestRead {
+  enum Kind {
+    kTotal,  // what reward term `index` has paid since the test began
+    kMetric,  // metric `index`, measured now
+    kLog,     // the last value of log `index`; NaN before the first
+    kReward,  // what the last callback has paid
+    kEnded    // whether an end was reached since the test began
+  };
+  Kind kind = kTotal;
+  uint32_t index = 0;
+};
 struct IntToReal {  // inserted by the checker; there are no casts in the language
   CheckedExpressionPtr operand;
 };
@@ -125,8 +144,9 @@ struct CheckedExpression {
   Span span;
   Type type;
   Unit unit;
-  std::variant<Constant, SensorRead, ParamRead, MemoryRead, LocalRead, RewardSoFar, TimeStep,
-               Elements, CheckedUnary, CheckedBinary, BuiltinCall, IntToReal>
+  std::variant<Constant, SensorRead, ParamRead, MemoryRead, LocalRead, ArgumentRead, RewardSoFar,
+               TimeStep, Elements, CheckedUnary, CheckedBinary, BuiltinCall, FunctionCall, TestRead,
+               IntToReal>
       node;
 };
 
@@ -141,8 +161,9 @@ struct CheckedLet {
 };
 struct CheckedAssign {
   uint32_t memory = 0;
+  std::vector<uint32_t> elements;  // those that are set; empty: all
   AssignOperator op;
-  CheckedExpression value;  // of the memory's own type
+  CheckedExpression value;  // as many elements as are set; or a scalar, for each of them
 };
 struct CheckedIfBranch {
   CheckedExpression condition;
@@ -152,6 +173,16 @@ struct CheckedIf {
   std::vector<CheckedIfBranch> branches;
   CheckedBlock otherwise;
 };
+// A loop is known before the run: its body stands here once for each pass, with the loop's variable
+// replaced by its value.
+struct CheckedPass {
+  std::string value;  // of the variable: "head", "3"
+  CheckedBlock body;
+};
+struct CheckedFor {
+  std::string variable;
+  std::vector<CheckedPass> passes;
+};
 struct CheckedReward {
   uint32_t term = 0;
   bool is_rate = false;
@@ -160,10 +191,20 @@ struct CheckedReward {
 struct CheckedEnd {
   uint32_t end = 0;
 };
+struct CheckedLog {
+  uint32_t log = 0;
+  CheckedExpression value;  // a real scalar
+};
+struct CheckedRequire {
+  uint32_t requirement = 0;
+  CheckedExpression condition;
+};
 
 struct CheckedStatement {
   Span span;
-  std::variant<CheckedLet, CheckedAssign, CheckedIf, CheckedReward, CheckedEnd> node;
+  std::variant<CheckedLet, CheckedAssign, CheckedIf, CheckedFor, CheckedReward, CheckedEnd,
+               CheckedLog, CheckedRequire>
+      node;
 };
 
 // ---- The task -----------------------------------------------------------------------------------
@@ -173,6 +214,10 @@ struct CheckedSensor {
   Type type;
   Unit unit;
   uint32_t read_by = 0;  // bit e: event e reads it; bit TASKC_MEASURE: a metric does
+  // What the robot or the task says of its values; infinite where they say nothing. One for each
+  // element.
+  std::vector<double> minimum{};
+  std::vector<double> maximum{};
 };
 struct CheckedParam {
   std::string name;
@@ -191,22 +236,40 @@ struct CheckedMemory {
   MemoryScope scope;
   CheckedExpression initial;  // a constant or a param, as a scalar: the value of every element
   Span span;
+  std::string doc{};
+  bool is_declared = true;  // false: made for a `once`
 };
 struct CheckedTerm {
   std::string name;
   std::string doc;
   uint32_t line = 0;
+  Span span{};  // of its first statement
 };
 struct CheckedMetric {
   std::string name;
   std::string doc;
   Reduction reduction;
   CheckedExpression value;  // a real scalar
+  Span span{};              // of its name
+};
+struct CheckedLogValue {
+  std::string name;
+  std::string doc;
+  Unit unit;  // of its first statement; all have the same
+  Reduction reduction;
+  uint32_t line = 0;
+  Span span{};
 };
 struct CheckedEndReason {
   EndKind kind;
   std::string reason;
   uint32_t line = 0;
+  Span span{};
+};
+struct CheckedRequirement {
+  std::string reason;  // the condition's own text where none is given
+  uint32_t line = 0;
+  Span span{};
 };
 struct Local {
   std::string name;
@@ -220,6 +283,48 @@ struct CheckedEvent {
   CheckedBlock body;
 };
 
+// A function computes from its arguments alone. It calls only functions that stand before it in
+// CheckedTask::functions: none ever calls itself.
+struct CheckedFunction {
+  std::string name;
+  std::string doc;
+  Span span{};                   // of its name
+  std::vector<Local> arguments;
+  std::vector<Local> locals;
+  std::vector<CheckedLet> lets;  // in their order
+  CheckedExpression value;
+};
+
+// ---- Tests --------------------------------------------------------------------------------------
+
+struct CheckedGiven {
+  enum Target { kSensor, kParam, kMemory, kTimeStep };
+  Target target = kSensor;
+  uint32_t index = 0;              // into the task's sensors, params or memory
+  std::vector<uint32_t> elements;  // empty: all
+  CheckedExpression value;         // a constant for each element, or one scalar for all of them
+};
+struct CheckedFire {
+  EventKind event;
+  uint32_t times = 1;
+};
+struct CheckedExpect {
+  CheckedExpression condition;
+};
+struct CheckedExpectEnd {
+  EndKind kind;
+  std::string reason;
+};
+struct CheckedTestStatement {
+  Span span;
+  std::variant<CheckedGiven, CheckedFire, CheckedExpect, CheckedExpectEnd> node;
+};
+struct CheckedTest {
+  std::string name;
+  Span span{};  // of its name
+  std::vector<CheckedTestStatement> statements;
+};
+
 struct CheckedTask {
   std::string name;
   std::string doc;
@@ -230,8 +335,12 @@ struct CheckedTask {
   std::vector<CheckedMemory> memory;
   std::vector<CheckedTerm> terms;
   std::vector<CheckedMetric> metrics;
+  std::vector<CheckedLogValue> logs;
   std::vector<CheckedEndReason> ends;
+  std::vector<CheckedRequirement> requirements;
+  std::vector<CheckedFunction> functions;
   std::array<CheckedEvent, 8> events;  // indexed by EventKind
+  std::vector<CheckedTest> tests;
 };
 
 }  // namespace compiler

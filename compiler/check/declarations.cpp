@@ -157,8 +157,10 @@ void CheckOneMemory(const MemoryDeclaration& memory, TaskScope& scope, CheckedTa
 
 void CheckStartPose(const SyntaxTree& tree, const robot::RobotDescription* robot, CheckedTask& task,
                     Diagnostics& diagnostics) {
-  if (!tree.start) return;
-  const Identifier& start = *tree.start;
+  const StartDeclaration* declared = nullptr;
+  ForEachDeclared<StartDeclaration>(tree, [&](const StartDeclaration& each) { declared = &each; });
+  if (declared == nullptr) return;
+  const Identifier& start = declared->pose;
   if (robot == nullptr) {
     Report(diagnostics, code::kPoseWithoutRobot, start.span,
            fmt::format("there is no pose `{}` without a robot", start.text),

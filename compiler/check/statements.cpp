@@ -1,6 +1,7 @@
 #include "compiler/check/statements.h"
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 #include "compiler/check/assignment.h"
@@ -62,7 +63,7 @@ class EventChecker {
   }
 
   void CheckNode(const AssignStatement& assign, Span span, CheckedBlock& block) {
-    if (assign.target.text == kReward) return CheckAnonymousReward(assign, span, block);
+    if (assign.target.name.text == kReward) return CheckAnonymousReward(assign, span, block);
     auto checked = CheckAssignment(assign, place_, scope_);
     if (checked) block.push_back({span, std::move(*checked)});
   }
@@ -109,6 +110,11 @@ class EventChecker {
     block.push_back({span, std::move(checked)});
   }
 
+  void CheckNode(const ForStatement&, Span, CheckedBlock&) { assert(false); }
+  void CheckNode(const OnceStatement&, Span, CheckedBlock&) { assert(false); }
+  void CheckNode(const LogStatement&, Span, CheckedBlock&) { assert(false); }
+  void CheckNode(const RequireStatement&, Span, CheckedBlock&) { assert(false); }
+
   void CheckNode(const EndStatement& end, Span span, CheckedBlock& block) {
     if (place_.event == EventKind::kEndOfEpisode) {
       Report(scope_.diagnostics, code::kMisplacedEnd, span,
@@ -117,7 +123,7 @@ class EventChecker {
       return;
     }
     const auto index = static_cast<uint32_t>(task_.ends.size());
-    task_.ends.push_back({end.kind, end.reason, LineOf(span)});
+    task_.ends.push_back({end.kind, end.reason, LineOf(span), span});
     block.push_back({span, CheckedEnd{index}});
   }
 
@@ -125,7 +131,7 @@ class EventChecker {
   uint32_t TermOf(const std::string& name, Span span) {
     const auto found = std::ranges::find(task_.terms, name, &CheckedTerm::name);
     if (found != task_.terms.end()) return static_cast<uint32_t>(found - task_.terms.begin());
-    task_.terms.push_back({name, "", LineOf(span)});
+    task_.terms.push_back({name, "", LineOf(span), span});
     return static_cast<uint32_t>(task_.terms.size() - 1);
   }
 

@@ -135,7 +135,7 @@ void WarnOfUnusedSensors(const CheckedTask& task, const SyntaxTree& tree,
 
 void WarnOfNoEnd(const CheckedTask& task, const SyntaxTree& tree, Diagnostics& diagnostics) {
   if (!task.ends.empty()) return;
-  Report(diagnostics, code::kNeverEnds, tree.task.span,
+  Report(diagnostics, code::kNeverEnds, tree.task->span,
          fmt::format("no episode of `{}` ever ends", task.name),
          {.help = "limit its time: `if time > 20 s { truncate_episode \"time is up\" }`"});
 }

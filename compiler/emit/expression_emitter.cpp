@@ -210,6 +210,7 @@ CppText ExpressionEmitter::Element(const CheckedExpression& expression, const In
           [&](const CheckedBinary& node) { return ElementOf(node, index); },
           [&](const BuiltinCall& node) { return ElementOf(node, expression, index); },
           [&](const IntToReal& node) { return AsReal(*node.operand, index); },
+          [](const auto&) { return CppText{}; },
       },
       expression.node);
 }

@@ -54,6 +54,9 @@ class FunctionEmitter {
   void Emit(const CheckedIf& node, uint32_t line);
   void Emit(const CheckedReward& reward, uint32_t line);
   void Emit(const CheckedEnd& end, uint32_t line);
+  void Emit(const CheckedFor&, uint32_t) {}
+  void Emit(const CheckedLog&, uint32_t) {}
+  void Emit(const CheckedRequire&, uint32_t) {}
   void EmitReset(const CheckedMemory& memory, uint32_t index);
   void EmitStore(uint32_t memory, std::string_view op, const std::vector<CppText>& elements,
                  uint32_t line);

@@ -55,7 +55,8 @@ Statement StatementBuilder::BuildStatement(TaskParser::StatementContext& context
 }
 
 AssignStatement StatementBuilder::Assignment(TaskParser::AssignmentContext& context) {
-  return {BuildName(*context.target), AssignOperatorOf(context.op->getType()),
+  const Identifier name = BuildName(*context.target);
+  return {Target{name, std::nullopt, {}, name.span}, AssignOperatorOf(context.op->getType()),
           expressions_.Build(*context.expression())};
 }
 

@@ -118,9 +118,17 @@ struct LetStatement {  // `let speed = norm(base.velocity)`
   Expression value;
 };
 
+// What is assigned to, or given in a test: `sum`, `place.xy`, `touched[feet]`, `contact[head]`.
+struct Target {
+  Identifier name;                    // of a sensor, with its dots: `base.velocity`
+  std::optional<Identifier> member;   // `.xy`
+  std::vector<ExpressionPtr> items;   // `[feet]`; empty: no index
+  Span span{};
+};
+
 enum class AssignOperator { kSet, kAdd, kSubtract, kMultiply, kDivide };
 struct AssignStatement {  // `sum += reward`; also the anonymous `reward += e`
-  Identifier target;
+  Target target;
   AssignOperator op;
   Expression value;
 };
@@ -132,6 +140,20 @@ struct IfBranch {
 struct IfStatement {
   std::vector<IfBranch> branches;  // `if`, then every `else if`
   std::optional<Block> otherwise;
+};
+
+struct ForStatement {  // `for l in links - feet { ... }`, `for i in 0..3 { ... }`
+  Identifier variable;
+  std::vector<ExpressionPtr> items;  // what stands after `in`: an index set
+  Span items_span;
+  Block body;
+};
+
+enum class MemoryScope { kPerRun, kPerEpisode, kPerAction };
+struct OnceStatement {  // `once per action if fallen { ... }`
+  MemoryScope scope = MemoryScope::kPerAction;
+  Expression condition;
+  Block body;
 };
 
 struct RewardStatement {  // `reward fall = -4`, `reward rate forward = ...`
@@ -148,9 +170,24 @@ struct EndStatement {  // `end_episode failure "why"`, `truncate_episode "why"`
   Span reason_span;
 };
 
+enum class Reduction { kLast, kSum, kMax, kMin, kMean };
+struct LogStatement {  // `log speed = norm(base.velocity)`, `log max impact = ...`
+  std::string doc;
+  Reduction reduction = Reduction::kLast;
+  Identifier name;
+  Expression value;
+};
+
+struct RequireStatement {  // `require norm(base.position) < 100 m`, `require ... "why"`
+  Expression condition;
+  std::string reason;  // empty where none is given
+};
+
 struct Statement {
   Span span;
-  std::variant<LetStatement, AssignStatement, IfStatement, RewardStatement, EndStatement> node;
+  std::variant<LetStatement, AssignStatement, IfStatement, ForStatement, OnceStatement,
+               RewardStatement, EndStatement, LogStatement, RequireStatement>
+      node;
 };
 
 // ---- Declarations ------------------------------------------------------------------------------
@@ -166,11 +203,13 @@ enum class EventKind {  // in the order of the TASKC_*_OF_* constants
   kEndOfPhysicsStep
 };
 
-struct SensorDeclaration {  // `sensor base_velocity: vec3 [m/s]`
+struct SensorDeclaration {  // `sensor pole.angle: real [rad] in -180 deg .. 180 deg`
   std::string doc;
   Identifier name;  // may be dotted: `base.velocity`
   TypeExpression type;
   std::optional<UnitExpression> unit;
+  std::optional<Expression> minimum;  // of each element
+  std::optional<Expression> maximum;
 };
 
 struct ParamDeclaration {  // `param gain: real [1/s] = 4.0 in 0 .. 20`
@@ -183,7 +222,6 @@ struct ParamDeclaration {  // `param gain: real [1/s] = 4.0 in 0 .. 20`
   std::optional<Expression> maximum;
 };
 
-enum class MemoryScope { kPerRun, kPerEpisode, kPerAction };
 struct MemoryDeclaration {  // `memory fallen: bool = false per action`
   std::string doc;
   Identifier name;
@@ -193,7 +231,6 @@ struct MemoryDeclaration {  // `memory fallen: bool = false per action`
   MemoryScope scope = MemoryScope::kPerEpisode;
 };
 
-enum class Reduction { kLast, kSum, kMax, kMin, kMean };
 struct MetricDeclaration {  // `metric distance = base.position.x`, `metric max height = ...`
   std::string doc;
   Reduction reduction = Reduction::kLast;
@@ -208,19 +245,104 @@ struct EventDeclaration {  // `on end_of_time_step { ... }`
   Block body;
 };
 
+struct StartDeclaration {  // `start standing`
+  Identifier pose;
+};
+
+struct ImportDeclaration {  // `import "shaping.task"`
+  std::string path;         // as written: relative to the folder of the file it stands in
+  Span path_span;
+};
+
+struct FunctionParameter {  // `distance: real [m]`
+  Identifier name;
+  TypeExpression type;
+  std::optional<UnitExpression> unit;
+};
+// `fn near(d: real [m]) -> real = exp(-d / 1 m)`, or with a block of `let`s and a `return`.
+struct FunctionDeclaration {
+  std::string doc;
+  Identifier name;
+  std::vector<FunctionParameter> parameters;
+  TypeExpression result;
+  std::optional<UnitExpression> unit;
+  std::vector<LetStatement> lets;
+  Expression value;
+};
+
+// ---- Only in a task that extends another --------------------------------------------------------
+
+struct ParamOverride {  // `override param direction = -1`; type and unit are the base's
+  Identifier name;
+  Expression initial;
+  std::optional<Expression> minimum;  // nothing: the base's range
+  std::optional<Expression> maximum;
+};
+struct RewardOverride {  // `override reward rate roll = ...`: in place of every statement of the term
+  RewardStatement reward;
+};
+
+// ---- Tests --------------------------------------------------------------------------------------
+
+struct GivenStatement {  // `given contact[head] = true`; a sensor, param, memory or `time_step`
+  Target target;
+  Expression value;
+};
+struct FiredEvent {  // `100 * end_of_time_step`
+  EventKind event;
+  Identifier name;
+  uint32_t times = 1;
+};
+struct FireStatement {  // `fire start_of_action, end_of_time_step`
+  std::vector<FiredEvent> events;
+};
+struct ExpectStatement {  // `expect total(fall) == -4`
+  Expression condition;
+};
+struct ExpectEndStatement {  // `expect end_episode failure "why"`, `expect truncate_episode "why"`
+  EndStatement end;
+};
+struct TestStatement {
+  Span span;
+  std::variant<GivenStatement, FireStatement, ExpectStatement, ExpectEndStatement> node;
+};
+
+struct TestDeclaration {  // `test "a fall is paid once" { ... }`
+  std::string name;
+  Span name_span;
+  std::vector<TestStatement> statements;
+};
+
+// ---- The file -----------------------------------------------------------------------------------
+
 struct Declaration {
   Span span;
   std::variant<SensorDeclaration, ParamDeclaration, MemoryDeclaration, MetricDeclaration,
-               EventDeclaration>
+               EventDeclaration, StartDeclaration, ImportDeclaration, FunctionDeclaration,
+               ParamOverride, RewardOverride, TestDeclaration>
       node;
+  std::optional<Span> override_span{};  // of the word `override`, where it stands before it
+};
+
+// `allow W0706, W0712` before a declaration, a statement or the header: these warnings are not
+// given for anything inside it. Before the header: for the whole file.
+struct Allowance {
+  std::vector<Identifier> codes;
+  Span covers;
+};
+
+struct BaseTask {  // `extends "forward_rolling.task"`
+  std::string path;
+  Span path_span;
 };
 
 struct SyntaxTree {
-  std::string doc;  // the `///` lines before `task`
-  Identifier task;
+  std::string doc;                  // the `///` lines before `task`
+  std::optional<Identifier> task;   // nothing: a library, which has functions and imports only
   std::optional<Identifier> robot;  // `for humanoid`
-  std::optional<Identifier> start;  // `start standing`
+  std::optional<BaseTask> base;
   std::vector<Declaration> declarations;
+  std::vector<Allowance> allowances;
 };
 
 }  // namespace compiler

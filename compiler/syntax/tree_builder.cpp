@@ -35,9 +35,10 @@ class TreeBuilder {
 
   void Declare(TaskParser::DeclarationContext& context) {
     auto& inner = *static_cast<antlr4::ParserRuleContext*>(context.children.front());
-    if (auto* start = context.start()) return Start(*start);
     Declaration declaration{SpanOf(inner), {}};
-    if (auto* sensor = context.sensor()) {
+    if (auto* start = context.start()) {
+      declaration.node = Start(*start);
+    } else if (auto* sensor = context.sensor()) {
       declaration.node = Sensor(*sensor);
     } else if (auto* param = context.param()) {
       declaration.node = Param(*param);
@@ -51,16 +52,17 @@ class TreeBuilder {
     tree_.declarations.push_back(std::move(declaration));
   }
 
-  void Start(TaskParser::StartContext& context) {
-    if (tree_.start) {
+  StartDeclaration Start(TaskParser::StartContext& context) {
+    const Identifier pose = BuildName(*context.name());
+    if (start_) {
       Diagnostic diagnostic =
           MakeDiagnostic(code::kRepeatedHeader, SpanOf(context), "the start pose is given twice");
-      diagnostic.labels.push_back({tree_.start->span, "first given here"});
+      diagnostic.labels.push_back({start_->span, "first given here"});
       diagnostic.help = "remove one of them";
       report_.Add(std::move(diagnostic));
-      return;
     }
-    tree_.start = BuildName(*context.name());
+    if (!start_) start_ = pose;
+    return {pose};
   }
 
   SensorDeclaration Sensor(TaskParser::SensorContext& context) {
@@ -147,6 +149,7 @@ class TreeBuilder {
   ExpressionBuilder expressions_;
   StatementBuilder statements_;
   SyntaxTree tree_;
+  std::optional<Identifier> start_;  // the first start pose
 };
 
 }  // namespace

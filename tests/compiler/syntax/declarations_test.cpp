@@ -19,17 +19,17 @@ Node ParseOne(const std::string& declaration) {
 
 TEST(Header, TaskRobotAndStart) {
   const SyntaxTree tree = ParseTask("task crawling for humanoid\nstart standing\n");
-  EXPECT_EQ(tree.task.text, "crawling");
-  EXPECT_EQ(tree.task.span, (Span{5, 13}));
+  EXPECT_EQ(tree.task->text, "crawling");
+  EXPECT_EQ(tree.task->span, (Span{5, 13}));
   EXPECT_EQ(tree.robot->text, "humanoid");
-  EXPECT_EQ(tree.start->text, "standing");
-  EXPECT_TRUE(tree.declarations.empty());
+  ASSERT_EQ(tree.declarations.size(), 1u);
+  EXPECT_EQ(std::get<StartDeclaration>(tree.declarations[0].node).pose.text, "standing");
 }
 
 TEST(Header, RobotAndStartMayBeAbsent) {
   const SyntaxTree tree = ParseTask("task t");
   EXPECT_FALSE(tree.robot.has_value());
-  EXPECT_FALSE(tree.start.has_value());
+  EXPECT_TRUE(tree.declarations.empty());
 }
 
 TEST(Sensor, NameMayBeDotted) {

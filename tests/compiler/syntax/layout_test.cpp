@@ -53,11 +53,11 @@ TEST(LineEnds, CarriageReturnsAndBlankLinesDoNotMatter) {
 
 TEST(LineEnds, TheLastLineNeedsNone) {
   EXPECT_EQ(ParseTask("task t\nmetric d = x").declarations.size(), 1u);
-  EXPECT_EQ(ParseTask("task t // the end").task.text, "t");
+  EXPECT_EQ(ParseTask("task t // the end").task->text, "t");
 }
 
 TEST(LineEnds, AByteOrderMarkIsSkipped) {
-  EXPECT_EQ(ParseTask("\xEF\xBB\xBFtask t\n").task.span, (Span{8, 9}));
+  EXPECT_EQ(ParseTask("\xEF\xBB\xBFtask t\n").task->span, (Span{8, 9}));
 }
 
 TEST(Brackets, AMissingBraceIsFoundWhereTheNextDeclarationBegins) {

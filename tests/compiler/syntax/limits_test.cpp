@@ -74,7 +74,7 @@ TEST(Limits, WideIsNotDeep) {
 TEST(Limits, AFileMayBeAsLargeAsPromised) {
   const std::string header = "task t\n//";
   const std::string text = header + std::string(SourceFile::kMaxSize - header.size(), 'x');
-  EXPECT_EQ(ParseTask(text).task.text, "t");
+  EXPECT_EQ(ParseTask(text).task->text, "t");
   EXPECT_EQ(Errors(text + "x"), "E0116 1:1 the file is larger than 1000000 bytes\n");
 }
 

@@ -69,7 +69,7 @@ TEST(DiagnosticsPage, ExamplesAreWrongAndRight) {
 TEST(Tasks, AreWellFormed) {
   for (const auto& path : golden::FilesIn(SOURCE_DIR "/tasks", "", ".task")) {
     const SyntaxTree tree = ParseTask(golden::ReadFile(path));
-    EXPECT_EQ(tree.task.text, path.stem().string());
+    EXPECT_EQ(tree.task->text, path.stem().string());
     EXPECT_FALSE(tree.doc.empty()) << path;
   }
 }

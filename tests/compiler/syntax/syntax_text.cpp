@@ -83,7 +83,7 @@ std::string ToText(const Statement& statement) {
   const Overload visitor = {
       [](const LetStatement& s) { return fmt::format("let {} {}", s.name.text, ToText(s.value)); },
       [](const AssignStatement& s) {
-        return fmt::format("{} {} {}", s.target.text,
+        return fmt::format("{} {} {}", s.target.name.text,
                            kAssignOperators.at(static_cast<size_t>(s.op)), ToText(s.value));
       },
       [](const IfStatement& s) {
@@ -103,6 +103,7 @@ std::string ToText(const Statement& statement) {
         return s.kind == EndKind::kTruncated ? fmt::format("truncate '{}'", s.reason)
                                              : fmt::format("end {} '{}'", kind, s.reason);
       },
+      [](const auto&) { return std::string("?"); },
   };
   return std::visit(visitor, statement.node);
 }
