@@ -7,7 +7,6 @@
 
 #include "compiler/build/internal_error.h"
 #include "compiler/driver/command_line.h"
-#include "compiler/driver/commands.h"
 #include "compiler/driver/print_error.h"
 #include "compiler/source/diagnostic.h"
 #include "plugins/robot/robot_description.h"
@@ -15,15 +14,9 @@
 namespace compiler {
 namespace {
 
-ExitStatus Run(int argc, char** argv) {
-  auto parsed = ParseCommandLine(argc, argv);
-  if (auto* status = std::get_if<ExitStatus>(&parsed)) return *status;
-  return Execute(std::get<CommandLine>(parsed));
-}
-
 ExitStatus RunGuarded(int argc, char** argv) {
   try {
-    return Run(argc, argv);
+    return RunCommandLine(argc, argv);
   } catch (const CallError& error) {
     PrintError(error.what());
     return ExitStatus::kWrongCall;

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <sstream>
 
 #include "tests/compiler/driver/taskc_process.h"
 
@@ -31,6 +32,22 @@ TEST(CommandLine, ExplainsItself) {
   EXPECT_THAT(taskc.Run("build --help").out, AllOf(HasSubstr("--cache DIR"), HasSubstr("FILE.so")));
   EXPECT_THAT(taskc.Run("check --help").out, HasSubstr("--robots DIR"));
   EXPECT_EQ(taskc.Run("--version").out, "taskc " TASKC_VERSION "\n");
+}
+
+// Every verb that the help lists tells of itself, with examples.
+TEST(CommandLine, ExplainsEachVerb) {
+  TaskcProcess taskc;
+  std::istringstream help(taskc.Run("--help").out);
+  int verbs = 0;
+  std::string line;
+  while (std::getline(help, line) && line != "Subcommands:") {
+  }
+  for (std::string verb; std::getline(help, line) && std::istringstream(line) >> verb; ++verbs) {
+    EXPECT_THAT(taskc.Run(verb + " --help").out,
+                AllOf(HasSubstr("Examples:\n  taskc " + verb), HasSubstr("--version")));
+    EXPECT_EQ(taskc.Run(verb + " --version").out, "taskc " TASKC_VERSION "\n");
+  }
+  EXPECT_GE(verbs, 3);
 }
 
 TEST(CommandLine, RefusesWhatItDoesNotUnderstand) {

@@ -1,4 +1,4 @@
-#include "compiler/driver/find_robot.h"
+#include "compiler/analyze/find_robot.h"
 
 #include <fmt/format.h>
 

@@ -1,0 +1,53 @@
+// taskc build FILE.task
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "compiler/build/build_plugin.h"
+#include "compiler/build/file_io.h"
+#include "compiler/build/internal_error.h"
+#include "compiler/build/plugin_cache.h"
+#include "compiler/driver/verb.h"
+#include "compiler/emit/emit.h"
+
+namespace compiler {
+namespace {
+
+struct Options {
+  std::string task;
+  std::filesystem::path output;  // empty: leave the plugin in the cache and print its path
+  std::filesystem::path cache;   // empty: the default
+};
+
+ExitStatus Build(const Options& options, Session& session) {
+  Analysis analysis = session.Analyze(options.task);
+  if (!analysis.task) return ExitStatus::kWrongTask;
+  std::filesystem::path cache = options.cache.empty() ? DefaultCacheFolder() : options.cache;
+  try {
+    BuildResult built =
+        BuildPlugin(analysis.task->name, Emit(*analysis.task, analysis.source), cache);
+    if (options.output.empty()) {
+      fmt::print("{}\n", built.plugin.string());
+    } else {
+      CopyWholeFile(built.plugin, options.output);
+    }
+  } catch (const InternalError& error) {
+    WriteWholeFile(error.evidence() / (analysis.task->name + ".task"), analysis.source.text());
+    throw;
+  }
+  return ExitStatus::kOk;
+}
+
+}  // namespace
+
+Action DeclareBuild(CLI::App& app, Session& session) {
+  auto options = std::make_shared<Options>();
+  AddTask(app, options->task);
+  AddOutput(app, options->output, "FILE.so",
+            "the plugin; without, it stays in the cache and its path is printed");
+  app.add_option("--cache", options->cache, "the folder of built plugins")->type_name("DIR");
+  AddRobots(app, session);
+  return [options](Session& call) { return Build(*options, call); };
+}
+
+}  // namespace compiler

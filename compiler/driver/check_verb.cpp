@@ -1,0 +1,54 @@
+// taskc check FILE.task...
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "compiler/driver/print_error.h"
+#include "compiler/driver/verb.h"
+
+namespace compiler {
+namespace {
+
+struct Options {
+  std::vector<std::string> tasks;
+};
+
+std::string Describe(const CheckedTask& task) {
+  auto count = [](size_t number, std::string_view what) {
+    return fmt::format("{} {}{}", number, what, number == 1 ? "" : "s");
+  };
+  return fmt::format("{}, {}, {}", count(task.sensors.size(), "sensor"),
+                     count(task.terms.size(), "term"), count(task.ends.size(), "end"));
+}
+
+ExitStatus CheckOne(const std::string& file, Session& session) {
+  Analysis analysis = session.Analyze(file);
+  if (!analysis.task) return ExitStatus::kWrongTask;
+  fmt::print("{}: ok ({})\n", file, Describe(*analysis.task));
+  return ExitStatus::kOk;
+}
+
+// A file that cannot be read does not keep the others from being checked.
+ExitStatus Check(const Options& options, Session& session) {
+  ExitStatus status = ExitStatus::kOk;
+  for (const std::string& file : options.tasks) {
+    try {
+      status = Worse(status, CheckOne(file, session));
+    } catch (const CallError& error) {
+      PrintError(error.what());
+      status = Worse(status, ExitStatus::kWrongCall);
+    }
+  }
+  return status;
+}
+
+}  // namespace
+
+Action DeclareCheck(CLI::App& app, Session& session) {
+  auto options = std::make_shared<Options>();
+  AddTasks(app, options->tasks);
+  AddRobots(app, session);
+  return [options](Session& call) { return Check(*options, call); };
+}
+
+}  // namespace compiler

@@ -1,0 +1,57 @@
+#include "compiler/analyze/analyze.h"
+
+#include <gtest/gtest.h>
+
+namespace compiler {
+namespace {
+
+constexpr const char* kRobots = SOURCE_DIR "/plugins";
+
+// A reader that knows one text only.
+FileReader Only(const std::string& text) {
+  return [text](const std::filesystem::path&) { return text; };
+}
+
+TEST(Analyze, GivesATaskWithItsRobot) {
+  Analysis analysis =
+      Analyze("t.task", Only("task t for humanoid\nmetric x = base.position.x\n"), kRobots);
+  ASSERT_TRUE(analysis.task);
+  EXPECT_EQ(analysis.task->name, "t");
+  ASSERT_TRUE(analysis.robot);
+  EXPECT_EQ(analysis.robot->name, "humanoid");
+  EXPECT_TRUE(analysis.tree);
+}
+
+TEST(Analyze, KeepsTheTreeAndTheRobotOfAWrongTask) {
+  Analysis analysis = Analyze("t.task", Only("task t for humanoid\nmetric x = nothing\n"), kRobots);
+  EXPECT_FALSE(analysis.task);
+  EXPECT_TRUE(analysis.tree);
+  EXPECT_TRUE(analysis.robot);
+  EXPECT_TRUE(analysis.diagnostics.has_errors());
+}
+
+TEST(Analyze, NamesARobotThatIsNowhere) {
+  Analysis analysis = Analyze("t.task", Only("task t for nobody\n"), kRobots);
+  EXPECT_FALSE(analysis.task);
+  EXPECT_FALSE(analysis.robot);
+  ASSERT_EQ(analysis.diagnostics.list().size(), 1u);
+  EXPECT_EQ(analysis.diagnostics.list()[0].code, code::kUnknownRobot);
+}
+
+TEST(Analyze, HasNoTreeOfABrokenText) {
+  Analysis analysis = Analyze("t.task", Only("task\n"), kRobots);
+  EXPECT_FALSE(analysis.tree);
+  EXPECT_TRUE(analysis.diagnostics.has_errors());
+}
+
+TEST(Analyze, SaysWhyAFileCannotBeRead) {
+  try {
+    Analyze("/absent/t.task", ReadFromDisk, kRobots);
+    FAIL() << "read what is not there";
+  } catch (const CallError& error) {
+    EXPECT_STREQ(error.what(), "cannot read `/absent/t.task`: No such file or directory");
+  }
+}
+
+}  // namespace
+}  // namespace compiler
