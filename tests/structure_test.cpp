@@ -26,6 +26,7 @@ const std::map<std::string, Folders> kMayInclude = {
     {"compiler/analyze", {"compiler/check", "compiler/source", "compiler/syntax", "plugins/robot"}},
     {"compiler/emit", {"compiler/check", "compiler/source", "compiler/syntax", "plugins/seal"}},
     {"compiler/build", {"compiler/source", "plugins/seal"}},
+    {"compiler/evaluate", {"compiler/check"}},
     {"compiler/driver",
      {"compiler/analyze", "compiler/build", "compiler/check", "compiler/emit", "compiler/source",
       "compiler/syntax", "plugins/robot", "plugins/text"}},

@@ -1,89 +1,13 @@
 #include "compiler/check/fold.h"
 
-#include <algorithm>
 #include <cmath>
 #include <vector>
 
+#include "compiler/check/arithmetic.h"
 #include "compiler/check/report.h"
 
 namespace compiler {
 namespace {
-
-double Calculate(UnaryOperator op, double value) {
-  return op == UnaryOperator::kNegate ? -value : (value == 0 ? 1 : 0);
-}
-
-double Calculate(BinaryOperator op, double left, double right) {
-  switch (op) {
-    case BinaryOperator::kAdd:
-      return left + right;
-    case BinaryOperator::kSubtract:
-      return left - right;
-    case BinaryOperator::kMultiply:
-      return left * right;
-    case BinaryOperator::kDivide:
-      return left / right;
-    case BinaryOperator::kLess:
-      return left < right;
-    case BinaryOperator::kLessEqual:
-      return left <= right;
-    case BinaryOperator::kGreater:
-      return left > right;
-    case BinaryOperator::kGreaterEqual:
-      return left >= right;
-    case BinaryOperator::kEqual:
-      return left == right;
-    case BinaryOperator::kNotEqual:
-      return left != right;
-    case BinaryOperator::kAnd:
-      return left != 0 && right != 0;
-    case BinaryOperator::kOr:
-      return left != 0 || right != 0;
-  }
-  return 0;
-}
-
-// Only calls with scalar arguments have constant ones. `values` has as many elements as the
-// function has arguments.
-double Calculate(Builtin function, const std::vector<double>& values) {
-  const double x = values[0];
-  switch (function) {
-    case Builtin::kAny:
-    case Builtin::kAll:
-    case Builtin::kCount:
-    case Builtin::kSum:
-      return x;
-    case Builtin::kNone:
-      return x == 0 ? 1 : 0;
-    case Builtin::kAbs:
-      return std::abs(x);
-    case Builtin::kMin:
-      return *std::ranges::min_element(values);
-    case Builtin::kMax:
-      return *std::ranges::max_element(values);
-    case Builtin::kClamp:
-      return std::min(std::max(x, values[1]), values[2]);
-    case Builtin::kSqrt:
-      return std::sqrt(x);
-    case Builtin::kExp:
-      return std::exp(x);
-    case Builtin::kLog:
-      return std::log(x);
-    case Builtin::kTanh:
-      return std::tanh(x);
-    case Builtin::kSin:
-      return std::sin(x);
-    case Builtin::kCos:
-      return std::cos(x);
-    case Builtin::kAtan2:
-      return std::atan2(x, values[1]);
-    case Builtin::kNorm:
-    case Builtin::kDot:
-    case Builtin::kCross:
-      break;  // of vectors, which are never constant
-  }
-  return 0;
-}
 
 // The value of a node whose operands are constants; nothing for any other node.
 struct Evaluate {
@@ -109,7 +33,7 @@ struct Evaluate {
       if (!value) return std::nullopt;
       values.push_back(*value);
     }
-    return Calculate(call.function, values);
+    return Calculate(call.function, std::span<const double>(values));
   }
 
   std::optional<double> operator()(const IntToReal& conversion) const {

@@ -3,17 +3,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "compiler/check/memory_reset.h"
 #include "compiler/emit/overloaded.h"
 #include "compiler/syntax/words.h"
 
 namespace compiler {
 namespace {
-
-// When a variable is given its initial value again.
-bool IsResetAt(EventKind event, MemoryScope scope) {
-  if (event == EventKind::kStartOfEpisode) return scope != MemoryScope::kPerRun;
-  return event == EventKind::kStartOfAction && scope == MemoryScope::kPerAction;
-}
 
 std::string_view AssignSymbol(AssignOperator op) {
   switch (op) {

@@ -1,0 +1,156 @@
+#include "compiler/check/arithmetic.h"
+
+#include <cmath>
+
+namespace compiler {
+namespace {
+
+// Signed overflow is undefined in C++, unsigned overflow is not.
+int64_t Add(int64_t left, int64_t right) {
+  return static_cast<int64_t>(static_cast<uint64_t>(left) + static_cast<uint64_t>(right));
+}
+int64_t Subtract(int64_t left, int64_t right) {
+  return static_cast<int64_t>(static_cast<uint64_t>(left) - static_cast<uint64_t>(right));
+}
+int64_t Multiply(int64_t left, int64_t right) {
+  return static_cast<int64_t>(static_cast<uint64_t>(left) * static_cast<uint64_t>(right));
+}
+
+template <typename Number>
+bool IsTrue(BinaryOperator op, Number left, Number right) {
+  switch (op) {
+    case BinaryOperator::kLess:
+      return left < right;
+    case BinaryOperator::kLessEqual:
+      return left <= right;
+    case BinaryOperator::kGreater:
+      return left > right;
+    case BinaryOperator::kGreaterEqual:
+      return left >= right;
+    case BinaryOperator::kEqual:
+      return left == right;
+    case BinaryOperator::kNotEqual:
+      return left != right;
+    case BinaryOperator::kAnd:
+      return left != 0 && right != 0;
+    case BinaryOperator::kOr:
+      return left != 0 || right != 0;
+    default:
+      return false;
+  }
+}
+
+// Not a number where one of them is none.
+template <typename Number>
+Number Smaller(Number left, Number right) {
+  return left < right || left != left ? left : right;
+}
+template <typename Number>
+Number Larger(Number left, Number right) {
+  return left > right || left != left ? left : right;
+}
+
+template <typename Number, typename Join>
+Number JoinAll(std::span<const Number> values, const Join& join) {
+  Number joined = values.front();
+  for (Number value : values.subspan(1)) joined = join(joined, value);
+  return joined;
+}
+
+// The functions that ints have as well.
+template <typename Number>
+Number OfNumbers(Builtin function, std::span<const Number> values) {
+  switch (function) {
+    case Builtin::kAny:
+      return JoinAll(values, [](Number a, Number b) -> Number { return a != 0 || b != 0; });
+    case Builtin::kNone:
+      return OfNumbers(Builtin::kAny, values) == 0;
+    case Builtin::kAll:
+      return JoinAll(values, [](Number a, Number b) -> Number { return a != 0 && b != 0; });
+    case Builtin::kCount:
+    case Builtin::kSum:
+      return JoinAll(values,
+                     [](Number a, Number b) { return Calculate(BinaryOperator::kAdd, a, b); });
+    case Builtin::kMin:
+      return JoinAll(values, Smaller<Number>);
+    case Builtin::kMax:
+      return JoinAll(values, Larger<Number>);
+    case Builtin::kClamp:
+      return Smaller(Larger(values[0], values[1]), values[2]);
+    default:
+      return 0;
+  }
+}
+
+}  // namespace
+
+double Calculate(UnaryOperator op, double operand) {
+  return op == UnaryOperator::kNegate ? -operand : operand == 0;
+}
+
+int64_t Calculate(UnaryOperator op, int64_t operand) {
+  return op == UnaryOperator::kNegate ? Subtract(0, operand) : operand == 0;
+}
+
+bool Holds(BinaryOperator comparison, double left, double right) {
+  return IsTrue(comparison, left, right);
+}
+
+double Calculate(BinaryOperator op, double left, double right) {
+  switch (op) {
+    case BinaryOperator::kAdd:
+      return left + right;
+    case BinaryOperator::kSubtract:
+      return left - right;
+    case BinaryOperator::kMultiply:
+      return left * right;
+    case BinaryOperator::kDivide:
+      return left / right;
+    default:
+      return IsTrue(op, left, right);
+  }
+}
+
+int64_t Calculate(BinaryOperator op, int64_t left, int64_t right) {
+  switch (op) {
+    case BinaryOperator::kAdd:
+      return Add(left, right);
+    case BinaryOperator::kSubtract:
+      return Subtract(left, right);
+    case BinaryOperator::kMultiply:
+      return Multiply(left, right);
+    default:
+      return IsTrue(op, left, right);
+  }
+}
+
+double Calculate(Builtin function, std::span<const double> values) {
+  const double x = values[0];
+  switch (function) {
+    case Builtin::kAbs:
+      return std::abs(x);
+    case Builtin::kSqrt:
+      return std::sqrt(x);
+    case Builtin::kExp:
+      return std::exp(x);
+    case Builtin::kLog:
+      return std::log(x);
+    case Builtin::kTanh:
+      return std::tanh(x);
+    case Builtin::kSin:
+      return std::sin(x);
+    case Builtin::kCos:
+      return std::cos(x);
+    case Builtin::kAtan2:
+      return std::atan2(x, values[1]);
+    default:
+      return OfNumbers(function, values);
+  }
+}
+
+int64_t Calculate(Builtin function, std::span<const int64_t> values) {
+  if (function == Builtin::kAbs) return values[0] < 0 ? Subtract(0, values[0]) : values[0];
+  return OfNumbers(function, values);
+}
+
+}  // namespace compiler

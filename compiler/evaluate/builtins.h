@@ -1,0 +1,14 @@
+// The functions of the language, applied to values.
+#pragma once
+
+#include <vector>
+
+#include "compiler/check/checked_task.h"
+#include "compiler/evaluate/value.h"
+
+namespace compiler {
+
+// `function` with checked arguments; `type` is that of its result.
+Value Apply(Builtin function, const std::vector<Value>& arguments, const Type& type);
+
+}  // namespace compiler
