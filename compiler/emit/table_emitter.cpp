@@ -59,51 +59,80 @@ std::string EventBits(uint32_t bits) {
   return events.empty() ? "0" : fmt::format("{}", fmt::join(events, " | "));
 }
 
+std::string ReductionConstant(Reduction reduction) {
+  return ConstantFor("TASKC_", NameOf(reduction, kReductionNames));
+}
+
+// A `taskc_place`.
+std::string Place(Span span, const SourceFile& source) {
+  return fmt::format("{{0, {}}}", source.PositionOf(span.begin).line);
+}
+
 std::string TypeFields(const Type& type) {
   return fmt::format("{}, {}, {}", ScalarConstant(type.scalar), type.rows, type.columns);
 }
 
-std::string Row(const CheckedSensor& sensor, size_t /*index*/) {
+std::string Row(const CheckedSensor& sensor) {
   return fmt::format("{}, {}, {}, {}, {}", StringLiteral(sensor.name),
                      StringLiteral(ToString(sensor.type)), StringLiteral(ToString(sensor.unit)),
                      TypeFields(sensor.type), EventBits(sensor.read_by));
 }
 
-std::string Row(const CheckedParam& param, size_t /*index*/) {
+std::string Row(const CheckedParam& param) {
   return fmt::format("{}, {}, {}, {}, {}, {}, {}", StringLiteral(param.name),
                      StringLiteral(param.doc), StringLiteral(ToString(param.unit)),
                      ScalarConstant(param.type.scalar), RealLiteral(param.initial),
                      RealLiteral(param.minimum), RealLiteral(param.maximum));
 }
 
-std::string Row(const CheckedTerm& term, size_t /*index*/) {
-  return fmt::format("{}, {}, {}", StringLiteral(term.name), StringLiteral(term.doc), term.line);
+std::string Row(const CheckedTerm& term, const SourceFile& source) {
+  return fmt::format("{}, {}, {}", StringLiteral(term.name), StringLiteral(term.doc),
+                     Place(term.span, source));
 }
 
-std::string Row(const CheckedMetric& metric, size_t /*index*/) {
+std::string Row(const CheckedMetric& metric) {
   return fmt::format("{}, {}, {}, {}", StringLiteral(metric.name), StringLiteral(metric.doc),
                      StringLiteral(ToString(metric.value.unit)),
-                     ConstantFor("TASKC_", NameOf(metric.reduction, kReductionNames)));
+                     ReductionConstant(metric.reduction));
 }
 
-std::string Row(const CheckedEndReason& end, size_t /*index*/) {
-  return fmt::format("{}, {}, {}", StringLiteral(end.reason), EndConstant(end.kind), end.line);
+std::string Row(const CheckedLogValue& log, const SourceFile& source) {
+  return fmt::format("{}, {}, {}, {}, {}", StringLiteral(log.name), StringLiteral(log.doc),
+                     StringLiteral(ToString(log.unit)), ReductionConstant(log.reduction),
+                     Place(log.span, source));
 }
 
-// `row` gives the fields of one element. C++ has no empty arrays: no elements, no table.
+std::string Row(const CheckedEndReason& end, const SourceFile& source) {
+  return fmt::format("{}, {}, {}", StringLiteral(end.reason), EndConstant(end.kind),
+                     Place(end.span, source));
+}
+
+std::string Row(const CheckedRequirement& requirement, const SourceFile& source) {
+  return fmt::format("{}, {}", StringLiteral(requirement.reason), Place(requirement.span, source));
+}
+
+// `row` gives the fields of an element. C++ has no empty arrays: no elements, no table.
 template <class Element, class RowFunction>
 void EmitTable(std::string_view type, std::string_view name, const std::vector<Element>& elements,
                RowFunction row, TextWriter& writer) {
   if (elements.empty()) return;
   writer.BlankLine();
   writer.Line(fmt::format("constexpr {} {}[] = {{", type, name));
-  for (size_t i = 0; i < elements.size(); ++i) {
-    writer.Line(fmt::format("    {{{}}},", row(elements[i], i)));
+  for (const Element& element : elements) {
+    writer.Line(fmt::format("    {{{}}},", row(element)));
   }
   writer.Line("};");
 }
 
-constexpr auto kRow = [](const auto& element, size_t index) { return Row(element, index); };
+constexpr auto kRow = [](const auto& element) { return Row(element); };
+
+void EmitSources(const SourceFile& source, TextWriter& writer) {
+  writer.BlankLine();
+  writer.Line("constexpr taskc_source sources_table[] = {");
+  writer.Line(fmt::format("    {{{},", StringLiteral(source.path())));
+  writer.Line(SplitStringLiteral(source.text(), "     ") + "},");
+  writer.Line("};");
+}
 
 void EmitMemoryStruct(const CheckedTask& task, const PluginNames& names, TextWriter& writer) {
   if (task.memory.empty()) return;
@@ -133,12 +162,15 @@ void EmitTableFields(std::string_view field, size_t count, std::vector<std::stri
 std::vector<std::string> TableFields(const CheckedTask& task) {
   std::vector<std::string> pointers;
   std::vector<std::string> counts;
+  EmitTableFields("sources", 1, pointers, counts);
   EmitTableFields("sensors", task.sensors.size(), pointers, counts);
   EmitTableFields("params", task.params.size(), pointers, counts);
   EmitTableFields("memory", task.memory.size(), pointers, counts);
   EmitTableFields("terms", task.terms.size(), pointers, counts);
   EmitTableFields("metrics", task.metrics.size(), pointers, counts);
+  EmitTableFields("logs", task.logs.size(), pointers, counts);
   EmitTableFields("ends", task.ends.size(), pointers, counts);
+  EmitTableFields("requirements", task.requirements.size(), pointers, counts);
   pointers.insert(pointers.end(), counts.begin(), counts.end());
   return pointers;
 }
@@ -151,8 +183,6 @@ std::vector<std::string> IdentityFields(const CheckedTask& task, const SourceFil
           ".doc = " + StringLiteral(task.doc),
           ".robot = " + StringLiteral(task.robot),
           ".start_pose = " + StringLiteral(task.start_pose),
-          ".source_file = " + StringLiteral(source.path()),
-          ".source = source",
           ".source_hash = " + StringLiteral(seal::Sha256(source.text()))};
 }
 
@@ -160,14 +190,14 @@ std::vector<std::string> IdentityFields(const CheckedTask& task, const SourceFil
 
 void EmitTables(const CheckedTask& task, const SourceFile& source, const PluginNames& names,
                 TextWriter& writer) {
-  writer.BlankLine();
-  writer.Line("constexpr char source[] =");
-  writer.Line(SplitStringLiteral(source.text(), "    ") + ";");
+  const auto row = [&](const auto& element) { return Row(element, source); };
+  EmitSources(source, writer);
   EmitMemoryStruct(task, names, writer);
   EmitTermNumbers(task, names, writer);
   EmitTable("taskc_sensor", "sensors_table", task.sensors, kRow, writer);
   EmitTable("taskc_param", "params_table", task.params, kRow, writer);
-  auto memory_row = [&](const CheckedMemory& memory, size_t index) {
+  auto memory_row = [&](const CheckedMemory& memory) {
+    const auto index = static_cast<size_t>(&memory - task.memory.data());
     return fmt::format("{}, {}, {}, {}, {}, __builtin_offsetof(Memory, {})",
                        StringLiteral(memory.name), StringLiteral(ToString(memory.type)),
                        StringLiteral(ToString(memory.unit)), TypeFields(memory.type),
@@ -175,9 +205,11 @@ void EmitTables(const CheckedTask& task, const SourceFile& source, const PluginN
                        names.memory[index]);
   };
   EmitTable("taskc_memory", "memory_table", task.memory, memory_row, writer);
-  EmitTable("taskc_reward_term", "terms_table", task.terms, kRow, writer);
+  EmitTable("taskc_reward_term", "terms_table", task.terms, row, writer);
   EmitTable("taskc_metric", "metrics_table", task.metrics, kRow, writer);
-  EmitTable("taskc_end", "ends_table", task.ends, kRow, writer);
+  EmitTable("taskc_log", "logs_table", task.logs, row, writer);
+  EmitTable("taskc_end", "ends_table", task.ends, row, writer);
+  EmitTable("taskc_requirement", "requirements_table", task.requirements, row, writer);
 }
 
 void EmitEntry(const CheckedTask& task, const SourceFile& source, TextWriter& writer) {

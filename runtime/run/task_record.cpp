@@ -25,8 +25,8 @@ const char* ReductionName(taskc_int32 reduction) {
 
 void DescribeTask(const taskc_plugin& plugin, RunRecord& run) {
   run.task = plugin.name;
-  run.task_file = plugin.source_file;
-  run.task_source = plugin.source;
+  run.task_file = plugin.sources[0].file;
+  run.task_source = plugin.sources[0].text;
   run.task_hash = plugin.source_hash;
   run.compiler = plugin.compiler;
   for (taskc_uint32 i = 0; i < plugin.term_count; ++i) {

@@ -5,6 +5,14 @@
 #include "runtime/run/checkpoint.h"
 
 namespace runtime {
+namespace {
+
+// "tasks/crawling.task:12"
+std::string PlaceText(const taskc_plugin& plugin, const taskc_place& place) {
+  return fmt::format("{}:{}", plugin.sources[place.source].file, place.line);
+}
+
+}  // namespace
 
 Training::Training(Network& network, const RunRecord& run, RunDatabase& database,
                    Progress& progress)
@@ -90,11 +98,11 @@ void Training::WarnAbout(const EpisodeRecord& episode) {
   if (episode.faults == 0) return;
   std::string terms;
   for (size_t i = 0; i < run_.terms.size(); ++i) {
-    const TermFaults& faults = task_.faults()[i];
+    const Incidents& faults = task_.faults()[i];
     if (faults.count == 0) continue;
-    terms += fmt::format("{}`{}` ({}:{}) {}x, first at {:.3f} s", terms.empty() ? "" : "; ",
-                         run_.terms[i].name, run_.task_file, task_.plugin().terms[i].line,
-                         faults.count, faults.first_time);
+    terms += fmt::format(
+        "{}`{}` ({}) {}x, first at {:.3f} s", terms.empty() ? "" : "; ", run_.terms[i].name,
+        PlaceText(task_.plugin(), task_.plugin().terms[i].place), faults.count, faults.first_time);
   }
   progress_.Warn(
       fmt::format("warning: episode {}: not finite and so not paid: {}", episode.number, terms));

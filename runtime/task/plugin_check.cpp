@@ -29,16 +29,18 @@ class TableCheck {
 
   void Run() const {
     CheckVersion();
-    for (const char* text :
-         {table_.compiler, table_.name, table_.doc, table_.robot, table_.start_pose,
-          table_.source_file, table_.source, table_.source_hash}) {
+    for (const char* text : {table_.compiler, table_.name, table_.doc, table_.robot,
+                             table_.start_pose, table_.source_hash}) {
       Require(text != nullptr, "a text of it is null");
     }
+    CheckSources();
     CheckSensors();
     CheckParams();
     CheckMemory();
     CheckRewardsAndEnds();
     CheckMetrics();
+    CheckLogs();
+    CheckRequirements();
   }
 
  private:
@@ -81,6 +83,25 @@ class TableCheck {
     Require(ScalarSize(scalar) != 0, fmt::format("`{}` has no known type of scalar", name));
     Require(rows > 0 && columns > 0 && rows <= kLargestCount && columns <= kLargestCount,
             fmt::format("`{}` has {} x {} elements", name, rows, columns));
+  }
+
+  void CheckPlace(std::string_view what, const taskc_place& place) const {
+    Require(place.source < table_.source_count,
+            fmt::format("the {} stands in source {} of {}", what, place.source + 1,
+                        table_.source_count));
+  }
+
+  void CheckReduction(std::string_view what, const char* name, int32_t reduction) const {
+    Require(reduction >= TASKC_LAST && reduction <= TASKC_MEAN,
+            fmt::format("the {} `{}` has no known reduction", what, name));
+  }
+
+  void CheckSources() const {
+    const auto sources = Entries(table_.sources, table_.source_count, "sources");
+    Require(!sources.empty(), "it has no source");
+    for (const taskc_source& source : sources) {
+      Require(source.file != nullptr && source.text != nullptr, "a source has no name or text");
+    }
   }
 
   void CheckSensors() const {
@@ -135,11 +156,13 @@ class TableCheck {
     CheckNames(terms, "reward term");
     for (const taskc_reward_term& term : terms) {
       Require(term.doc != nullptr, fmt::format("the reward term `{}` has no text", term.name));
+      CheckPlace(fmt::format("reward term `{}`", term.name), term.place);
     }
     for (const taskc_end& end : Entries(table_.ends, table_.end_count, "ends")) {
       Require(end.reason != nullptr, "an end has no reason");
       Require(end.kind >= TASKC_SUCCESS && end.kind <= TASKC_TRUNCATED,
               fmt::format("the end `{}` is of no known kind", end.reason));
+      CheckPlace(fmt::format("end `{}`", end.reason), end.place);
     }
   }
 
@@ -149,10 +172,28 @@ class TableCheck {
     for (const taskc_metric& metric : metrics) {
       Require(metric.doc != nullptr && metric.unit != nullptr,
               fmt::format("the metric `{}` has no text or unit", metric.name));
-      Require(metric.reduction >= TASKC_LAST && metric.reduction <= TASKC_MEAN,
-              fmt::format("the metric `{}` has no known reduction", metric.name));
+      CheckReduction("metric", metric.name, metric.reduction);
     }
     Require(metrics.empty() || table_.measure != nullptr, "nothing measures its metrics");
+  }
+
+  void CheckLogs() const {
+    const auto logs = Entries(table_.logs, table_.log_count, "logs");
+    CheckNames(logs, "log");
+    for (const taskc_log& log : logs) {
+      Require(log.doc != nullptr && log.unit != nullptr,
+              fmt::format("the log `{}` has no text or unit", log.name));
+      CheckReduction("log", log.name, log.reduction);
+      CheckPlace(fmt::format("log `{}`", log.name), log.place);
+    }
+  }
+
+  void CheckRequirements() const {
+    for (const taskc_requirement& requirement :
+         Entries(table_.requirements, table_.requirement_count, "requirements")) {
+      Require(requirement.reason != nullptr, "a requirement has no reason");
+      CheckPlace(fmt::format("requirement `{}`", requirement.reason), requirement.place);
+    }
   }
 
   const std::filesystem::path& file_;

@@ -6,6 +6,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "runtime/task/log_value.h"
 #include "runtime/task/robot_check.h"
 #include "runtime/task/saved_values.h"
 
@@ -22,6 +23,14 @@ EndKind KindOf(const taskc_end& end) {
       assert(end.kind == TASKC_TRUNCATED);
       return EndKind::kTruncated;
   }
+}
+
+bool IsIndex(taskc_int32 index, uint32_t count) {
+  return index >= 0 && static_cast<uint32_t>(index) < count;
+}
+
+void Count(Incidents& incidents, double time) {
+  if (incidents.count++ == 0) incidents.first_time = time;
 }
 
 // The plugin passes every param as a double, whatever its type.
@@ -88,11 +97,19 @@ void UniversalTask::BindFrame() {
   term_sums_.resize(plugin().term_count);
   faults_.resize(plugin().term_count);
   measured_.resize(plugin().metric_count);
+  log_states_.resize(plugin().log_count);
+  logged_.resize(plugin().log_count);
+  violations_.resize(plugin().requirement_count);
+  for (const taskc_requirement& requirement :
+       std::span(plugin().requirements, plugin().requirement_count)) {
+    violation_reasons_.push_back(fmt::format("requirement: {}", requirement.reason));
+  }
   frame_.sensors = sensor_data_.data();
   frame_.params = param_values_.data();
   frame_.memory = memory_.data();
   frame_.terms = term_sums_.data();
   frame_.metrics = measured_.data();
+  frame_.logs = log_states_.data();
 }
 
 void UniversalTask::Start() {
@@ -106,8 +123,10 @@ void UniversalTask::Start() {
 
 void UniversalTask::ResetEpisode() {
   std::fill(term_sums_.begin(), term_sums_.end(), 0.0);
-  std::fill(faults_.begin(), faults_.end(), TermFaults());
+  std::fill(faults_.begin(), faults_.end(), Incidents());
   fault_count_ = 0;
+  std::fill(violations_.begin(), violations_.end(), Incidents());
+  std::fill(log_states_.begin(), log_states_.end(), taskc_log_state());
   reducer_.StartEpisode();
   time_ = 0;
   episode_is_over_ = false;
@@ -137,6 +156,7 @@ void UniversalTask::EndEpisode(EpisodeEnd) {
   const std::optional<Outcome> outcome = Call(TASKC_END_OF_EPISODE, 0);
   Measure();
   reducer_.EndEpisode(measured_);
+  ReduceLogs();
   Emit(outcome);
 }
 
@@ -150,20 +170,26 @@ std::optional<UniversalTask::Outcome> UniversalTask::Call(int event, double time
   frame_.reward = 0;
   frame_.end = -1;
   frame_.fault = -1;
+  frame_.violation = -1;
   function(&frame_);
   CountFault();
+  CountViolation();
+  return Outcome{frame_.reward, EndReached()};
+}
 
-  Outcome outcome;
-  outcome.reward = frame_.reward;
-  const bool ends = frame_.end >= 0 && static_cast<uint32_t>(frame_.end) < plugin().end_count;
-  if (ends) outcome.end = &plugin().ends[frame_.end];
-  return outcome;
+std::optional<EpisodeEnd> UniversalTask::EndReached() const {
+  if (IsIndex(frame_.violation, plugin().requirement_count)) {
+    const auto requirement = static_cast<size_t>(frame_.violation);
+    return EpisodeEnd{EndKind::kTruncated, violation_reasons_[requirement].c_str()};
+  }
+  if (!IsIndex(frame_.end, plugin().end_count)) return std::nullopt;
+  const taskc_end& end = plugin().ends[frame_.end];
+  return EpisodeEnd{KindOf(end), end.reason};
 }
 
 void UniversalTask::CountFault() {
-  if (frame_.fault >= 0 && static_cast<uint32_t>(frame_.fault) < faults_.size()) {
-    TermFaults& faults = faults_[static_cast<size_t>(frame_.fault)];
-    if (faults.count++ == 0) faults.first_time = time_;
+  if (IsIndex(frame_.fault, plugin().term_count)) {
+    Count(faults_[static_cast<size_t>(frame_.fault)], time_);
     ++fault_count_;
   }
   if (!std::isfinite(frame_.reward)) {
@@ -172,12 +198,23 @@ void UniversalTask::CountFault() {
   }
 }
 
+void UniversalTask::CountViolation() {
+  if (!IsIndex(frame_.violation, plugin().requirement_count)) return;
+  Count(violations_[static_cast<size_t>(frame_.violation)], time_);
+}
+
+void UniversalTask::ReduceLogs() {
+  for (uint32_t i = 0; i < plugin().log_count; ++i) {
+    logged_[i] = LogValue(plugin().logs[i].reduction, log_states_[i]);
+  }
+}
+
 void UniversalTask::Emit(const std::optional<Outcome>& outcome) {
   if (!outcome) return;
   reward(outcome->reward);
-  if (outcome->end == nullptr || end_was_emitted_ || episode_is_over_) return;
+  if (!outcome->end || end_was_emitted_ || episode_is_over_) return;
   end_was_emitted_ = true;
-  end_of_episode({KindOf(*outcome->end), outcome->end->reason});
+  end_of_episode(*outcome->end);
 }
 
 void UniversalTask::Sense(int reader) {

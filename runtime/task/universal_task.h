@@ -23,8 +23,8 @@
 
 namespace runtime {
 
-// How often a reward term was not finite in an episode, and when it was for the first time.
-struct TermFaults {
+// How often something went wrong in an episode, and when it did for the first time.
+struct Incidents {
   int64_t count = 0;
   double first_time = 0;  // [s] since the start of the episode
 };
@@ -37,8 +37,9 @@ struct TermFaults {
 //            end_of_episode: after that, the first end that is reached in an episode
 //
 // An event brings exactly those sensors up to date that it reads. Ends that are reached later in
-// the episode, or in the event at its end, are not emitted. The task's params are this module's
-// parameters.
+// the episode, or in the event at its end, are not emitted. A requirement that does not hold ends
+// the episode like a limit, with the reason "requirement: ..."; it comes before an end that the
+// same event reached. The task's params are this module's parameters.
 class UniversalTask : public Module {
  public:
   Slot<> on_start_of_episode{this, "on_start_of_episode", Bind<&UniversalTask::StartEpisode>{}};
@@ -68,13 +69,16 @@ class UniversalTask : public Module {
 
   const taskc_plugin& plugin() const { return plugin_.table(); }
 
-  // Of the current episode: what each reward term has paid, and where it could not be paid.
+  // Of the current episode: what each reward term has paid, where it could not be paid, and which
+  // requirements did not hold.
   std::span<const double> term_sums() const { return term_sums_; }
-  std::span<const TermFaults> faults() const { return faults_; }
+  std::span<const Incidents> faults() const { return faults_; }
+  std::span<const Incidents> violations() const { return violations_; }
   // All that was not paid: those of the terms, and sums of finite terms that were not finite.
   int64_t fault_count() const { return fault_count_; }
-  // Of the episode that has ended: one value for each metric.
+  // Of the episode that has ended: one value for each metric, and one for each log.
   std::span<const double> metrics() const { return reducer_.values(); }
+  std::span<const double> logs() const { return logged_; }
 
  private:
   // A param's value, in the one of these that belongs to its type.
@@ -92,7 +96,7 @@ class UniversalTask : public Module {
   // What one event function did.
   struct Outcome {
     double reward = 0;
-    const taskc_end* end = nullptr;
+    std::optional<EpisodeEnd> end;
   };
 
   void AddParams();
@@ -115,7 +119,11 @@ class UniversalTask : public Module {
   // Brings those sensors up to date that event number `reader`, or TASKC_MEASURE, reads.
   void Sense(int reader);
   void Measure();
+  // How the last event function ended the episode, if it did.
+  std::optional<EpisodeEnd> EndReached() const;
   void CountFault();
+  void CountViolation();
+  void ReduceLogs();
 
   Plugin plugin_;
   TaskMemory memory_;
@@ -127,14 +135,18 @@ class UniversalTask : public Module {
   std::vector<double> param_values_;
   std::vector<double> term_sums_;
   std::vector<double> measured_;
+  std::vector<taskc_log_state> log_states_;
   taskc_frame frame_{};
 
   // What each event, and the evaluation of the metrics, has to bring up to date.
   std::array<std::vector<SensorRead>, TASKC_MEASURE + 1> reads_;
 
   MetricReducer reducer_;
-  std::vector<TermFaults> faults_;
+  std::vector<double> logged_;
+  std::vector<Incidents> faults_;
   int64_t fault_count_ = 0;
+  std::vector<Incidents> violations_;
+  std::vector<std::string> violation_reasons_;  // one for each requirement
   double time_ = 0;  // [s] since the start of the episode, at the end of the last time step
   bool episode_is_over_ = false;
   bool end_was_emitted_ = false;

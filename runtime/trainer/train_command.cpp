@@ -61,7 +61,7 @@ void CheckHasEnd(const taskc_plugin& plugin) {
   throw UserError(
       fmt::format("{}: no episode of task `{}` ever ends; add a limit, for example "
                   "`if time > 20 s {{ truncate_episode \"time is up\" }}` in `on end_of_time_step`",
-                  plugin.source_file, plugin.name));
+                  plugin.sources[0].file, plugin.name));
 }
 
 std::string RobotName(const TrainOptions& options, const taskc_plugin& plugin) {

@@ -16,7 +16,7 @@
 #ifndef TASKC_PLUGIN_H
 #define TASKC_PLUGIN_H
 
-#define TASKC_ABI_VERSION 1u
+#define TASKC_ABI_VERSION 2u
 #define TASKC_PLUGIN_ENTRY "taskc_plugin_get"
 
 #ifdef __cplusplus
@@ -84,11 +84,23 @@ typedef struct taskc_memory {
   taskc_uint32 offset;  // bytes from the start of the memory block
 } taskc_memory;
 
+// One of the texts that a task is made of.
+typedef struct taskc_source {
+  const char* file;  // as it was named when the task was built
+  const char* text;  // the whole text
+} taskc_source;
+
+// A place in these texts.
+typedef struct taskc_place {
+  taskc_uint32 source;  // index into `taskc_plugin.sources`
+  taskc_uint32 line;    // from 1
+} taskc_place;
+
 // A named part of the reward.
 typedef struct taskc_reward_term {
   const char* name;
   const char* doc;
-  taskc_uint32 line;  // of its first statement in the source
+  taskc_place place;  // of its first statement
 } taskc_reward_term;
 
 enum { TASKC_LAST, TASKC_SUM, TASKC_MAX, TASKC_MIN, TASKC_MEAN };
@@ -101,17 +113,45 @@ typedef struct taskc_metric {
   taskc_int32 reduction;  // TASKC_LAST ... TASKC_MEAN
 } taskc_metric;
 
+// Something worth a curve: one number per episode, reduced over the times that its statements ran.
+typedef struct taskc_log {
+  const char* name;
+  const char* doc;
+  const char* unit;
+  taskc_int32 reduction;  // TASKC_LAST ... TASKC_MEAN
+  taskc_place place;      // of its first statement
+} taskc_log;
+
+// What has been logged since the host zeroed it, which it does when an episode starts. While
+// `count` is 0, `last`, `minimum` and `maximum` mean nothing. A value that is not a number stays in
+// `sum`, `minimum` and `maximum`.
+typedef struct taskc_log_state {
+  taskc_int64 count;
+  double last;
+  double sum;
+  double minimum;
+  double maximum;
+} taskc_log_state;
+
+// Something that the task takes for granted. Where it does not hold the callback goes on, and what
+// it pays counts; but the host ends the episode there, as truncated, whatever end the callback
+// reached.
+typedef struct taskc_requirement {
+  const char* reason;  // as the task words it, or else the condition itself
+  taskc_place place;
+} taskc_requirement;
+
 enum { TASKC_SUCCESS, TASKC_FAILURE, TASKC_TRUNCATED };
 
 // One statement that ends an episode.
 typedef struct taskc_end {
   const char* reason;
   taskc_int32 kind;  // success and failure are terminal; truncated is a mere limit
-  taskc_uint32 line;
+  taskc_place place;
 } taskc_end;
 
 // All that an event function reads and writes. The host fills it once when it binds the task, and
-// before each call sets `time_step`, `reward = 0`, `end = -1` and `fault = -1`.
+// before each call sets `time_step`, `reward = 0`, `end = -1`, `fault = -1` and `violation = -1`.
 typedef struct taskc_frame {
   const void* const* sensors;  // one pointer for each entry of `taskc_plugin.sensors`
   const double* params;        // one value for each entry of `taskc_plugin.params`
@@ -119,10 +159,12 @@ typedef struct taskc_frame {
   double time_step;            // length of the step that ends or starts [s]; 0 for other events
   double* terms;               // one sum for each reward term: the plugin adds, the host zeroes
   double* metrics;             // one value for each metric: written by `measure`
+  taskc_log_state* logs;       // one for each log: the plugin adds to it
   double reward;               // out: what this call pays
   taskc_int32 end;             // out: index of the first end that was reached, or -1
   taskc_int32 fault;           // out: index of the first term whose value was not finite, or -1;
                                //      such a value is not paid
+  taskc_int32 violation;       // out: index of the first requirement that did not hold, or -1
 } taskc_frame;
 
 typedef void (*taskc_event_function)(taskc_frame* frame);
@@ -133,24 +175,29 @@ typedef struct taskc_plugin {
   const char* compiler;      // "taskc 0.1.0"
   const char* name;
   const char* doc;
-  const char* robot;       // "" where the task declares its own sensors
-  const char* start_pose;  // "" where the task names none
-  const char* source_file;
-  const char* source;       // the whole text
-  const char* source_hash;  // SHA-256 of the text, in hexadecimal
+  const char* robot;        // "" where the task declares its own sensors
+  const char* start_pose;   // "" where the task names none
+  const char* source_hash;  // SHA-256 of the text, in hexadecimal; of several texts: the SHA-256 of
+                            // their hashes, written one behind the other
 
+  const taskc_source* sources;  // the task's own text first, then those it imports and extends
   const taskc_sensor* sensors;
   const taskc_param* params;
   const taskc_memory* memory;
   const taskc_reward_term* terms;
   const taskc_metric* metrics;
+  const taskc_log* logs;
   const taskc_end* ends;
+  const taskc_requirement* requirements;
+  taskc_uint32 source_count;  // at least 1
   taskc_uint32 sensor_count;
   taskc_uint32 param_count;
   taskc_uint32 memory_count;
   taskc_uint32 term_count;
   taskc_uint32 metric_count;
+  taskc_uint32 log_count;
   taskc_uint32 end_count;
+  taskc_uint32 requirement_count;
   taskc_uint32 memory_size;  // bytes; 0 where the task remembers nothing
 
   taskc_event_function initialize;                 // gives all memory its initial value

@@ -100,11 +100,13 @@ Instance::Instance(const CompiledTask& task) : plugin_(task.plugin()) {
   memory_.assign(plugin_.memory_size, 0xEE);  // nothing may rely on zeroes
   terms_.resize(plugin_.term_count);
   metrics_.resize(plugin_.metric_count);
+  logs_.resize(plugin_.log_count);
   frame_.sensors = sensor_pointers_.data();
   frame_.params = params_.data();
   frame_.memory = memory_.data();
   frame_.terms = terms_.data();
   frame_.metrics = metrics_.data();
+  frame_.logs = logs_.data();
   Initialize();
 }
 
@@ -126,6 +128,7 @@ void Instance::Fire(int event, double time_step) {
   frame_.reward = 0;
   frame_.end = -1;
   frame_.fault = -1;
+  frame_.violation = -1;
   if (plugin_.events[event] != nullptr) plugin_.events[event](&frame_);
 }
 
@@ -135,6 +138,10 @@ double Instance::Term(const std::string& name) const {
 
 double Instance::Metric(const std::string& name) const {
   return metrics_[IndexOf(plugin_.metrics, plugin_.metric_count, name)];
+}
+
+const taskc_log_state& Instance::Log(const std::string& name) const {
+  return logs_[IndexOf(plugin_.logs, plugin_.log_count, name)];
 }
 
 double Instance::Memory(const std::string& name, size_t element) const {

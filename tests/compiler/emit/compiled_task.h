@@ -45,8 +45,10 @@ class Instance {
   double reward() const { return frame_.reward; }
   int end() const { return frame_.end; }
   int fault() const { return frame_.fault; }
+  int violation() const { return frame_.violation; }
   double Term(const std::string& name) const;
   double Metric(const std::string& name) const;
+  const taskc_log_state& Log(const std::string& name) const;
   double Memory(const std::string& name, size_t element = 0) const;
   const std::vector<unsigned char>& memory_bytes() const { return memory_; }
 
@@ -58,6 +60,7 @@ class Instance {
   std::vector<unsigned char> memory_;
   std::vector<double> terms_;
   std::vector<double> metrics_;
+  std::vector<taskc_log_state> logs_;
   taskc_frame frame_{};
 };
 

@@ -184,7 +184,8 @@ TEST_F(Crawling, DescribesItself) {
   EXPECT_THAT(plugin.doc, StrEq("Move forward."));
   EXPECT_THAT(plugin.robot, StrEq("humanoid"));
   EXPECT_THAT(plugin.start_pose, StrEq("standing"));
-  EXPECT_THAT(plugin.source, StrEq(kCrawling));
+  ASSERT_EQ(plugin.source_count, 1u);
+  EXPECT_THAT(plugin.sources[0].text, StrEq(kCrawling));
   EXPECT_THAT(plugin.source_hash, StrEq(seal::Sha256(kCrawling)));
   ASSERT_EQ(plugin.param_count, 1u);
   EXPECT_THAT(plugin.params[0].doc, StrEq("What a fall costs."));
@@ -192,7 +193,8 @@ TEST_F(Crawling, DescribesItself) {
   EXPECT_EQ(plugin.params[0].maximum, 20);
   ASSERT_EQ(plugin.term_count, 3u);
   EXPECT_THAT(plugin.terms[2].name, StrEq("fall"));
-  EXPECT_EQ(plugin.terms[2].line, 15u);
+  EXPECT_EQ(plugin.terms[2].place.source, 0u);
+  EXPECT_EQ(plugin.terms[2].place.line, 15u);
   ASSERT_EQ(plugin.memory_count, 2u);
   EXPECT_EQ(plugin.memory[1].scope, TASKC_PER_ACTION);
   EXPECT_LE(plugin.memory[1].offset + 1, plugin.memory_size);
@@ -387,7 +389,7 @@ TEST(Plugin, CarriesAnySourceText) {
   for (int i = 0; i < 20000; ++i) text += fmt::format("// line {}\n", i);
   ASSERT_GT(text.size(), 256u * 1024);
   CompiledTask task(text);
-  EXPECT_THAT(task.plugin().source, StrEq(text));
+  EXPECT_THAT(task.plugin().sources[0].text, StrEq(text));
   EXPECT_THAT(task.plugin().ends[0].reason, StrEq("say \"?\?/\""));
 }
 

@@ -153,7 +153,7 @@ TEST_F(PluginTest, TableOfAnotherSizeIsRefused) {
   const std::string size = std::to_string(sizeof(taskc_plugin));
   const std::string other_size = std::to_string(sizeof(taskc_plugin) - 8);
   EXPECT_EQ(MessageOfLoading(PluginFile("other_size")),
-            "other_size.so: its table is damaged: it has " + other_size + " bytes, and ABI 1 has " +
+            "other_size.so: its table is damaged: it has " + other_size + " bytes, and ABI 2 has " +
                 size + "; build it again with `taskc build`");
 }
 
@@ -179,8 +179,11 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         BadTable{"gives_null", "gives no table; build it again with `taskc build`"},
         BadTable{"other_abi",
-                 "built for ABI 2, this trainer speaks 1: build it again with `taskc build`"},
+                 "built for ABI 3, this trainer speaks 2: build it again with `taskc build`"},
         BadTable{"null_text", DAMAGED("a text of it is null")},
+        BadTable{"null_source", DAMAGED("a source has no name or text")},
+        BadTable{"no_source", DAMAGED("it has no source")},
+        BadTable{"unknown_place", DAMAGED("the reward term `fall` stands in source 2 of 1")},
         BadTable{"null_table", DAMAGED("it has 3 sensors, at null")},
         BadTable{"huge_count", DAMAGED("it claims 4000000000 metrics")},
         BadTable{"null_name", DAMAGED("a reward term has no name")},
@@ -195,6 +198,12 @@ INSTANTIATE_TEST_SUITE_P(
                  DAMAGED("the sensor `time` is read by events that there are not")},
         BadTable{"unknown_reduction", DAMAGED("the metric `height` has no known reduction")},
         BadTable{"metrics_not_measured", DAMAGED("nothing measures its metrics")},
+        BadTable{"log_without_unit", DAMAGED("the log `speed` has no text or unit")},
+        BadTable{"log_of_unknown_reduction", DAMAGED("the log `speed` has no known reduction")},
+        BadTable{"same_log", DAMAGED("there are two logs `speed`")},
+        BadTable{"null_requirement", DAMAGED("a requirement has no reason")},
+        BadTable{"misplaced_requirement",
+                 DAMAGED("the requirement `it stands` stands in source 8 of 1")},
         BadTable{"unknown_end", DAMAGED("the end `over` is of no known kind")}),
     [](const auto& bad) { return std::string(bad.param.plugin); });
 

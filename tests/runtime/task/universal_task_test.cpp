@@ -17,6 +17,7 @@ namespace {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
+using testing::IsNan;
 using testing::Pair;
 using testing::UnorderedElementsAre;
 
@@ -250,6 +251,47 @@ TEST_F(UniversalTaskTest, MetricsAreReducedOverTheTimeSteps) {
   environment_.values("base.position") = {0, 0, 99};  // after the last step: only `last` sees it
   task_->on_end_of_episode({});
   EXPECT_THAT(task_->metrics(), ElementsAre(1.5, 2, 2, -1, 0.5));
+}
+
+TEST_F(UniversalTaskTest, LogsAreReducedOverTheirStatements) {
+  for (int episode = 0; episode < 2; ++episode) {
+    task_->on_start_of_episode();
+    for (const double speed : {2.0, -1.0, 0.5, 0.5}) {  // the second is not logged
+      environment_.values("base.velocity") = {speed, 0, 0};
+      task_->on_end_of_time_step(0.25);
+    }
+    task_->on_end_of_episode({});
+    EXPECT_THAT(task_->logs(), ElementsAre(0.5, 3, 2, 0.5, 1));
+  }
+}
+
+TEST_F(UniversalTaskTest, LogThatNothingWasWrittenToIsNoNumber) {
+  task_->on_start_of_episode();
+  task_->on_end_of_episode({});
+  EXPECT_THAT(task_->logs(), ElementsAre(IsNan(), 0, IsNan(), IsNan(), IsNan()));
+}
+
+TEST_F(UniversalTaskTest, RequirementThatDoesNotHoldEndsTheEpisodeAsTruncated) {
+  environment_.values("base.velocity") = {100, 6, 55};  // `far enough` and `too fast` as well
+  task_->on_start_of_episode();
+  task_->on_end_of_time_step(0.5);
+  EXPECT_THAT(TakeRewards(), ElementsAre(0, 100));  // what the event pays counts
+  task_->on_end_of_time_step(0.5);
+  EXPECT_THAT(learner_.ends, ElementsAre(Pair(EndKind::kTruncated, "requirement: not too fast")));
+  ASSERT_EQ(task_->violations().size(), 2u);
+  EXPECT_EQ(task_->violations()[0].count, 2);
+  EXPECT_EQ(task_->violations()[0].first_time, 0.5);
+  EXPECT_EQ(task_->violations()[1].count, 0);
+  task_->on_start_of_episode();
+  EXPECT_EQ(task_->violations()[0].count, 0);
+}
+
+TEST_F(UniversalTaskTest, FirstOfTwoRequirementsIsTheReason) {
+  environment_.values("base.velocity") = {0, 0, 70};
+  task_->on_start_of_episode();
+  task_->on_end_of_time_step(0.5);
+  EXPECT_EQ(task_->violations()[0].count, 1);
+  EXPECT_EQ(task_->violations()[1].count, 0);
 }
 
 TEST_F(UniversalTaskTest, StepThatEndsTheEpisodeBelongsToTheMetrics) {

@@ -1,3 +1,3 @@
 #include "plugin_table.h"
 
-PLUGIN(.source = NULL)
+PLUGIN(.source_hash = NULL)

@@ -4,6 +4,7 @@
 #include <taskc/plugin.h>
 
 #define PLUGIN(...)                                                                   \
+  static const taskc_source sources[] = {{"test.task", ""}};                          \
   static const taskc_plugin plugin = {.abi_version = TASKC_ABI_VERSION,               \
                                       .struct_size = sizeof(taskc_plugin),            \
                                       .compiler = "by hand",                          \
@@ -11,8 +12,8 @@
                                       .doc = "",                                      \
                                       .robot = "walker",                              \
                                       .start_pose = "",                               \
-                                      .source_file = "test.task",                     \
-                                      .source = "",                                   \
+                                      .sources = sources,                             \
+                                      .source_count = 1,                              \
                                       .source_hash = "",                              \
                                       __VA_ARGS__};                                   \
   __attribute__((visibility("default"))) const taskc_plugin* taskc_plugin_get(void) { \

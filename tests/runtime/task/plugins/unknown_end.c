@@ -1,5 +1,5 @@
 #include "plugin_table.h"
 
-static const taskc_end ends[] = {{"over", 3, 12}};
+static const taskc_end ends[] = {{"over", 3, {0, 12}}};
 
 PLUGIN(.ends = ends, .end_count = 1)

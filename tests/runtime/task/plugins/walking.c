@@ -13,6 +13,8 @@ enum { GAIN, BONUS, STRICT, PARAM_COUNT };
 enum { FORWARD, FALL, LAST_STEP, BENDING, TERM_COUNT };
 enum { FAR_ENOUGH, TOO_FAST, TIME_IS_UP, AFTERWARDS, END_COUNT };
 enum { LAST, SUM, MAX, MIN, MEAN, METRIC_COUNT };
+enum { LOG_COUNT = 5 };
+enum { NOT_TOO_FAST, NOT_FASTER, REQUIREMENT_COUNT };
 
 static const double* reals(const taskc_frame* frame, int sensor) {
   return (const double*)frame->sensors[sensor];
@@ -29,6 +31,21 @@ static void pay(taskc_frame* frame, int term, double value) {
 
 static void end(taskc_frame* frame, int index) {
   if (frame->end < 0) frame->end = index;
+}
+
+static void note(taskc_frame* frame, double value) {
+  for (int log = 0; log < LOG_COUNT; ++log) {
+    taskc_log_state* state = &frame->logs[log];
+    const int is_first = state->count++ == 0;
+    state->last = value;
+    state->sum += value;
+    if (is_first || value < state->minimum) state->minimum = value;
+    if (is_first || value > state->maximum) state->maximum = value;
+  }
+}
+
+static void require(taskc_frame* frame, int requirement, int holds) {
+  if (!holds && frame->violation < 0) frame->violation = requirement;
 }
 
 static void initialize(taskc_frame* frame) {
@@ -55,6 +72,9 @@ static void end_of_time_step(taskc_frame* frame) {
   memory* m = (memory*)frame->memory;
   const char* contact = (const char*)frame->sensors[CONTACT];
   pay(frame, FORWARD, frame->params[GAIN] * reals(frame, VELOCITY)[0] * frame->time_step);
+  if (reals(frame, VELOCITY)[0] > 0) note(frame, reals(frame, VELOCITY)[0]);
+  require(frame, NOT_TOO_FAST, reals(frame, VELOCITY)[2] < 50);
+  require(frame, NOT_FASTER, reals(frame, VELOCITY)[2] < 60);
   if (contact[2] && !m->fallen) {
     m->fallen = 1;
     pay(frame, FALL, -1);
@@ -98,23 +118,33 @@ static const taskc_memory variables[] = {
     {"kept", "vec3", "m", TASKC_REAL, 3, 1, TASKC_PER_RUN, offsetof(memory, kept)},
     {"fallen", "bool", "", TASKC_BOOL, 1, 1, TASKC_PER_ACTION, offsetof(memory, fallen)},
 };
-static const taskc_reward_term terms[TERM_COUNT] = {
-    {"forward", "", 10}, {"fall", "", 14}, {"last_step", "", 20}, {"bending", "", 25}};
+static const taskc_reward_term terms[TERM_COUNT] = {{"forward", "", {0, 10}},
+                                                    {"fall", "", {0, 14}},
+                                                    {"last_step", "", {0, 20}},
+                                                    {"bending", "", {0, 25}}};
 static const taskc_metric metrics[METRIC_COUNT] = {{"duration", "", "s", TASKC_LAST},
                                                    {"climbed", "", "m", TASKC_SUM},
                                                    {"highest", "", "m", TASKC_MAX},
                                                    {"lowest", "", "m", TASKC_MIN},
                                                    {"height", "", "m", TASKC_MEAN}};
-static const taskc_end ends[END_COUNT] = {{"far enough", TASKC_SUCCESS, 16},
-                                          {"too fast", TASKC_FAILURE, 17},
-                                          {"time is up", TASKC_TRUNCATED, 18},
-                                          {"afterwards", TASKC_SUCCESS, 30}};
+static const taskc_end ends[END_COUNT] = {{"far enough", TASKC_SUCCESS, {0, 16}},
+                                          {"too fast", TASKC_FAILURE, {0, 17}},
+                                          {"time is up", TASKC_TRUNCATED, {0, 18}},
+                                          {"afterwards", TASKC_SUCCESS, {0, 30}}};
+static const taskc_log logs[LOG_COUNT] = {{"last_speed", "", "m/s", TASKC_LAST, {0, 40}},
+                                          {"way", "", "m/s", TASKC_SUM, {0, 41}},
+                                          {"fastest", "", "m/s", TASKC_MAX, {0, 42}},
+                                          {"slowest", "", "m/s", TASKC_MIN, {0, 43}},
+                                          {"speed", "", "m/s", TASKC_MEAN, {0, 44}}};
+static const taskc_requirement requirements[REQUIREMENT_COUNT] = {{"not too fast", {0, 50}},
+                                                                  {"not faster", {0, 51}}};
 
 PLUGIN(.name = "walking", .sensors = sensors, .sensor_count = SENSOR_COUNT, .params = params,
        .param_count = PARAM_COUNT, .memory = variables, .memory_count = 4, .terms = terms,
        .term_count = TERM_COUNT, .metrics = metrics, .metric_count = METRIC_COUNT, .ends = ends,
-       .end_count = END_COUNT, .memory_size = sizeof(memory), .initialize = initialize,
-       .measure = measure,
+       .end_count = END_COUNT, .logs = logs, .log_count = LOG_COUNT, .requirements = requirements,
+       .requirement_count = REQUIREMENT_COUNT, .memory_size = sizeof(memory),
+       .initialize = initialize, .measure = measure,
        .events = {[TASKC_START_OF_EPISODE] = start_of_episode,
                   [TASKC_END_OF_EPISODE] = end_of_episode,
                   [TASKC_START_OF_ACTION] = start_of_action,

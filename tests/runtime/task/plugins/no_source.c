@@ -1,0 +1,3 @@
+#include "plugin_table.h"
+
+PLUGIN(.source_count = 0)
