@@ -22,14 +22,15 @@ const std::map<std::string, Folders> kMayInclude = {
 
     {"compiler/source", {}},
     {"compiler/syntax", {"compiler/source", "plugins/text"}},
+    {"compiler/format", {"compiler/source", "compiler/syntax"}},
     {"compiler/check", {"compiler/source", "compiler/syntax", "plugins/robot", "plugins/text"}},
     {"compiler/analyze", {"compiler/check", "compiler/source", "compiler/syntax", "plugins/robot"}},
     {"compiler/emit", {"compiler/check", "compiler/source", "compiler/syntax", "plugins/seal"}},
     {"compiler/build", {"compiler/source", "plugins/seal"}},
     {"compiler/evaluate", {"compiler/check"}},
     {"compiler/driver",
-     {"compiler/analyze", "compiler/build", "compiler/check", "compiler/emit", "compiler/source",
-      "compiler/syntax", "plugins/robot", "plugins/text"}},
+     {"compiler/analyze", "compiler/build", "compiler/check", "compiler/emit", "compiler/format",
+      "compiler/source", "compiler/syntax", "plugins/robot", "plugins/text"}},
 
     {"runtime/module", {"plugins/robot", "plugins/text"}},
     {"runtime/task", {"plugins/robot", "plugins/seal", "runtime/module"}},

@@ -25,15 +25,15 @@ Session::Session() : color_(WantsColor()) {}
 
 Analysis Session::Analyze(const std::string& file) {
   Analysis analysis = compiler::Analyze(file, ReadFromDisk, robots);
-  Report(analysis);
+  Report(analysis.source, analysis.diagnostics);
   return analysis;
 }
 
-void Session::Report(const Analysis& analysis) {
-  for (const Diagnostic& diagnostic : analysis.diagnostics.list()) {
+void Session::Report(const SourceFile& source, const Diagnostics& diagnostics) {
+  for (const Diagnostic& diagnostic : diagnostics.list()) {
     ++(diagnostic.severity == Severity::kError ? errors_ : warnings_);
   }
-  fmt::print(stderr, "{}", Render(analysis.source, analysis.diagnostics, color_));
+  fmt::print(stderr, "{}", Render(source, diagnostics, color_));
 }
 
 void Session::Finish() const {

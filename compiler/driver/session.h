@@ -18,14 +18,15 @@ class Session {
   // cannot be read, robot::DescriptionError where the robot's file is wrong.
   Analysis Analyze(const std::string& file);
 
+  // Says what is wrong with a file.
+  void Report(const SourceFile& source, const Diagnostics& diagnostics);
+
   // After the last task: "2 errors, 1 warning" in all files, if there were any.
   void Finish() const;
 
   std::filesystem::path robots;  // where to look for robots first; may be empty
 
  private:
-  void Report(const Analysis& analysis);
-
   bool color_ = false;
   int errors_ = 0;
   int warnings_ = 0;

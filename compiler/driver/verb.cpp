@@ -15,6 +15,11 @@ const std::vector<Verb> kVerbs = {
      "taskc emit crawling.task\n"
      "taskc emit crawling.task -o crawling.cpp",
      DeclareEmit},
+    {"fmt", "Lay out tasks: indentation, blanks, line breaks",
+     "taskc fmt *.task           # rewrites the files\n"
+     "taskc fmt --check *.task   # lists those that would change\n"
+     "taskc fmt - <crawling.task # prints the result",
+     DeclareFmt},
 };
 
 void AddTask(CLI::App& app, std::string& task) {

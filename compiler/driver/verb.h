@@ -31,6 +31,7 @@ extern const std::vector<Verb> kVerbs;
 Action DeclareBuild(CLI::App& app, Session& session);
 Action DeclareCheck(CLI::App& app, Session& session);
 Action DeclareEmit(CLI::App& app, Session& session);
+Action DeclareFmt(CLI::App& app, Session& session);
 
 // ---- Options that several verbs have ------------------------------------------------------------
 

@@ -1,0 +1,79 @@
+// taskc fmt FILE.task...
+#include <fmt/format.h>
+
+#include <iostream>
+#include <iterator>
+#include <memory>
+
+#include "compiler/build/file_io.h"
+#include "compiler/driver/print_error.h"
+#include "compiler/driver/verb.h"
+#include "compiler/format/format.h"
+
+namespace compiler {
+namespace {
+
+struct Options {
+  std::vector<std::string> tasks;  // "-": standard input
+  bool check = false;
+};
+
+// Through links, and with the file's permissions left as they are.
+void Rewrite(const std::filesystem::path& file, const std::string& text) {
+  const std::filesystem::path target = std::filesystem::canonical(file);
+  const auto permissions = std::filesystem::status(target).permissions();
+  ReplaceFile(target, text);
+  std::filesystem::permissions(target, permissions);
+}
+
+ExitStatus FormatFile(const std::string& file, bool check, Session& session) {
+  const SourceFile source = SourceFile::Read(file);
+  Diagnostics diagnostics;
+  const auto formatted = Format(source, diagnostics);
+  session.Report(source, diagnostics);
+  if (!formatted) return ExitStatus::kWrongTask;
+  if (*formatted == source.text()) return ExitStatus::kOk;
+  if (check) {
+    fmt::print("{}\n", file);
+    return ExitStatus::kWrongTask;
+  }
+  Rewrite(file, *formatted);
+  return ExitStatus::kOk;
+}
+
+ExitStatus FormatStandardInput(bool check, Session& session) {
+  const SourceFile source("<stdin>", {std::istreambuf_iterator<char>(std::cin), {}});
+  Diagnostics diagnostics;
+  const auto formatted = Format(source, diagnostics);
+  session.Report(source, diagnostics);
+  if (!formatted) return ExitStatus::kWrongTask;
+  if (!check) fmt::print("{}", *formatted);
+  return check && *formatted != source.text() ? ExitStatus::kWrongTask : ExitStatus::kOk;
+}
+
+// A file that cannot be read or written does not keep the others from being formatted.
+ExitStatus FormatAll(const Options& options, Session& session) {
+  ExitStatus status = ExitStatus::kOk;
+  for (const std::string& file : options.tasks) {
+    try {
+      status = Worse(status, file == "-" ? FormatStandardInput(options.check, session)
+                                         : FormatFile(file, options.check, session));
+    } catch (const CallError& error) {
+      PrintError(error.what());
+      status = Worse(status, ExitStatus::kWrongCall);
+    }
+  }
+  return status;
+}
+
+}  // namespace
+
+Action DeclareFmt(CLI::App& app, Session&) {
+  auto options = std::make_shared<Options>();
+  AddTasks(app, options->tasks);
+  app.add_flag("--check", options->check,
+               "change nothing, list the files that would change; status 1 if there are any");
+  return [options](Session& call) { return FormatAll(*options, call); };
+}
+
+}  // namespace compiler
