@@ -6,6 +6,17 @@
 //   type = "PengQLambda"
 //   temperature = 5
 //
+// `include = ["base.toml"]` begins with what other files say. A composite is a type of module that
+// is itself made of modules; it exports some of their ports and parameters:
+//
+//   [composites.Mind]
+//   connections = [["features.features", "learner.features"]]
+//   ports = {state = "features.state", reward = "learner.reward"}
+//   parameters = {temperature = "learner.temperature"}
+//
+//   [composites.Mind.modules.learner]
+//   type = "PengQLambda"
+//
 // Everything keeps the place where it was written, for messages that appear when it is used.
 #pragma once
 
@@ -20,11 +31,11 @@
 namespace runtime {
 
 struct SourcePlace {
-  std::string file;  // as messages name it
-  int line = 0;      // from 1, like the column
+  std::string file;  // as messages name it; "" where nothing was written: a default
+  int line = 0;      // from 1, like the column; 0 for what stands in no file
   int column = 0;
 
-  // "agent.toml:3:12"
+  // "agent.toml:3:12", "--set"
   std::string ToText() const;
 };
 
@@ -47,21 +58,43 @@ struct ConnectionSetting {
   SourcePlace place;
 };
 
+struct CompositeSetting;
+
 struct Agent {
   std::vector<ModuleSetting> modules;  // in the order of their creation
   std::vector<ConnectionSetting> connections;
+  std::vector<CompositeSetting> composites;  // each may use those before it
 };
 
-// Reads an agent file. Throws UserError with file, line, column and, for a misspelt key, the
-// nearest one. Whether types, parameters and ports exist is found out by BuildNetwork.
+// `mind.reward` is `learner.reward` of the modules inside.
+struct ExportSetting {
+  std::string name;
+  std::string inner;
+  SourcePlace place;
+};
+
+struct CompositeSetting {
+  std::string name;  // of the type
+  SourcePlace place;
+  Agent inside;  // without composites of its own
+  std::vector<ExportSetting> ports;
+  std::vector<ExportSetting> parameters;
+};
+
+// Reads an agent file and those that it includes. Throws UserError with file, line, column and, for
+// a misspelt key, the nearest one. Whether types, parameters and ports exist is found out by
+// BuildNetwork.
 Agent ReadAgent(const std::filesystem::path& file);
-// The same from a text; `name` stands for the file in messages.
+// The same from a text, which cannot include; `name` stands for the file in messages.
 Agent ParseAgent(std::string_view text, const std::string& name);
 
 // `agent` with the changes of another file: parameters replace those of the same name, modules with
 // a type of their own are added or replace the one of their name with all its parameters,
-// connections are added. Throws UserError for a change of a module that there is not.
+// connections and composites are added; a composite replaces one of its name. Throws UserError for a change of a module that there is not.
 Agent Changed(Agent agent, const Agent& changes);
+// The same for two files that may both be changes of a third: what changes a module of neither is
+// kept.
+Agent Joined(Agent first, const Agent& second);
 
 // Makes the modules, sets their parameters and connects their ports. Throws UserError, with the
 // place in the agent file, for whatever does not exist or does not fit.
@@ -74,5 +107,7 @@ Agent Resolved(const Agent& agent, const Network& network);
 // As an agent file. The same agent gives the same text, byte for byte, and reading it gives the
 // same agent.
 std::string ToToml(const Agent& agent);
+// The same with a comment behind each line that says where it comes from.
+std::string ToTomlWithPlaces(const Agent& agent);
 
 }  // namespace runtime

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "runtime/agent/agent.h"
+#include "runtime/module/composite.h"
 
 namespace runtime {
 namespace {
@@ -31,9 +32,33 @@ void AddModule(const ModuleSetting& setting, const ModuleTypes& types, const Con
   }
 }
 
+std::unique_ptr<Module> MakeComposite(const CompositeSetting& setting, const ModuleTypes& types,
+                                      const Context& context, std::string name) {
+  auto made = std::make_unique<Composite>(std::move(name),
+                                          BuildNetwork(setting.inside, types, context));
+  for (const ExportSetting& port : setting.ports) {
+    At(port.place, [&] { made->ExportPort(port.name, port.inner); });
+  }
+  for (const ExportSetting& parameter : setting.parameters) {
+    At(parameter.place, [&] { made->ExportParameter(parameter.name, parameter.inner); });
+  }
+  return made;
+}
+
+// `types` and the agent's own composites, each of which may use those before it.
+ModuleTypes WithComposites(ModuleTypes types, const Agent& agent) {
+  for (const CompositeSetting& composite : agent.composites) {
+    types.Add(composite.name, [known = types, composite](std::string name, const Context& context) {
+      return MakeComposite(composite, known, context, std::move(name));
+    });
+  }
+  return types;
+}
+
 }  // namespace
 
-Network BuildNetwork(const Agent& agent, const ModuleTypes& types, const Context& context) {
+Network BuildNetwork(const Agent& agent, const ModuleTypes& program_types, const Context& context) {
+  const ModuleTypes types = WithComposites(program_types, agent);
   Network network;
   for (const ModuleSetting& module : agent.modules) AddModule(module, types, context, network);
   for (const ConnectionSetting& connection : agent.connections) {

@@ -19,16 +19,32 @@ class AgentReader {
   Agent Read(const toml::table& root) const {
     Agent agent;
     for (const auto& [key, node] : root) {
-      if (key == "modules") {
-        agent.modules = ReadModules(TableAt(node, "`modules`"));
-      } else if (key == "connections") {
-        agent.connections = ReadConnections(node);
-      } else {
-        Fail(key.source(), fmt::format("an agent has no `{}`{}", key.str(),
-                                       Suggestion(key.str(), {"modules", "connections"})));
+      if (key == "include") continue;  // has been read
+      if (key == "composites") {
+        agent.composites = ReadComposites(TableAt(node, "`composites`"));
+      } else if (!ReadPart(key, node, agent)) {
+        const std::vector<std::string> keys = {"modules", "connections", "composites", "include"};
+        Fail(key.source(),
+             fmt::format("an agent has no `{}`{}", key.str(), Suggestion(key.str(), keys)));
       }
     }
     return agent;
+  }
+
+  struct Include {
+    std::string file;
+    SourcePlace place;
+  };
+  std::vector<Include> ReadIncludes(const toml::table& root) const {
+    std::vector<Include> includes;
+    const toml::node* node = root.get("include");
+    if (node == nullptr) return includes;
+    const toml::array* list = node->as_array();
+    if (list == nullptr) Fail(node->source(), "`include` is a list of files: [\"base.toml\"]");
+    for (const toml::node& item : *list) {
+      includes.push_back({ReadText(item, "the name of a file"), PlaceOf(item.source())});
+    }
+    return includes;
   }
 
   [[noreturn]] void Fail(const toml::source_region& source, const std::string& message) const {
@@ -36,6 +52,59 @@ class AgentReader {
   }
 
  private:
+  // Modules and connections, which the whole and a composite have. False for any other key.
+  bool ReadPart(const toml::key& key, const toml::node& node, Agent& agent) const {
+    if (key == "modules") {
+      agent.modules = ReadModules(TableAt(node, "`modules`"));
+    } else if (key == "connections") {
+      agent.connections = ReadConnections(node);
+    } else {
+      return false;
+    }
+    return true;
+  }
+
+  std::vector<CompositeSetting> ReadComposites(const toml::table& table) const {
+    std::vector<CompositeSetting> composites;
+    for (const auto& [key, node] : table) {
+      const std::string name(key.str());
+      composites.push_back(ReadComposite(
+          name, PlaceOf(key.source()), TableAt(node, fmt::format("the composite `{}`", name))));
+    }
+    SortByPlace(composites);
+    return composites;
+  }
+
+  CompositeSetting ReadComposite(const std::string& name, const SourcePlace& place,
+                                 const toml::table& table) const {
+    CompositeSetting composite{name, place, {}, {}, {}};
+    for (const auto& [key, node] : table) {
+      if (key == "ports") {
+        composite.ports = ReadExports(node, "`ports`");
+      } else if (key == "parameters") {
+        composite.parameters = ReadExports(node, "`parameters`");
+      } else if (!ReadPart(key, node, composite.inside)) {
+        const std::vector<std::string> keys = {"modules", "connections", "ports", "parameters"};
+        Fail(key.source(),
+             fmt::format("a composite has no `{}`{}", key.str(), Suggestion(key.str(), keys)));
+      }
+    }
+    return composite;
+  }
+
+  // {state = "features.state"}
+  std::vector<ExportSetting> ReadExports(const toml::node& node, const std::string& what) const {
+    const toml::table* table = node.as_table();
+    if (table == nullptr) Fail(node.source(), what + " is no table: {NAME = \"MODULE.NAME\"}");
+    std::vector<ExportSetting> exports;
+    for (const auto& [key, inner] : *table) {
+      exports.push_back({std::string(key.str()), ReadText(inner, fmt::format("`{}`", key.str())),
+                         PlaceOf(key.source())});
+    }
+    SortByPlace(exports);
+    return exports;
+  }
+
   SourcePlace PlaceOf(const toml::source_region& source) const {
     return {file_, static_cast<int>(source.begin.line), static_cast<int>(source.begin.column)};
   }
@@ -123,25 +192,68 @@ class AgentReader {
   std::string file_;
 };
 
-}  // namespace
-
-Agent ParseAgent(std::string_view text, const std::string& name) {
-  const AgentReader reader(name);
+toml::table Parse(std::string_view text, const AgentReader& reader) {
   try {
-    return reader.Read(toml::parse(text));
+    return toml::parse(text);
   } catch (const toml::parse_error& error) {
     reader.Fail(error.source(), std::string(error.description()));
   }
 }
 
-Agent ReadAgent(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  // Reading a folder fails only here.
-  if (!stream || !(text << stream.rdbuf())) {
-    throw UserError(fmt::format("{}: cannot be read", file.string()));
+// Reads files one inside the other.
+class FileReader {
+ public:
+  Agent Read(const std::filesystem::path& file) {
+    const AgentReader reader(file.string());
+    const toml::table root = Parse(TextOf(file), reader);
+    open_.push_back(std::filesystem::weakly_canonical(file));
+    Agent agent;
+    for (const AgentReader::Include& include : reader.ReadIncludes(root)) {
+      agent = Joined(std::move(agent), ReadIncluded(file.parent_path() / include.file, include));
+    }
+    open_.pop_back();
+    return Joined(std::move(agent), reader.Read(root));
   }
-  return ParseAgent(text.str(), file.string());
+
+ private:
+  Agent ReadIncluded(const std::filesystem::path& file, const AgentReader::Include& include) {
+    const auto is_open = std::ranges::find(open_, std::filesystem::weakly_canonical(file));
+    if (is_open != open_.end()) {
+      throw UserError(
+          fmt::format("{}: `{}` includes itself", include.place.ToText(), include.file));
+    }
+    if (!std::filesystem::exists(file)) {
+      throw UserError(
+          fmt::format("{}: there is no file `{}`", include.place.ToText(), file.string()));
+    }
+    return Read(file);
+  }
+
+  static std::string TextOf(const std::filesystem::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    std::ostringstream text;
+    // Reading a folder fails only here.
+    if (!stream || !(text << stream.rdbuf())) {
+      throw UserError(fmt::format("{}: cannot be read", file.string()));
+    }
+    return text.str();
+  }
+
+  std::vector<std::filesystem::path> open_;  // those that are being read
+};
+
+}  // namespace
+
+Agent ParseAgent(std::string_view text, const std::string& name) {
+  const AgentReader reader(name);
+  const toml::table root = Parse(text, reader);
+  for (const AgentReader::Include& include : reader.ReadIncludes(root)) {
+    throw UserError(fmt::format("{}: only a file can include `{}`", include.place.ToText(),
+                                include.file));
+  }
+  return reader.Read(root);
 }
+
+Agent ReadAgent(const std::filesystem::path& file) { return FileReader().Read(file); }
 
 }  // namespace runtime

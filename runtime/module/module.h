@@ -46,6 +46,9 @@ class Module {
   // Throws UserError for an unknown name, with the nearest one.
   Port& FindPort(std::string_view port) const;
 
+  // Throws UserError for an unknown name, with the nearest one.
+  const Parameter& FindParameter(std::string_view parameter) const;
+
   // Sets a parameter; integers are accepted where a real is wanted. Throws UserError for an unknown
   // name (with the nearest one), a wrong type, a number that is out of range or not finite, or a
   // text that is not among the choices.
@@ -67,7 +70,6 @@ class Module {
 
  private:
   friend class Port;
-  const Parameter& FindParameter(std::string_view parameter) const;
 
   std::string name_;
   std::vector<Port*> ports_;

@@ -4,6 +4,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <sstream>
 
 #include "runtime/module/suggestion.h"
 
@@ -37,6 +39,36 @@ std::string Remedy(const Port& first, const Port& second) {
     }
   }
   return fmt::format("; no port of `{}` fits `{}`", second.owner().name(), first.full_name());
+}
+
+void WriteLength(std::ostream& stream, uint64_t length) {
+  stream.write(reinterpret_cast<const char*>(&length), sizeof length);
+}
+
+void WriteText(std::ostream& stream, const std::string& text) {
+  WriteLength(stream, text.size());
+  stream.write(text.data(), static_cast<std::streamsize>(text.size()));
+}
+
+[[noreturn]] void ThrowCutOff() { throw UserError("the checkpoint is damaged: it ends too early"); }
+
+uint64_t ReadLength(std::istream& stream) {
+  uint64_t length = 0;
+  if (!stream.read(reinterpret_cast<char*>(&length), sizeof length)) ThrowCutOff();
+  return length;
+}
+
+std::string ReadText(std::istream& stream) {
+  uint64_t left = ReadLength(stream);
+  std::string text;
+  // Piece by piece: a damaged length must not ask for more memory than there is.
+  for (char piece[4096]; left > 0; left -= static_cast<uint64_t>(stream.gcount())) {
+    if (!stream.read(piece, static_cast<std::streamsize>(std::min<uint64_t>(left, sizeof piece)))) {
+      ThrowCutOff();
+    }
+    text.append(piece, static_cast<size_t>(stream.gcount()));
+  }
+  return text;
 }
 
 }  // namespace
@@ -77,6 +109,11 @@ Module& Network::Add(std::unique_ptr<Module> module) {
     if (other->name() == name) throw UserError(fmt::format("there is a module `{}` already", name));
   }
   return *modules_.emplace_back(std::move(module));
+}
+
+void Network::Remove(std::string_view module) {
+  const Module* found = &Find(module);
+  std::erase_if(modules_, [&](const auto& candidate) { return candidate.get() == found; });
 }
 
 Module& Network::Find(std::string_view module) const {
@@ -133,22 +170,33 @@ void Network::Start() {
   for (const auto& module : modules_) module->Start();
 }
 
-std::string Network::ToText() const {
-  std::string text;
+// For each module, in the order of their creation: its name and what it wrote, each after its
+// length. The number of modules stands in front.
+void Network::Save(std::ostream& stream) const {
+  WriteLength(stream, modules_.size());
   for (const auto& module : modules_) {
-    text += module->name() + "\n";
-    for (const Parameter& parameter : module->parameters()) {
-      text +=
-          fmt::format("  {} = {}\n", parameter.name, runtime::ToText(module->Get(parameter.name)));
+    std::ostringstream state;
+    module->Save(state);
+    WriteText(stream, module->name());
+    WriteText(stream, state.str());
+  }
+}
+
+void Network::Load(std::istream& stream) {
+  if (ReadLength(stream) != modules_.size()) {
+    throw UserError("the checkpoint is of an agent with another number of modules");
+  }
+  for (const auto& module : modules_) {
+    if (ReadText(stream) != module->name()) {
+      throw UserError(
+          fmt::format("the checkpoint has no state for the module `{}`", module->name()));
     }
-    for (const Port* port : module->ports()) {
-      if (port->kind() != PortKind::kSignal && port->kind() != PortKind::kOut) continue;
-      for (const Port* peer : port->Connections()) {
-        text += fmt::format("  {} -> {}  {}\n", port->name(), peer->full_name(), port->type().text);
-      }
+    std::istringstream state(ReadText(stream));
+    module->Load(state);
+    if (state.fail()) {
+      throw UserError(fmt::format("the checkpoint of the module `{}` is damaged", module->name()));
     }
   }
-  return text;
 }
 
 }  // namespace runtime

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <iosfwd>
 #include <map>
 #include <memory>
 #include <string>
@@ -45,6 +46,9 @@ class Network {
 
   // Throws UserError if the name is taken, empty, or contains a '.'.
   Module& Add(std::unique_ptr<Module> module);
+  // Disconnects and destroys a module. Not from inside one of its own slots. Throws UserError for an
+  // unknown module.
+  void Remove(std::string_view module);
   // Throws UserError for an unknown module, with the nearest name.
   Module& Find(std::string_view module) const;
   // The module of this name as an M. Throws UserError if it is of another class.
@@ -66,8 +70,11 @@ class Network {
   void Start();
 
   const std::vector<std::unique_ptr<Module>>& modules() const { return modules_; }
-  // One line per module and connection, for a person.
-  std::string ToText() const;
+
+  // The state of all modules, so that a network of the same modules goes on where this one is.
+  void Save(std::ostream& stream) const;
+  // Throws UserError where the state is damaged or of other modules.
+  void Load(std::istream& stream);
 
  private:
   void ConnectAll(const Module& from, const Module& to);

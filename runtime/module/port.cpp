@@ -62,6 +62,17 @@ Port::~Port() {
   std::erase(owner_->ports_, this);
 }
 
+void Port::HandOver(Module& owner, std::string name) {
+  for (const Port* other : owner.ports_) {
+    if (other->name_ != name) continue;
+    throw UserError(fmt::format("the module `{}` has a port `{}` already", owner.name(), name));
+  }
+  std::erase(owner_->ports_, this);
+  owner.ports_.push_back(this);
+  owner_ = &owner;
+  name_ = std::move(name);
+}
+
 std::string Port::full_name() const { return owner_->name() + "." + name_; }
 
 std::vector<Port*> Port::Connections() const {

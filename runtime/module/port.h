@@ -59,6 +59,10 @@ class Port {
   // Whether kinds and types of the two fit each other, connected or not.
   bool Fits(const Port& other) const;
 
+  // Makes the port one of `owner`, under another name; it does what it did before. `owner` outlives
+  // the module that the port was made by. Throws UserError where `owner` has a port of that name.
+  void HandOver(Module& owner, std::string name);
+
   // Connects a signal to a slot, or an out port to an in port; the order of the two does not
   // matter. Throws UserError if they do not fit, if they are connected already, or if the in port
   // has another out port; nothing has changed then.

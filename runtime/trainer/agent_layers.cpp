@@ -26,9 +26,20 @@ Agent ParseSetting(const std::string& setting) {
         "--set {}: write MODULE.PARAMETER=VALUE, for example `--set learner.temperature=2`",
         setting));
   }
-  return ParseAgent(fmt::format("modules.{} = {}", setting.substr(0, equals),
-                                TomlValue(setting.substr(equals + 1))),
-                    "--set");
+  try {
+    Agent change = ParseAgent(fmt::format("modules.{} = {}", setting.substr(0, equals),
+                                          TomlValue(setting.substr(equals + 1))),
+                              "--set");
+    const SourcePlace place{"--set " + setting};
+    for (ModuleSetting& module : change.modules) {
+      module.place = place;
+      for (ParameterSetting& parameter : module.parameters) parameter.place = place;
+    }
+    return change;
+  } catch (const UserError&) {
+    throw CallError(fmt::format(
+        "--set {}: the value is none: write a number, true, false, \"text\" or [1, 2]", setting));
+  }
 }
 
 Agent AgentLayers::Merge() const {

@@ -1,12 +1,14 @@
 #include "runtime/agent/agent.h"
 
 #include <gmock/gmock.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
 
+#include "runtime/module/composite.h"
 #include "runtime/module/context.h"
 
 namespace runtime {
@@ -199,6 +201,131 @@ discount = 0.1
 policy = "boltzmann"
 rates = [0.25, 1.0]
 )"));
+}
+
+constexpr const char* kComposite = R"(connections = [
+  ["environment.reward", "mind.reward"],
+]
+
+[modules.environment]
+type = "Environment"
+
+[modules.mind]
+type = "Mind"
+warmth = 3
+
+[composites.Mind]
+ports = {reward = "inner.reward", second = "other.reward"}
+parameters = {warmth = "inner.temperature"}
+
+[composites.Mind.modules.inner]
+type = "Learner"
+discount = 0.25
+
+[composites.Mind.modules.other]
+type = "Learner"
+)";
+
+TEST(Composite, IsAModuleOfModules) {
+  const Network network = Build(ParseAgent(kComposite, "agent.toml"));
+  auto& mind = network.FindAs<Composite>("mind");
+  auto& inner = mind.inner().FindAs<Learner>("inner");
+  network.FindAs<Environment>("environment").reward(1.5);
+  EXPECT_THAT(inner.rewards, ElementsAre(1.5));
+  EXPECT_EQ(inner.temperature, 3);
+  EXPECT_EQ(inner.discount, 0.25);
+  mind.Set("warmth", 7.0);
+  EXPECT_EQ(inner.temperature, 7);
+  EXPECT_EQ(std::get<double>(mind.Get("warmth")), 7);
+  EXPECT_EQ(mind.FindPort("reward").full_name(), "mind.reward");
+}
+
+TEST(Composite, MayBeMadeOfComposites) {
+  Network network = Build(ParseAgent(std::string(kComposite) + R"(
+[modules.head]
+type = "Head"
+[composites.Head]
+ports = {reward = "mind.second"}
+[composites.Head.modules.mind]
+type = "Mind"
+)",
+                                           "agent.toml"));
+  network.Connect("environment.reward", "head.reward");
+  network.FindAs<Environment>("environment").reward(2);
+  const auto& mind = network.FindAs<Composite>("head").inner().FindAs<Composite>("mind");
+  EXPECT_THAT(mind.inner().FindAs<Learner>("other").rewards, ElementsAre(2));
+  EXPECT_THAT(mind.inner().FindAs<Learner>("inner").rewards, testing::IsEmpty());
+}
+
+TEST(Composite, ResolvedAndWrittenIsTheSame) {
+  const Agent agent = ParseAgent(kComposite, "agent.toml");
+  const std::string toml = ToToml(Resolved(agent, Build(agent)));
+  EXPECT_THAT(toml, testing::HasSubstr("[modules.mind]\ntype = \"Mind\"\nwarmth = 3.0\n"));
+  EXPECT_THAT(toml, testing::HasSubstr("[composites.Mind.modules.inner]\ntype = \"Learner\"\n"
+                                       "temperature = 3.0\ndiscount = 0.25\n"));
+  const Agent again = ParseAgent(toml, "again.toml");
+  EXPECT_EQ(ToToml(Resolved(again, Build(again))), toml);
+}
+
+TEST(Agent, PlacesTellWhereEverythingComesFrom) {
+  const Agent agent = ParseAgent(kAgent, "agent.toml");
+  const std::string toml = ToTomlWithPlaces(Resolved(agent, Build(agent)));
+  EXPECT_THAT(toml, testing::ContainsRegex("temperature = 2.0 +# agent.toml:12:1\n"));
+  EXPECT_THAT(toml, testing::ContainsRegex("discount = 0.9 +# default\n"));
+  EXPECT_EQ(ToToml(ParseAgent(toml, "again")), ToToml(Resolved(agent, Build(agent))));
+}
+
+class IncludeTest : public testing::Test {
+ protected:
+  ~IncludeTest() override { std::filesystem::remove_all(folder_); }
+
+  std::string Write(const std::string& name, const std::string& text) {
+    std::filesystem::create_directories((folder_ / name).parent_path());
+    std::ofstream(folder_ / name) << text;
+    return folder_ / name;
+  }
+  static std::string MistakeOf(const std::string& file) {
+    try {
+      ReadAgent(file);
+      return "";
+    } catch (const UserError& error) {
+      return error.what();
+    }
+  }
+
+  const std::filesystem::path folder_ = std::filesystem::path(testing::TempDir()) /
+                                        ("include-" + std::to_string(getpid()));
+};
+
+TEST_F(IncludeTest, BeginsWithWhatTheOtherFilesSay) {
+  Write("parts/base.toml", kAgent);
+  const std::string file = Write(
+      "mine.toml", "include = ['parts/base.toml']\n[modules.learner]\ntemperature = 9\n");
+  const Agent agent = ReadAgent(file);
+  EXPECT_EQ(Build(agent).FindAs<Learner>("learner").temperature, 9);
+  EXPECT_THAT(NamesOf(agent.modules), ElementsAre("environment", "learner"));
+  EXPECT_THAT(ToTomlWithPlaces(agent), testing::ContainsRegex("rates = .* # .*base.toml:11:1\n"));
+}
+
+TEST_F(IncludeTest, FilesThatChangeAnAgentCanIncludeOneAnother) {
+  Write("warm.toml", "[modules.learner]\ntemperature = 9\n");
+  const std::string file =
+      Write("mine.toml", "include = ['warm.toml']\n[modules.learner]\ndiscount = 0.5\n");
+  const Network network = Build(Changed(ParseAgent(kAgent, "agent.toml"), ReadAgent(file)));
+  EXPECT_EQ(network.FindAs<Learner>("learner").temperature, 9);
+  EXPECT_EQ(network.FindAs<Learner>("learner").discount, 0.5);
+}
+
+TEST_F(IncludeTest, CircleIsRefused) {
+  const std::string a = Write("a.toml", "include = ['b.toml']\n");
+  Write("b.toml", "include = ['a.toml']\n");
+  EXPECT_THAT(MistakeOf(a), testing::EndsWith("b.toml:1:12: `a.toml` includes itself"));
+}
+
+TEST_F(IncludeTest, MissingFileIsNamed) {
+  const std::string file = Write("a.toml", "\ninclude = ['c.toml']\n");
+  EXPECT_THAT(MistakeOf(file), testing::EndsWith("c.toml`"));
+  EXPECT_THAT(MistakeOf(file), testing::HasSubstr("a.toml:2:12: there is no file `"));
 }
 
 TEST(ReadAgent, FileThatIsNotThereIsRefused) {

@@ -2,7 +2,11 @@
 
 #include <gmock/gmock.h>
 
+#include <nlohmann/json.hpp>
+#include <sstream>
+
 #include "runtime/module/context.h"
+#include "runtime/module/graph.h"
 #include "tests/runtime/module/test_modules.h"
 
 namespace runtime {
@@ -102,12 +106,87 @@ TEST_F(NetworkTest, ModuleOfAnotherClassIsRefused) {
 TEST_F(NetworkTest, TextListsModulesAndConnections) {
   network_.Connect("environment.reward", "task.reward");
   network_.Connect("environment.*", "task.*");
-  EXPECT_EQ(network_.ToText(),
+  EXPECT_EQ(GraphText(network_),
             "environment\n"
             "  reward -> task.reward  (real)\n"
             "  level -> task.level  real\n"
             "  base.velocity -> task.base.velocity  vec3 [m/s]\n"
             "task\n");
+}
+
+TEST_F(NetworkTest, JsonListsModulesPortsAndConnections) {
+  network_.Connect("environment.reward", "task.reward");
+  const auto json = nlohmann::json::parse(GraphJson(network_));
+  ASSERT_EQ(json["modules"].size(), 2u);
+  EXPECT_EQ(json["modules"][0]["name"], "environment");
+  EXPECT_EQ(json["modules"][0]["ports"][0],
+            (nlohmann::json{{"name", "reward"}, {"kind", "signal"}, {"type", "(real)"}}));
+  EXPECT_EQ(json["connections"],
+            nlohmann::json::array(
+                {{{"from", "environment.reward"}, {"to", "task.reward"}, {"type", "(real)"}}}));
+}
+
+TEST_F(NetworkTest, DotDrawsSignalsFullAndValuesDashed) {
+  network_.Connect("environment.reward", "task.reward");
+  network_.Connect("environment.level", "task.level");
+  const std::string dot = GraphDot(network_);
+  EXPECT_THAT(dot, testing::StartsWith("digraph agent {\n"));
+  EXPECT_THAT(dot, testing::HasSubstr("  \"environment\" -> \"task\" [taillabel=\"reward\", "
+                                      "headlabel=\"reward\"];\n"));
+  EXPECT_THAT(dot, testing::HasSubstr("headlabel=\"level\", style=dashed];\n"));
+}
+
+TEST_F(NetworkTest, RemovedModuleIsDisconnected) {
+  network_.Connect("environment.reward", "task.reward");
+  network_.Remove("task");
+  EXPECT_THAT(network_.FindPort("environment.reward").Connections(), testing::IsEmpty());
+  EXPECT_THROW(network_.Find("task"), UserError);
+  EXPECT_THROW(network_.Remove("task"), UserError);
+}
+
+// Keeps one number in checkpoints.
+class Keeper : public Module {
+ public:
+  explicit Keeper(std::string name, char initial = '0')
+      : Module(std::move(name)), value(initial) {}
+  void Save(std::ostream& stream) const override { stream.put(value); }
+  void Load(std::istream& stream) override { stream.get(value); }
+  char value;
+};
+
+TEST(NetworkState, ComesBack) {
+  Network saved;
+  saved.Add(std::make_unique<Keeper>("a", '1'));
+  saved.Add(std::make_unique<Keeper>("b", '2'));
+  std::stringstream state;
+  saved.Save(state);
+  Network loaded;
+  auto& a = static_cast<Keeper&>(loaded.Add(std::make_unique<Keeper>("a")));
+  auto& b = static_cast<Keeper&>(loaded.Add(std::make_unique<Keeper>("b")));
+  loaded.Load(state);
+  EXPECT_EQ(a.value, '1');
+  EXPECT_EQ(b.value, '2');
+}
+
+TEST(NetworkState, OfOtherModulesOrDamagedIsRefused) {
+  Network saved;
+  saved.Add(std::make_unique<Keeper>("a", '1'));
+  std::stringstream stream;
+  saved.Save(stream);
+  const std::string state = stream.str();
+  for (size_t size = 0; size < state.size(); ++size) {
+    std::istringstream cut(state.substr(0, size));
+    EXPECT_THROW(saved.Load(cut), UserError) << size;
+  }
+  Network other;
+  other.Add(std::make_unique<Keeper>("b"));
+  std::istringstream whole(state);
+  EXPECT_THROW(other.Load(whole), UserError);
+  Network larger;
+  larger.Add(std::make_unique<Keeper>("a"));
+  larger.Add(std::make_unique<Keeper>("c"));
+  std::istringstream again(state);
+  EXPECT_THROW(larger.Load(again), UserError);
 }
 
 class Recorder : public Module {
