@@ -25,6 +25,7 @@ const std::map<std::string, Folders> kMayInclude = {
     {"compiler/format", {"compiler/source", "compiler/syntax"}},
     {"compiler/check", {"compiler/source", "compiler/syntax", "plugins/robot", "plugins/text"}},
     {"compiler/analyze", {"compiler/check", "compiler/source", "compiler/syntax", "plugins/robot"}},
+    {"compiler/bounds", {"compiler/check", "compiler/source", "compiler/syntax", "plugins/text"}},
     {"compiler/emit", {"compiler/check", "compiler/source", "compiler/syntax", "plugins/seal"}},
     {"compiler/build", {"compiler/source", "plugins/seal"}},
     {"compiler/evaluate", {"compiler/check"}},

@@ -1,0 +1,39 @@
+#include "compiler/bounds/bounds.h"
+
+#include "compiler/bounds/causes.h"
+#include "compiler/bounds/event_bounds.h"
+#include "compiler/bounds/expression_bounds.h"
+#include "compiler/bounds/memory_bounds.h"
+
+namespace compiler {
+namespace {
+
+// A metric is measured after a time step, of whatever length.
+ValueBounds MetricBounds(const CheckedTask& task, const CheckedMetric& metric,
+                         const std::vector<Box>& memory) {
+  Values values = ValuesAtStart(task, EventKind::kEndOfTimeStep);
+  values.memory = memory;
+  return {ExpressionBounds(task, values).Of(metric.value),
+          CausesOf(task, values, {}, metric.value)};
+}
+
+}  // namespace
+
+TaskBounds ComputeBounds(const CheckedTask& task) {
+  TaskBounds bounds;
+  bounds.terms.resize(task.terms.size());
+  bounds.logs.resize(task.logs.size());
+  bounds.ends_reached.resize(task.ends.size());
+  bounds.memory = MemoryBounds(task);
+  EventBounds events(task, &bounds);
+  for (size_t i = 0; i < task.events.size(); ++i) {
+    Values values = ValuesAtStart(task, static_cast<EventKind>(i));
+    values.memory = bounds.memory;
+    events.Run(task.events[i], std::move(values));
+  }
+  for (const CheckedMetric& metric : task.metrics)
+    bounds.metrics.push_back(MetricBounds(task, metric, bounds.memory));
+  return bounds;
+}
+
+}  // namespace compiler

@@ -1,0 +1,58 @@
+// How large and how small everything in a task can get: interval arithmetic over all its callbacks,
+// from the ranges of the sensors and params.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "compiler/bounds/interval.h"
+#include "compiler/bounds/values.h"
+#include "compiler/check/checked_task.h"
+
+namespace compiler {
+
+// What keeps a value from having bounds.
+struct Cause {
+  enum Kind {
+    kSensor,    // it has no range
+    kParam,     // likewise
+    kTimeStep,  // likewise
+    kMemory,    // nothing bounds what is put into it
+    kOperation  // a division by what may be 0, a logarithm, ...
+  };
+  Kind kind = kSensor;
+  std::string name;  // of the sensor, param or memory; "a division by 0"
+  Span span;         // where it is read
+};
+
+struct ValueBounds {
+  Interval value = kNothing;  // nothing: never computed
+  std::vector<Cause> causes;  // why it is unbounded
+};
+
+struct TermBounds {
+  std::optional<Interval> rate;     // [1/s]; nothing: no `reward rate` that can run pays this term
+  std::optional<Interval> payment;  // each time; nothing: no plain `reward` that can run does
+  std::vector<Cause> causes;
+};
+
+// The condition of an `if` or `require` that is reached. One in a loop counts once for all passes.
+struct ConditionBounds {
+  Span span;
+  bool may_be_true = false;
+  bool may_be_false = false;
+};
+
+struct TaskBounds {
+  std::vector<TermBounds> terms;     // as in the task
+  std::vector<ValueBounds> metrics;  // whenever they are measured
+  std::vector<ValueBounds> logs;
+  std::vector<Box> memory;  // between callbacks
+  std::vector<bool> ends_reached;
+  std::vector<ConditionBounds> conditions;
+};
+
+TaskBounds ComputeBounds(const CheckedTask& task);
+
+}  // namespace compiler

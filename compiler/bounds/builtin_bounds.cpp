@@ -1,0 +1,141 @@
+#include "compiler/bounds/builtin_bounds.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "compiler/bounds/expression_bounds.h"
+
+namespace compiler {
+namespace {
+
+// One call, as its function's rules ask.
+class BuiltinCalculation {
+ public:
+  BuiltinCalculation(const BuiltinCall& call, const std::vector<Box>& arguments, const Type& type)
+      : call_(call), arguments_(arguments), type_(type) {}
+
+  Box Calculate() const {
+    switch (call_.function) {
+      case Builtin::kAny:
+        return Box(Any());
+      case Builtin::kAll:
+        return Box(All());
+      case Builtin::kNone:
+        return Box(Not(Any()));
+      case Builtin::kCount:
+      case Builtin::kSum:
+        return Box(Sum());
+      case Builtin::kNorm:
+        return Box(Sqrt(Dot(0, 0)));
+      case Builtin::kDot:
+        return Box(Dot(0, 1));
+      case Builtin::kCross:
+        return Cross();
+      case Builtin::kAbs:
+        return EachElement(Abs);
+      case Builtin::kMin:
+        return Box(Extremum(Min));
+      case Builtin::kMax:
+        return Box(Extremum(Max));
+      case Builtin::kClamp:
+        return Box(Min(Max(scalar(0), scalar(1)), scalar(2)));
+      case Builtin::kSqrt:
+        return Box(Sqrt(scalar(0)));
+      case Builtin::kExp:
+        return Box(Exp(scalar(0)));
+      case Builtin::kLog:
+        return Box(Log(scalar(0)));
+      case Builtin::kTanh:
+        return Box(Tanh(scalar(0)));
+      case Builtin::kSin:
+        return Box(Sin(scalar(0)));
+      case Builtin::kCos:
+        return Box(Cos(scalar(0)));
+      case Builtin::kAtan2:
+        return Box(Atan2(scalar(0), scalar(1)));
+      default:
+        return Box(type_.scalar == Scalar::kReal ? kAnything : AnyOf(type_.scalar));
+    }
+  }
+
+ private:
+  const Interval& scalar(size_t argument) const { return arguments_[argument][0]; }
+  const Interval& element(size_t argument, size_t i) const { return arguments_[argument][i]; }
+  // The number of elements of the first argument, tracked or not.
+  uint32_t size() const { return call_.arguments[0]->type.size(); }
+
+  template <typename Function>
+  Box EachElement(const Function& function) const {
+    std::vector<Interval> elements;
+    for (const Interval& x : arguments_[0].elements()) elements.push_back(function(x));
+    return Box(std::move(elements));
+  }
+
+  Interval Any() const {
+    Interval any = Exactly(0);
+    for (const Interval& x : arguments_[0].elements())
+      any = {std::max(any.low, x.low), std::max(any.high, x.high)};
+    return any;
+  }
+
+  Interval All() const {
+    Interval all = Exactly(1);
+    for (const Interval& x : arguments_[0].elements())
+      all = {std::min(all.low, x.low), std::min(all.high, x.high)};
+    return all;
+  }
+
+  Interval Sum() const {
+    Interval sum = element(0, 0);
+    for (uint32_t i = 1; i < size(); ++i)
+      sum = compiler::Calculate(BinaryOperator::kAdd, sum, element(0, i), type_.scalar);
+    return sum;
+  }
+
+  Interval Product(size_t a, size_t i, size_t b, size_t j) const {
+    const bool is_square =
+        i == j && (a == b || IsSameRead(*call_.arguments[a], *call_.arguments[b]));
+    if (is_square) return Square(element(a, i));
+    return compiler::Calculate(BinaryOperator::kMultiply, element(a, i), element(b, j),
+                               Scalar::kReal);
+  }
+
+  Interval Dot(size_t a, size_t b) const {
+    Interval sum = Product(a, 0, b, 0);
+    for (uint32_t i = 1; i < size(); ++i)
+      sum = compiler::Calculate(BinaryOperator::kAdd, sum, Product(a, i, b, i), Scalar::kReal);
+    return sum;
+  }
+
+  Box Cross() const {
+    std::vector<Interval> elements;
+    for (size_t i = 0; i < 3; ++i) {
+      const size_t next = (i + 1) % 3;
+      const size_t after = (i + 2) % 3;
+      elements.push_back(compiler::Calculate(BinaryOperator::kSubtract, Product(0, next, 1, after),
+                                             Product(0, after, 1, next), Scalar::kReal));
+    }
+    return Box(std::move(elements));
+  }
+
+  // Of two numbers, or of the elements of one value.
+  template <typename Function>
+  Interval Extremum(const Function& function) const {
+    if (arguments_.size() == 2) return function(scalar(0), scalar(1));
+    Interval extremum = element(0, 0);
+    for (const Interval& x : arguments_[0].elements()) extremum = function(extremum, x);
+    return extremum;
+  }
+
+  const BuiltinCall& call_;
+  const std::vector<Box>& arguments_;
+  const Type& type_;
+};
+
+}  // namespace
+
+Box BuiltinBounds(const BuiltinCall& call, const std::vector<Box>& arguments, const Type& type) {
+  return BuiltinCalculation(call, arguments, type).Calculate();
+}
+
+}  // namespace compiler

@@ -1,0 +1,165 @@
+#include "compiler/bounds/event_bounds.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "compiler/bounds/causes.h"
+#include "compiler/bounds/expression_bounds.h"
+#include "compiler/bounds/narrowing.h"
+#include "compiler/check/traversal.h"
+
+namespace compiler {
+namespace {
+
+// Does it give the same value wherever in the callback it is computed?
+bool IsLasting(const CheckedExpression& expression,
+               const std::vector<const CheckedExpression*>& definitions) {
+  bool is_lasting = true;
+  ForEachPart(expression, [&](const CheckedExpression& part) {
+    const auto* local = std::get_if<LocalRead>(&part.node);
+    const bool changes = std::holds_alternative<MemoryRead>(part.node) ||
+                         std::holds_alternative<RewardSoFar>(part.node) ||
+                         (local != nullptr && definitions[local->local] == nullptr);
+    if (changes) is_lasting = false;
+  });
+  return is_lasting;
+}
+
+BinaryOperator OperatorOf(AssignOperator op) {
+  switch (op) {
+    case AssignOperator::kAdd:
+      return BinaryOperator::kAdd;
+    case AssignOperator::kSubtract:
+      return BinaryOperator::kSubtract;
+    case AssignOperator::kMultiply:
+      return BinaryOperator::kMultiply;
+    default:
+      return BinaryOperator::kDivide;
+  }
+}
+
+void JoinInto(std::optional<Interval>& all, const Interval& more) {
+  all = all ? Join(*all, more) : more;
+}
+
+}  // namespace
+
+Values EventBounds::Run(const CheckedEvent& event, Values before) {
+  before.locals.assign(event.locals.size(), Box());
+  definitions_.assign(event.locals.size(), nullptr);
+  local_causes_.assign(event.locals.size(), {});
+  Reached values = before;
+  Run(event.body, values);
+  return values ? std::move(*values) : before;
+}
+
+void EventBounds::Run(const CheckedBlock& block, Reached& values) {
+  for (const CheckedStatement& statement : block) {
+    if (!values) return;
+    std::visit([&](const auto& node) { Run(node, values); }, statement.node);
+  }
+}
+
+void EventBounds::Run(const CheckedLet& let, Reached& values) {
+  values->locals[let.local] = ExpressionBounds(task_, *values).AllOf(let.value);
+  definitions_[let.local] = IsLasting(let.value, definitions_) ? &let.value : nullptr;
+  if (found_ != nullptr)
+    local_causes_[let.local] = CausesOf(task_, *values, local_causes_, let.value);
+}
+
+void EventBounds::Run(const CheckedAssign& assign, Reached& values) {
+  const Box value = ExpressionBounds(task_, *values).AllOf(assign.value);
+  const Type& type = task_.memory[assign.memory].type;
+  Box& memory = values->memory[assign.memory];
+  const auto assigned = [&](const Interval& before, const Interval& with) {
+    if (assign.op == AssignOperator::kSet) return with;
+    return Calculate(OperatorOf(assign.op), before, with, type.scalar);
+  };
+  const bool sets_all = assign.elements.empty();
+  if (type.size() > kTrackedElements) {
+    // One interval for all elements: those that are not set keep their values.
+    const Interval set = assigned(memory[0], Hull(value));
+    memory[0] = sets_all ? set : Join(memory[0], set);
+    return;
+  }
+  std::vector<Interval> elements(type.size());
+  for (uint32_t i = 0; i < type.size(); ++i) elements[i] = memory[i];
+  const size_t count = sets_all ? elements.size() : assign.elements.size();
+  for (size_t i = 0; i < count; ++i) {
+    Interval& element = elements[sets_all ? i : assign.elements[i]];
+    element = assigned(element, value[i]);
+  }
+  memory = Box(std::move(elements));
+}
+
+void EventBounds::Run(const CheckedIf& branches, Reached& values) {
+  Reached after;
+  const auto leave_by = [&](Reached& end) {
+    if (end) after = after ? Join(*after, *end) : std::move(*end);
+  };
+  for (const CheckedIfBranch& branch : branches.branches) {
+    if (!values) break;
+    Note(branch.condition, ExpressionBounds(task_, *values).Of(branch.condition));
+    Reached inside = values;
+    if (!Assume(branch.condition, true, *inside)) inside.reset();
+    Run(branch.body, inside);
+    leave_by(inside);
+    if (!Assume(branch.condition, false, *values)) values.reset();
+  }
+  Run(branches.otherwise, values);
+  leave_by(values);
+  values = std::move(after);
+}
+
+void EventBounds::Run(const CheckedFor& loop, Reached& values) {
+  for (const CheckedPass& pass : loop.passes) Run(pass.body, values);
+}
+
+void EventBounds::Run(const CheckedReward& reward, Reached& values) {
+  const Interval value = ExpressionBounds(task_, *values).Of(reward.value);
+  const Interval paid =
+      reward.is_rate ? Calculate(BinaryOperator::kMultiply, value, values->time_step, Scalar::kReal)
+                     : value;
+  // What is not finite is not paid.
+  Interval sum = Calculate(BinaryOperator::kAdd, values->reward, paid, Scalar::kReal);
+  if (sum.may_be_nan || sum.may_be_infinite) sum = Join(sum, values->reward);
+  values->reward = {sum.low, sum.high};
+  if (found_ == nullptr) return;
+  TermBounds& term = found_->terms[reward.term];
+  JoinInto(reward.is_rate ? term.rate : term.payment, value);
+  AddCauses(term.causes, CausesOf(task_, *values, local_causes_, reward.value));
+}
+
+void EventBounds::Run(const CheckedEnd& end, Reached&) {
+  if (found_ != nullptr) found_->ends_reached[end.end] = true;
+}
+
+void EventBounds::Run(const CheckedLog& log, Reached& values) {
+  if (found_ == nullptr) return;
+  ValueBounds& bounds = found_->logs[log.log];
+  bounds.value = Join(bounds.value, ExpressionBounds(task_, *values).Of(log.value));
+  AddCauses(bounds.causes, CausesOf(task_, *values, local_causes_, log.value));
+}
+
+// A callback goes on where what it requires does not hold.
+void EventBounds::Run(const CheckedRequire& require, Reached& values) {
+  Note(require.condition, ExpressionBounds(task_, *values).Of(require.condition));
+}
+
+bool EventBounds::Assume(const CheckedExpression& condition, bool truth, Values& values) const {
+  // Twice: what the last part of an `and` says may narrow what the first part compares with.
+  Narrowing narrowing(task_, definitions_, values);
+  return narrowing.Assume(condition, truth) && narrowing.Assume(condition, truth);
+}
+
+void EventBounds::Note(const CheckedExpression& condition, const Interval& truth) {
+  if (found_ == nullptr) return;
+  const auto [place, is_new] = conditions_.try_emplace({condition.span.begin, condition.span.end},
+                                                       found_->conditions.size());
+  if (is_new) found_->conditions.push_back({.span = condition.span});
+  ConditionBounds& bounds = found_->conditions[place->second];
+  bounds.may_be_true = bounds.may_be_true || MayBeTrue(truth);
+  bounds.may_be_false = bounds.may_be_false || MayBeFalse(truth);
+}
+
+}  // namespace compiler

@@ -1,0 +1,127 @@
+#include "compiler/bounds/expression_bounds.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "compiler/bounds/builtin_bounds.h"
+
+namespace compiler {
+namespace {
+
+// Functions may call functions, each twice or more: what takes longer than this is not looked into.
+constexpr int kMostCalls = 2000;
+constexpr int kDeepestCall = 50;
+
+Interval Anything(Scalar scalar) { return scalar == Scalar::kReal ? kAnything : AnyOf(scalar); }
+
+template <typename... Functions>
+struct Overloaded : Functions... {
+  using Functions::operator()...;
+};
+
+}  // namespace
+
+Interval ExpressionBounds::Of(const CheckedExpression& expression) {
+  // Without a box for the most frequent ones.
+  if (const auto* constant = std::get_if<Constant>(&expression.node))
+    return Exactly(constant->value);
+  if (const auto* binary = std::get_if<CheckedBinary>(&expression.node)) {
+    const bool is_square = binary->op == BinaryOperator::kMultiply &&
+                           expression.type.scalar == Scalar::kReal &&
+                           IsSameRead(*binary->left, *binary->right);
+    if (is_square) return Square(Of(*binary->left));
+    return compiler::Calculate(binary->op, Of(*binary->left), Of(*binary->right),
+                               binary->left->type.scalar);
+  }
+  return AllOf(expression)[0];
+}
+
+Box ExpressionBounds::AllOf(const CheckedExpression& expression) {
+  const Type& type = expression.type;
+  return std::visit(Overloaded{
+                        [](const Constant& node) { return Box(Exactly(node.value)); },
+                        [&](const SensorRead& node) { return values_.sensors[node.sensor]; },
+                        [&](const ParamRead& node) { return values_.params[node.param]; },
+                        [&](const MemoryRead& node) { return values_.memory[node.memory]; },
+                        [&](const LocalRead& node) { return values_.locals[node.local]; },
+                        [&](const ArgumentRead& node) { return values_.arguments[node.argument]; },
+                        [&](const RewardSoFar&) { return Box(values_.reward); },
+                        [&](const TimeStep&) { return Box(values_.time_step); },
+                        [&](const Elements& node) { return Calculate(node); },
+                        [&](const CheckedUnary& node) {
+                          std::vector<Interval> elements = AllOf(*node.operand).elements();
+                          for (Interval& x : elements)
+                            x = node.op == UnaryOperator::kNot ? Not(x) : Negate(x);
+                          return Box(std::move(elements));
+                        },
+                        [&](const CheckedBinary& node) {
+                          return type.shape == Shape::kScalar ? Box(Of(expression))
+                                                              : Calculate(node);
+                        },
+                        [&](const BuiltinCall& node) { return Calculate(node, type); },
+                        [&](const FunctionCall& node) { return Calculate(node, type); },
+                        [&](const TestRead&) { return Box(Anything(type.scalar)); },
+                        [&](const IntToReal& node) { return AllOf(*node.operand); },
+                    },
+                    expression.node);
+}
+
+Box ExpressionBounds::Calculate(const CheckedBinary& binary) {
+  const Box left = AllOf(*binary.left);
+  const Box right = AllOf(*binary.right);
+  std::vector<Interval> elements(std::max(left.size(), right.size()));
+  for (size_t i = 0; i < elements.size(); ++i)
+    elements[i] = compiler::Calculate(binary.op, left[i], right[i], binary.left->type.scalar);
+  return Box(std::move(elements));
+}
+
+Box ExpressionBounds::Calculate(const Elements& elements) {
+  const Box operand = AllOf(*elements.operand);
+  std::vector<Interval> picked;
+  for (const uint32_t index : elements.indices) picked.push_back(operand[index]);
+  return MakeBox(std::move(picked));
+}
+
+Box ExpressionBounds::Calculate(const BuiltinCall& call, const Type& type) {
+  std::vector<Box> arguments;
+  for (const CheckedExpressionPtr& argument : call.arguments) arguments.push_back(AllOf(*argument));
+  return BuiltinBounds(call, arguments, type);
+}
+
+Box ExpressionBounds::Calculate(const FunctionCall& call, const Type& type) {
+  if (++calls_ > kMostCalls || depth_ >= kDeepestCall) return Box(Anything(type.scalar));
+  const CheckedFunction& function = task_.functions[call.function];
+  Values inside;
+  for (const CheckedExpressionPtr& argument : call.arguments)
+    inside.arguments.push_back(AllOf(*argument));
+  inside.locals.resize(function.locals.size());
+  ExpressionBounds body(task_, inside, calls_, depth_ + 1);
+  for (const CheckedLet& let : function.lets) inside.locals[let.local] = body.AllOf(let.value);
+  return body.AllOf(function.value);
+}
+
+bool IsSameRead(const CheckedExpression& a, const CheckedExpression& b) {
+  if (a.node.index() != b.node.index()) return false;
+  return std::visit(
+      Overloaded{
+          [&](const SensorRead& node) {
+            return node.sensor == std::get<SensorRead>(b.node).sensor;
+          },
+          [&](const ParamRead& node) { return node.param == std::get<ParamRead>(b.node).param; },
+          [&](const MemoryRead& node) {
+            return node.memory == std::get<MemoryRead>(b.node).memory;
+          },
+          [&](const LocalRead& node) { return node.local == std::get<LocalRead>(b.node).local; },
+          [&](const ArgumentRead& node) {
+            return node.argument == std::get<ArgumentRead>(b.node).argument;
+          },
+          [&](const Elements& node) {
+            const auto& other = std::get<Elements>(b.node);
+            return node.indices == other.indices && IsSameRead(*node.operand, *other.operand);
+          },
+          [](const auto&) { return false; },
+      },
+      a.node);
+}
+
+}  // namespace compiler

@@ -1,0 +1,143 @@
+#include "compiler/bounds/memory_bounds.h"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "compiler/bounds/event_bounds.h"
+#include "compiler/bounds/expression_bounds.h"
+#include "compiler/check/traversal.h"
+
+namespace compiler {
+namespace {
+
+// Bounds that grow are looked at again this often before they jump to the next landmark, and only
+// so many times before they jump to infinity.
+constexpr int kRoundsBetweenJumps = 3;
+constexpr int kMostJumps = 20;
+// What jumped too far is drawn in again so often.
+constexpr int kRoundsBack = 2;
+
+Box SensorBox(const CheckedSensor& sensor) {
+  const uint32_t size = sensor.type.size();
+  std::vector<Interval> elements(size, AnyOf(sensor.type.scalar));
+  for (uint32_t i = 0; i < std::min<size_t>(size, sensor.minimum.size()); ++i)
+    elements[i] = Meet(elements[i], {sensor.minimum[i], sensor.maximum[i]});
+  return MakeBox(std::move(elements));
+}
+
+Box ParamBox(const CheckedParam& param) {
+  if (param.type.scalar == Scalar::kBool) return Box(kAnyBool);
+  return Box(Interval{param.minimum, param.maximum});
+}
+
+bool SetsMemory(const CheckedEvent& event) {
+  bool sets = false;
+  ForEachStatement(event.body, [&](const CheckedStatement& statement) {
+    if (std::holds_alternative<CheckedAssign>(statement.node)) sets = true;
+  });
+  return sets;
+}
+
+// Numbers at which bounds often come to rest: those that the task compares with.
+std::vector<double> LandmarksOf(const CheckedTask& task) {
+  std::set<double> landmarks;
+  const auto add = [&](double value) { landmarks.insert({value - 1, value, value + 1}); };
+  for (const CheckedEvent& event : task.events)
+    ForEachStatement(event.body, [&](const CheckedStatement& statement) {
+      ForEachExpression(statement, [&](const CheckedExpression& expression) {
+        ForEachPart(expression, [&](const CheckedExpression& part) {
+          if (const auto* constant = std::get_if<Constant>(&part.node)) add(constant->value);
+        });
+      });
+    });
+  for (const CheckedParam& param : task.params) {
+    add(param.minimum);
+    add(param.maximum);
+  }
+  return {landmarks.begin(), landmarks.end()};
+}
+
+class MemoryFixpoint {
+ public:
+  explicit MemoryFixpoint(const CheckedTask& task)
+      : task_(task), landmarks_(LandmarksOf(task)), initial_(Initial()) {
+    for (size_t i = 0; i < task.events.size(); ++i)
+      if (SetsMemory(task.events[i])) setting_.push_back(static_cast<EventKind>(i));
+  }
+
+  std::vector<Box> Find() const {
+    std::vector<Box> memory = initial_;
+    int jumps = 0;
+    for (int round = 1;; ++round) {
+      std::vector<Box> grown = Join(memory, AfterAnyEvent(memory));
+      if (grown == memory) break;
+      if (round % kRoundsBetweenJumps == 0) Jump(memory, grown, ++jumps <= kMostJumps);
+      memory = std::move(grown);
+    }
+    for (int i = 0; jumps > 0 && i < kRoundsBack; ++i) memory = AfterAnyEvent(memory);
+    return memory;
+  }
+
+ private:
+  std::vector<Box> Initial() const {
+    std::vector<Box> initial;
+    const Values values = ValuesAtStart(task_, EventKind::kStartOfEpisode);
+    for (const CheckedMemory& memory : task_.memory) {
+      const Interval first = ExpressionBounds(task_, values).Of(memory.initial);
+      initial.push_back(MakeBox(std::vector<Interval>(memory.type.size(), first)));
+    }
+    return initial;
+  }
+
+  // Also reset, or left alone by what sets nothing.
+  std::vector<Box> AfterAnyEvent(const std::vector<Box>& before) const {
+    std::vector<Box> after = initial_;
+    for (const EventKind event : setting_) {
+      Values values = ValuesAtStart(task_, event);
+      values.memory = before;
+      values = EventBounds(task_, nullptr).Run(task_.events[static_cast<size_t>(event)], values);
+      after = Join(after, values.memory);
+    }
+    return after;
+  }
+
+  void Jump(const std::vector<Box>& from, std::vector<Box>& to, bool to_landmarks) const {
+    for (size_t i = 0; i < to.size(); ++i)
+      for (size_t j = 0; j < to[i].size(); ++j) {
+        Interval& end = to[i][j];
+        if (end.low < from[i][j].low) end.low = to_landmarks ? LandmarkBelow(end.low) : -kInfinity;
+        if (end.high > from[i][j].high)
+          end.high = to_landmarks ? LandmarkAbove(end.high) : kInfinity;
+      }
+  }
+
+  double LandmarkAbove(double value) const {
+    const auto next = std::ranges::lower_bound(landmarks_, value);
+    return next == landmarks_.end() ? kInfinity : *next;
+  }
+
+  double LandmarkBelow(double value) const {
+    const auto next = std::ranges::upper_bound(landmarks_, value);
+    return next == landmarks_.begin() ? -kInfinity : *std::prev(next);
+  }
+
+  const CheckedTask& task_;
+  std::vector<double> landmarks_;
+  std::vector<Box> initial_;
+  std::vector<EventKind> setting_;
+};
+
+}  // namespace
+
+Values ValuesAtStart(const CheckedTask& task, EventKind event) {
+  Values values;
+  for (const CheckedSensor& sensor : task.sensors) values.sensors.push_back(SensorBox(sensor));
+  for (const CheckedParam& param : task.params) values.params.push_back(ParamBox(param));
+  if (event < EventKind::kStartOfTimeStep) values.time_step = Exactly(0);
+  return values;
+}
+
+std::vector<Box> MemoryBounds(const CheckedTask& task) { return MemoryFixpoint(task).Find(); }
+
+}  // namespace compiler

@@ -1,0 +1,154 @@
+#include "compiler/bounds/bounds.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/compiler/check/checked_source.h"
+
+namespace compiler {
+namespace {
+
+// The bounds of a task with two sensors, `x` and `y`, plain numbers from -1 to 1, a third without
+// range, `free`, and a condition, `down`.
+TaskBounds BoundsOf(const std::string& declarations, const std::string& block) {
+  CheckedTask task = CheckTask(
+      "task tested\nsensor x: real\nsensor y: real\nsensor free: real\nsensor down: bool\n" +
+      declarations + "\non end_of_time_step {\n" + block + "\n}\n");
+  for (CheckedSensor& sensor : task.sensors) {
+    if (sensor.name != "x" && sensor.name != "y") continue;
+    sensor.minimum = {-1};
+    sensor.maximum = {1};
+  }
+  return ComputeBounds(task);
+}
+
+// The bounds of `expression`, paid as a rate.
+Interval RateOf(const std::string& expression, const std::string& declarations = "") {
+  return BoundsOf(declarations, "reward rate tested = " + expression).terms[0].rate.value();
+}
+
+void ExpectEnds(const Interval& x, double low, double high) {
+  EXPECT_DOUBLE_EQ(x.low, low);
+  EXPECT_DOUBLE_EQ(x.high, high);
+  EXPECT_FALSE(x.may_be_nan);
+}
+
+TEST(Bounds, OfATermComeFromTheSensors) {
+  ExpectEnds(RateOf("2 * x + y"), -3, 3);
+  ExpectEnds(RateOf("abs(x) - x * x"), -1, 1);
+  ExpectEnds(RateOf("-tanh(free)"), -1, 1);
+  ExpectEnds(RateOf("gain * x", "param gain: real = 2 in 1 .. 5"), -5, 5);
+}
+
+TEST(Bounds, OfATermCoverAllItsStatements) {
+  const TaskBounds bounds =
+      BoundsOf("", "if down { reward rate a = x } else { reward rate a = 3 }\nreward a = -2 + y");
+  ExpectEnds(*bounds.terms[0].rate, -1, 3);
+  ExpectEnds(*bounds.terms[0].payment, -3, -1);
+}
+
+TEST(Bounds, AreNarrowedByConditions) {
+  const auto inside = [](const std::string& condition, const std::string& value) {
+    return BoundsOf("param p: real = 0 in -1 .. 1",
+                    "let z = x\nif " + condition + " { reward rate tested = " + value + " }")
+        .terms[0]
+        .rate.value_or(kNothing);
+  };
+  ExpectEnds(inside("x >= 0.5", "x"), 0.5, 1);
+  ExpectEnds(inside("x >= 0.5 and x <= 0.75", "x"), 0.5, 0.75);
+  ExpectEnds(inside("not (x < 0.5 or x > 0.75)", "x"), 0.5, 0.75);
+  ExpectEnds(inside("abs(x) <= 0.5", "x"), -0.5, 0.5);
+  ExpectEnds(inside("z >= 0.5", "x"), 0.5, 1);
+  ExpectEnds(inside("x >= y and y >= 0.5", "x - y"), -0.5, 0.5);
+  ExpectEnds(inside("p >= 0.5", "p"), 0.5, 1);
+  ExpectEnds(inside("max(x, y) <= 0.25", "x + y"), -2, 0.5);
+  ExpectEnds(inside("x >= 0.5 or x <= -0.5", "abs(x)"), 0, 1);
+  EXPECT_NEAR(inside("2 * x + 1 <= 2", "x").high, 0.5, 1e-12);
+}
+
+TEST(Bounds, OfABranchWithAContradictionAreNone) {
+  const TaskBounds bounds = BoundsOf("", R"(
+    if x > 0.5 and x < 0.25 { reward rate never = 1 end_episode failure "never" }
+    if x > 2 { reward rate never = 1 }
+    if down {
+      if not down { reward rate never = 1 }
+    }
+    if y < 0 { end_episode failure "sometimes" })");
+  EXPECT_FALSE(bounds.terms[0].rate);
+  EXPECT_EQ(bounds.ends_reached, (std::vector<bool>{false, true}));
+}
+
+TEST(Bounds, OfElseAreWhatIsLeft) {
+  const TaskBounds bounds = BoundsOf("", R"(
+    if x < 0 { reward rate a = 0 }
+    else if x < 0.5 { reward rate b = x }
+    else { reward rate c = x })");
+  EXPECT_DOUBLE_EQ(bounds.terms[1].rate->low, 0);
+  EXPECT_LT(bounds.terms[1].rate->high, 0.5);
+  ExpectEnds(*bounds.terms[2].rate, 0.5, 1);
+}
+
+TEST(Bounds, OfFlagsStayExact) {
+  const TaskBounds bounds = BoundsOf("memory fallen: bool = false per action", R"(
+    if down and not fallen {
+      fallen = true
+      reward fall = -2
+    })");
+  EXPECT_EQ(bounds.memory[0][0], kAnyBool);
+  ExpectEnds(*bounds.terms[0].payment, -2, -2);
+}
+
+TEST(Bounds, OfACounterEndWhereItIsHeld) {
+  const TaskBounds bounds = BoundsOf("memory n: int = 0\nmemory a: real = 0", R"(
+    if n < 10 { n += 1 }
+    if a < 10 { a += 0.25 * abs(x) }
+    reward rate sum = n + a)");
+  ExpectEnds(bounds.memory[0][0], 0, 10);
+  EXPECT_EQ(bounds.memory[1][0].low, 0);
+  EXPECT_NEAR(bounds.memory[1][0].high, 10.25, 0.001);
+}
+
+TEST(Bounds, OfASumAreInfinite) {
+  const TaskBounds bounds =
+      BoundsOf("memory n: int = 0\nmemory a: real = 0\nmetric shown = a",
+               "n += 1\na += x\nreward rate a = n\nreward rate b = a\nif a < -40 { n = 0 }");
+  ExpectEnds(bounds.memory[0][0], 0, kInfinity);
+  ExpectEnds(bounds.memory[1][0], -kInfinity, kInfinity);
+  ASSERT_EQ(bounds.terms[0].causes.size(), 1u);
+  EXPECT_EQ(bounds.terms[0].causes[0].kind, Cause::kMemory);
+  EXPECT_EQ(bounds.terms[0].causes[0].name, "n");
+  EXPECT_EQ(bounds.metrics[0].causes[0].name, "a");
+}
+
+TEST(Bounds, OfWhatWasSensedBeforeAreThoseOfTheSensor) {
+  const TaskBounds bounds = BoundsOf("memory before: real = 0", R"(
+    reward progress = x - before
+    before = x)");
+  ExpectEnds(bounds.memory[0][0], -1, 1);
+  ExpectEnds(*bounds.terms[0].payment, -2, 2);
+}
+
+TEST(Bounds, TellWhatHasNone) {
+  const auto cause = [](const std::string& expression) {
+    const TaskBounds bounds = BoundsOf("param p: real = 0", "reward rate tested = " + expression);
+    return bounds.terms[0].causes.empty() ? "none" : bounds.terms[0].causes[0].name;
+  };
+  EXPECT_EQ(cause("x * free"), "free");
+  EXPECT_EQ(cause("tanh(free) * p"), "p");
+  EXPECT_EQ(cause("1 / x"), "a division by what may be 0");
+  EXPECT_EQ(cause("log(x + 1)"), "`log`");
+  EXPECT_EQ(cause("min(free, 1)"), "free");
+  EXPECT_EQ(cause("tanh(free)"), "none");
+}
+
+TEST(Bounds, OfTheRewardSoFarAreThoseOfItsTerms) {
+  const TaskBounds bounds = BoundsOf("", R"(
+    reward a = x
+    if down { reward b = 2 }
+    reward c = 10 * reward)");
+  ExpectEnds(*bounds.terms[2].payment, -10, 30);
+}
+
+}  // namespace
+}  // namespace compiler
