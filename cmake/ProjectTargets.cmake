@@ -31,6 +31,18 @@ function(project_program name)
   target_link_libraries(${name} PRIVATE project_options ${arg_LIBRARIES})
 endfunction()
 
+# project_share_file(TARGET FILE DESTINATION): a file that the programs look for in share/taskc, put
+# there in the build tree as by an installation. The target stands for the one in the build tree.
+function(project_share_file target file destination)
+  set(staged ${CMAKE_BINARY_DIR}/share/taskc/${destination})
+  add_custom_command(OUTPUT ${staged}
+    COMMAND ${CMAKE_COMMAND} -E copy ${file} ${staged}
+    DEPENDS ${file})
+  add_custom_target(${target} ALL DEPENDS ${staged})
+  cmake_path(GET destination PARENT_PATH folder)
+  install(FILES ${file} DESTINATION share/taskc/${folder})
+endfunction()
+
 # project_test(NAME SOURCES file... [LIBRARIES library...]): a GoogleTest program, registered whole.
 function(project_test name)
   cmake_parse_arguments(arg "" "" "SOURCES;LIBRARIES" ${ARGN})

@@ -29,9 +29,10 @@ const std::map<std::string, Folders> kMayInclude = {
     {"compiler/emit", {"compiler/check", "compiler/source", "compiler/syntax", "plugins/seal"}},
     {"compiler/build", {"compiler/source", "plugins/seal"}},
     {"compiler/evaluate", {"compiler/check"}},
+    {"compiler/report", {"compiler/source"}},
     {"compiler/driver",
      {"compiler/analyze", "compiler/build", "compiler/check", "compiler/emit", "compiler/format",
-      "compiler/source", "compiler/syntax", "plugins/robot", "plugins/text"}},
+      "compiler/report", "compiler/source", "compiler/syntax", "plugins/robot", "plugins/text"}},
 
     {"runtime/module", {"plugins/robot", "plugins/text"}},
     {"runtime/task", {"plugins/robot", "plugins/seal", "runtime/module"}},

@@ -10,6 +10,7 @@
 #include "compiler/build/file_io.h"
 #include "compiler/build/internal_error.h"
 #include "compiler/build/plugin_cache.h"
+#include "compiler/build/share_folder.h"
 #include "compiler/source/diagnostic.h"
 #include "plugins/seal/seal.h"
 #include "plugins/seal/sha256.h"
@@ -19,31 +20,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Beside the running program: bin/ and share/ are neighbours.
-fs::path IncludeFolder() {
-  return fs::read_symlink("/proc/self/exe").parent_path().parent_path() / "share/taskc/include";
-}
-
-std::string ReadAbiHeader() {
-  fs::path header = IncludeFolder() / "taskc/plugin.h";
-  std::optional<std::string> text = ReadWholeFile(header);
-  if (text) return *text;
-  throw CallError(fmt::format("cannot read `{}`, which belongs to taskc; install taskc again",
-                              header.string()));
-}
-
 std::string KeyOf(const std::string& cpp, const CxxCompiler& cxx) {
   std::string made_from = fmt::format("{}\n{}\n{}\n", cxx.identity, fmt::join(PluginFlags(), " "),
                                       fmt::join(PluginLibraries(), " "));
   // The hash of each text, so that no two pairs of texts look alike in a row.
-  return seal::Sha256(made_from + seal::Sha256(ReadAbiHeader()) + seal::Sha256(cpp)).substr(0, 32);
+  return seal::Sha256(made_from + seal::Sha256(ReadShareFile("include/taskc/plugin.h")) +
+                      seal::Sha256(cpp))
+      .substr(0, 32);
 }
 
 std::vector<std::string> CommandFor(const CxxCompiler& cxx, const fs::path& output) {
   std::vector<std::string> command = cxx.command;
   command.insert(command.end(), PluginFlags().begin(), PluginFlags().end());
   // From its standard input: then no name of a temporary folder gets into the plugin.
-  command.insert(command.end(), {"-I", IncludeFolder(), "-x", "c++", "-", "-o", output});
+  command.insert(command.end(), {"-I", ShareFolder() / "include", "-x", "c++", "-", "-o", output});
   command.insert(command.end(), PluginLibraries().begin(), PluginLibraries().end());
   return command;
 }

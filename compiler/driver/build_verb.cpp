@@ -1,6 +1,4 @@
 // taskc build FILE.task
-#include <fmt/format.h>
-
 #include <memory>
 
 #include "compiler/build/build_plugin.h"
@@ -27,10 +25,11 @@ ExitStatus Build(const Options& options, Session& session) {
     BuildResult built =
         BuildPlugin(analysis.task->name, Emit(*analysis.task, analysis.source), cache);
     if (options.output.empty()) {
-      fmt::print("{}\n", built.plugin.string());
+      session.Say(built.plugin.string() + "\n");
     } else {
       CopyWholeFile(built.plugin, options.output);
     }
+    session.Result()["plugin"] = (options.output.empty() ? built.plugin : options.output).string();
   } catch (const InternalError& error) {
     WriteWholeFile(error.evidence() / (analysis.task->name + ".task"), analysis.source.text());
     throw;
@@ -47,6 +46,7 @@ Action DeclareBuild(CLI::App& app, Session& session) {
             "the plugin; without, it stays in the cache and its path is printed");
   app.add_option("--cache", options->cache, "the folder of built plugins")->type_name("DIR");
   AddRobots(app, session);
+  AddReport(app, session);
   return [options](Session& call) { return Build(*options, call); };
 }
 

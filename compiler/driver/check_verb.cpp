@@ -3,7 +3,6 @@
 
 #include <memory>
 
-#include "compiler/driver/print_error.h"
 #include "compiler/driver/verb.h"
 
 namespace compiler {
@@ -24,7 +23,11 @@ std::string Describe(const CheckedTask& task) {
 ExitStatus CheckOne(const std::string& file, Session& session) {
   Analysis analysis = session.Analyze(file);
   if (!analysis.task) return ExitStatus::kWrongTask;
-  fmt::print("{}: ok ({})\n", file, Describe(*analysis.task));
+  session.Say(fmt::format("{}: ok ({})\n", file, Describe(*analysis.task)));
+  Json& result = session.Result();
+  result["sensors"] = analysis.task->sensors.size();
+  result["terms"] = analysis.task->terms.size();
+  result["ends"] = analysis.task->ends.size();
   return ExitStatus::kOk;
 }
 
@@ -35,7 +38,7 @@ ExitStatus Check(const Options& options, Session& session) {
     try {
       status = Worse(status, CheckOne(file, session));
     } catch (const CallError& error) {
-      PrintError(error.what());
+      session.Fail(error.what());
       status = Worse(status, ExitStatus::kWrongCall);
     }
   }
@@ -48,6 +51,7 @@ Action DeclareCheck(CLI::App& app, Session& session) {
   auto options = std::make_shared<Options>();
   AddTasks(app, options->tasks);
   AddRobots(app, session);
+  AddReport(app, session);
   return [options](Session& call) { return Check(*options, call); };
 }
 

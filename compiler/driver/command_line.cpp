@@ -6,9 +6,11 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
+#include "compiler/build/internal_error.h"
 #include "compiler/driver/print_error.h"
 #include "compiler/driver/session.h"
 #include "compiler/driver/verb.h"
+#include "plugins/robot/robot_description.h"
 #include "plugins/text/nearest_name.h"
 
 namespace compiler {
@@ -57,6 +59,24 @@ Action Declare(const Verb& verb, CLI::App& app, Session& session) {
   return verb.declare(*command, session);
 }
 
+ExitStatus RunGuarded(const Action& action, Session& session) {
+  try {
+    return action(session);
+  } catch (const CallError& error) {
+    session.Fail(error.what());
+    return ExitStatus::kWrongCall;
+  } catch (const robot::DescriptionError& error) {
+    session.Fail(error.what());
+    return ExitStatus::kWrongCall;
+  } catch (const InternalError& error) {
+    session.Fail(fmt::format("internal error: {}; please report this with the folder {}",
+                             error.what(), error.evidence().string()));
+  } catch (const std::exception& error) {
+    session.Fail(fmt::format("internal error: {}; please report this with the task", error.what()));
+  }
+  return ExitStatus::kInternalError;
+}
+
 }  // namespace
 
 ExitStatus RunCommandLine(int argc, char** argv) {
@@ -80,9 +100,9 @@ ExitStatus RunCommandLine(int argc, char** argv) {
 
   ExitStatus status = ExitStatus::kOk;
   for (size_t i = 0; i < kVerbs.size(); ++i) {
-    if (app.got_subcommand(kVerbs[i].name)) status = actions[i](session);
+    if (app.got_subcommand(kVerbs[i].name)) status = RunGuarded(actions[i], session);
   }
-  session.Finish();
+  session.Finish(status);
   return status;
 }
 

@@ -6,7 +6,7 @@
 namespace compiler {
 
 // Parses the command line and does what it says. Where help or a version is asked for, it is
-// printed; a wrong call is said in one line on standard error. Throws as Action does.
+// printed; what keeps the verb from its work is said in one line on standard error.
 ExitStatus RunCommandLine(int argc, char** argv);
 
 }  // namespace compiler

@@ -1,12 +1,9 @@
 // taskc fmt FILE.task...
-#include <fmt/format.h>
-
 #include <iostream>
 #include <iterator>
 #include <memory>
 
 #include "compiler/build/file_io.h"
-#include "compiler/driver/print_error.h"
 #include "compiler/driver/verb.h"
 #include "compiler/format/format.h"
 
@@ -32,9 +29,11 @@ ExitStatus FormatFile(const std::string& file, bool check, Session& session) {
   const auto formatted = Format(source, diagnostics);
   session.Report(source, diagnostics);
   if (!formatted) return ExitStatus::kWrongTask;
-  if (*formatted == source.text()) return ExitStatus::kOk;
+  const bool is_changed = *formatted != source.text();
+  session.Result()["changed"] = is_changed;
+  if (!is_changed) return ExitStatus::kOk;
   if (check) {
-    fmt::print("{}\n", file);
+    session.Say(file + "\n");
     return ExitStatus::kWrongTask;
   }
   Rewrite(file, *formatted);
@@ -47,7 +46,9 @@ ExitStatus FormatStandardInput(bool check, Session& session) {
   const auto formatted = Format(source, diagnostics);
   session.Report(source, diagnostics);
   if (!formatted) return ExitStatus::kWrongTask;
-  if (!check) fmt::print("{}", *formatted);
+  session.Result()["changed"] = *formatted != source.text();
+  session.Result()["text"] = *formatted;
+  if (!check) session.Say(*formatted);
   return check && *formatted != source.text() ? ExitStatus::kWrongTask : ExitStatus::kOk;
 }
 
@@ -59,7 +60,7 @@ ExitStatus FormatAll(const Options& options, Session& session) {
       status = Worse(status, file == "-" ? FormatStandardInput(options.check, session)
                                          : FormatFile(file, options.check, session));
     } catch (const CallError& error) {
-      PrintError(error.what());
+      session.Fail(error.what());
       status = Worse(status, ExitStatus::kWrongCall);
     }
   }
@@ -68,11 +69,12 @@ ExitStatus FormatAll(const Options& options, Session& session) {
 
 }  // namespace
 
-Action DeclareFmt(CLI::App& app, Session&) {
+Action DeclareFmt(CLI::App& app, Session& session) {
   auto options = std::make_shared<Options>();
   AddTasks(app, options->tasks);
   app.add_flag("--check", options->check,
                "change nothing, list the files that would change; status 1 if there are any");
+  AddReport(app, session);
   return [options](Session& call) { return FormatAll(*options, call); };
 }
 

@@ -3,45 +3,80 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+
+#include "compiler/driver/print_error.h"
 
 namespace compiler {
 namespace {
 
-// The custom of no-color.org: any value but an empty one counts.
-bool WantsColor() {
+bool WantsColor(const std::string& wish) {
+  if (wish != "auto") return wish == "always";
+  // The custom of no-color.org: any value but an empty one counts.
   const char* no_color = std::getenv("NO_COLOR");
   return isatty(STDERR_FILENO) != 0 && (no_color == nullptr || *no_color == '\0');
 }
 
-std::string Count(int count, std::string_view what) {
+std::string Count(size_t count, std::string_view what) {
   return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
+// "2 errors, 1 warning"
+std::string Counts(size_t errors, size_t warnings) {
+  if (warnings == 0) return Count(errors, "error");
+  if (errors == 0) return Count(warnings, "warning");
+  return Count(errors, "error") + ", " + Count(warnings, "warning");
 }
 
 }  // namespace
 
-Session::Session() : color_(WantsColor()) {}
-
 Analysis Session::Analyze(const std::string& file) {
   Analysis analysis = compiler::Analyze(file, ReadFromDisk, robots);
   Report(analysis.source, analysis.diagnostics);
+  if (analysis.task) Result()["name"] = analysis.task->name;
   return analysis;
 }
 
 void Session::Report(const SourceFile& source, const Diagnostics& diagnostics) {
-  for (const Diagnostic& diagnostic : diagnostics.list()) {
-    ++(diagnostic.severity == Severity::kError ? errors_ : warnings_);
+  report_.Add(source, diagnostics);
+  report_.tasks.push_back({{"file", source.path()}, {"ok", !diagnostics.has_errors()}});
+  if (is_for_a_person()) {
+    fmt::print(stderr, "{}", Render(source, diagnostics, WantsColor(color)));
   }
-  fmt::print(stderr, "{}", Render(source, diagnostics, color_));
 }
 
-void Session::Finish() const {
-  std::string summary;
-  if (errors_ > 0) summary += Count(errors_, "error");
-  if (errors_ > 0 && warnings_ > 0) summary += ", ";
-  if (warnings_ > 0) summary += Count(warnings_, "warning");
-  if (!summary.empty()) fmt::print(stderr, "{}\n", summary);
+void Session::Say(std::string_view text) const {
+  if (is_for_a_person()) fmt::print("{}", text);
+}
+
+Json& Session::Result() { return report_.tasks.back(); }
+
+void Session::Fail(const std::string& message) {
+  PrintError(message);
+  report_.failures.push_back(message);
+}
+
+void Session::Finish(ExitStatus status) {
+  report_.exit_status = static_cast<int>(status);
+  if (is_for_a_person()) {
+    PrintSummary();
+  } else {
+    fmt::print("{}", ToText(format == "json" ? ToJson(report_) : ToSarif(report_)));
+  }
+}
+
+void Session::PrintSummary() const {
+  if (report_.findings.empty()) return;
+  const auto is_error = [](const RunReport::Finding& finding) {
+    return finding.diagnostic.severity == Severity::kError;
+  };
+  const auto errors = static_cast<size_t>(std::ranges::count_if(report_.findings, is_error));
+  const auto error = std::ranges::find_if(report_.findings, is_error);
+  const auto& telling = error != report_.findings.end() ? *error : report_.findings.front();
+  fmt::print(stderr, "{}; for more: taskc explain {}\n",
+             Counts(errors, report_.findings.size() - errors), telling.diagnostic.code);
 }
 
 }  // namespace compiler

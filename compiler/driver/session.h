@@ -1,35 +1,51 @@
-// One call of `taskc`: what all its verbs share. Analyses tasks and says on standard error what is
-// wrong with them.
+// One call of `taskc`: what all its verbs share. Analyses tasks and reports what is wrong with
+// them, to a person or to another program.
 #pragma once
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 #include "compiler/analyze/analyze.h"
-#include "compiler/source/diagnostic.h"
+#include "compiler/driver/exit_status.h"
+#include "compiler/report/report.h"
 
 namespace compiler {
 
 class Session {
  public:
-  Session();
+  // ---- Options that verbs share -----------------------------------------------------------------
+
+  std::filesystem::path robots;  // where to look for robots first; may be empty
+  std::string format = "text";   // of the report: also "json" and "sarif"
+  std::string color = "auto";    // of the text: also "always" and "never"
+
+  // ---- What verbs do ----------------------------------------------------------------------------
 
   // The task of a file; its errors and warnings are reported. Throws CallError where the file
   // cannot be read, robot::DescriptionError where the robot's file is wrong.
   Analysis Analyze(const std::string& file);
 
-  // Says what is wrong with a file.
+  // On the standard output, for a person only: other programs get `Result`.
+  void Say(std::string_view text) const;
+
+  // Reports what is wrong with a file, where a verb analyzes it by itself.
   void Report(const SourceFile& source, const Diagnostics& diagnostics);
 
-  // After the last task: "2 errors, 1 warning" in all files, if there were any.
-  void Finish() const;
+  // What became of the task reported last: a JSON object to which the verb adds.
+  Json& Result();
 
-  std::filesystem::path robots;  // where to look for robots first; may be empty
+  // A mistake in the call or in taskc, in one line. The verb may go on.
+  void Fail(const std::string& message);
+
+  // After the last task: the summary, or the whole report for another program.
+  void Finish(ExitStatus status);
 
  private:
-  bool color_ = false;
-  int errors_ = 0;
-  int warnings_ = 0;
+  bool is_for_a_person() const { return format == "text"; }
+  void PrintSummary() const;
+
+  RunReport report_;
 };
 
 }  // namespace compiler

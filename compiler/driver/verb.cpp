@@ -1,5 +1,8 @@
 #include "compiler/driver/verb.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 namespace compiler {
 
 const std::vector<Verb> kVerbs = {
@@ -20,6 +23,10 @@ const std::vector<Verb> kVerbs = {
      "taskc fmt --check *.task   # lists those that would change\n"
      "taskc fmt - <crawling.task # prints the result",
      DeclareFmt},
+    {"explain", "Explain an error or a warning",
+     "taskc explain E0203   # what it means, with examples\n"
+     "taskc explain         # all codes with their titles",
+     DeclareExplain},
 };
 
 void AddTask(CLI::App& app, std::string& task) {
@@ -38,6 +45,19 @@ void AddOutput(CLI::App& app, std::filesystem::path& output, const std::string& 
 void AddRobots(CLI::App& app, Session& session) {
   app.add_option("--robots", session.robots, "look for robots in this folder first")
       ->type_name("DIR");
+}
+
+void AddChoice(CLI::App& app, const std::string& option, std::string& value,
+               const std::vector<std::string>& words, const std::string& description) {
+  app.add_option(option, value, description)
+      ->type_name(fmt::format("{}", fmt::join(words, "|")))
+      ->check(CLI::IsMember(words).description(""));
+}
+
+void AddReport(CLI::App& app, Session& session) {
+  AddChoice(app, "--format", session.format, {"text", "json", "sarif"}, "how to report");
+  AddChoice(app, "--color", session.color, {"auto", "always", "never"},
+            "colours; auto: on a terminal, where NO_COLOR is not set");
 }
 
 }  // namespace compiler

@@ -13,8 +13,8 @@
 
 namespace compiler {
 
-// What a verb does once its options are parsed. Throws CallError, robot::DescriptionError and
-// InternalError.
+// What a verb does once its options are parsed. It may throw CallError, robot::DescriptionError and
+// InternalError: then this was the end of the call.
 using Action = std::function<ExitStatus(Session&)>;
 
 struct Verb {
@@ -32,6 +32,7 @@ Action DeclareBuild(CLI::App& app, Session& session);
 Action DeclareCheck(CLI::App& app, Session& session);
 Action DeclareEmit(CLI::App& app, Session& session);
 Action DeclareFmt(CLI::App& app, Session& session);
+Action DeclareExplain(CLI::App& app, Session& session);
 
 // ---- Options that several verbs have ------------------------------------------------------------
 
@@ -41,5 +42,10 @@ void AddTasks(CLI::App& app, std::vector<std::string>& tasks);
 void AddOutput(CLI::App& app, std::filesystem::path& output, const std::string& what,
                const std::string& description);
 void AddRobots(CLI::App& app, Session& session);
+// An option whose value is one of a few words.
+void AddChoice(CLI::App& app, const std::string& option, std::string& value,
+               const std::vector<std::string>& words, const std::string& description);
+// In which form, and in which colours, what is wrong is reported.
+void AddReport(CLI::App& app, Session& session);
 
 }  // namespace compiler

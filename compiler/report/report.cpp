@@ -1,0 +1,23 @@
+#include "compiler/report/report.h"
+
+namespace compiler {
+
+Place PlaceOf(const SourceFile& source, Span span) {
+  return {source.path(), source.PositionOf(span.begin), source.PositionOf(span.end)};
+}
+
+void RunReport::Add(const SourceFile& source, const Diagnostics& diagnostics) {
+  for (const Diagnostic& diagnostic : diagnostics.list()) {
+    Finding finding{diagnostic, PlaceOf(source, diagnostic.span), {}};
+    for (const Label& label : diagnostic.labels) {
+      finding.label_places.push_back(PlaceOf(source, label.span));
+    }
+    findings.push_back(std::move(finding));
+  }
+}
+
+std::string ToText(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace compiler

@@ -1,0 +1,126 @@
+// The forms in which taskc reports, and their colours.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <pty.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/compiler/driver/taskc_process.h"
+
+namespace compiler {
+namespace {
+
+using nlohmann::json;
+using testing::AllOf;
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr const char* kBadTask = "task bad\non end_of_action {\n  reward a = x\n}\n";
+
+TEST(Format, JsonHasTheDiagnosticsAndWhatBecameOfEachTask) {
+  TaskcProcess taskc;
+  taskc.Write("good.task", kGoodTask);
+  taskc.Write("bad.task", kBadTask);
+  Outcome outcome = taskc.Run("check good.task bad.task absent.task --format json");
+  EXPECT_EQ(outcome.status, 2);
+  json report = json::parse(outcome.out);
+  EXPECT_EQ(report["exit_status"], 2);
+  EXPECT_EQ(report["errors"], 1);
+  EXPECT_EQ(report["warnings"], 0);
+  ASSERT_EQ(report["tasks"].size(), 2u);
+  EXPECT_EQ(report["tasks"][0], (json{{"file", "good.task"},
+                                      {"ok", true},
+                                      {"name", "good"},
+                                      {"sensors", 2},
+                                      {"terms", 1},
+                                      {"ends", 1}}));
+  EXPECT_EQ(report["tasks"][1], (json{{"file", "bad.task"}, {"ok", false}}));
+  EXPECT_EQ(report["diagnostics"][0]["code"], "E0201");
+  EXPECT_EQ(report["diagnostics"][0]["line"], 3);
+  EXPECT_THAT(report["failures"][0].get<std::string>(), HasSubstr("absent.task"));
+}
+
+TEST(Format, JsonSaysWhereThePluginIs) {
+  TaskcProcess taskc;
+  taskc.Write("good.task", kGoodTask);
+  std::string plugin = taskc.Run("build good.task").out;
+  json report = json::parse(taskc.Run("build good.task --format json").out);
+  EXPECT_EQ(report["tasks"][0]["plugin"].get<std::string>() + "\n", plugin);
+  report = json::parse(taskc.Run("build good.task -o out.so --format json").out);
+  EXPECT_EQ(report["tasks"][0]["plugin"], "out.so");
+}
+
+TEST(Format, JsonIsWholeEvenWhereNothingCouldBeDone) {
+  TaskcProcess taskc;
+  Outcome outcome = taskc.Run("build absent.task --format json");
+  EXPECT_EQ(outcome.status, 2);
+  json report = json::parse(outcome.out);
+  EXPECT_EQ(report["tasks"], json::array());
+  EXPECT_EQ(report["failures"].size(), 1u);
+}
+
+TEST(Format, SarifNamesItsVersionAndTheResults) {
+  TaskcProcess taskc;
+  taskc.Write("bad.task", kBadTask);
+  Outcome outcome = taskc.Run("check bad.task --format sarif");
+  EXPECT_EQ(outcome.status, 1);
+  json report = json::parse(outcome.out);
+  EXPECT_EQ(report["version"], "2.1.0");
+  EXPECT_EQ(report["runs"][0]["results"][0]["ruleId"], "E0201");
+}
+
+TEST(Format, IsOneOfThree) {
+  TaskcProcess taskc;
+  Outcome outcome = taskc.Run("check x.task --format xml");
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_THAT(outcome.error, HasSubstr("xml not in {text,json,sarif}"));
+}
+
+TEST(Color, IsThereOnWish) {
+  TaskcProcess taskc;
+  taskc.Write("bad.task", kBadTask);
+  EXPECT_THAT(taskc.Run("check bad.task --color always", "NO_COLOR=1").error, HasSubstr("\033["));
+  EXPECT_THAT(taskc.Run("check bad.task --color auto").error, Not(HasSubstr("\033[")));
+}
+
+// What `taskc check bad.task` prints on a terminal of its own.
+std::string CheckOnTerminal(const TaskcProcess& taskc, const std::string& options) {
+  int terminal = -1;
+  pid_t child = forkpty(&terminal, nullptr, nullptr, nullptr);
+  if (child == 0) {
+    std::string command =
+        "cd '" + taskc.path("").string() + "' && " + options + " '" TASKC "' check bad.task";
+    execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
+    _exit(127);
+  }
+  std::string printed;
+  char bytes[4096];
+  for (ssize_t size; (size = read(terminal, bytes, sizeof bytes)) > 0;) {
+    printed.append(bytes, static_cast<size_t>(size));
+  }
+  close(terminal);
+  waitpid(child, nullptr, 0);
+  return printed;
+}
+
+TEST(Color, IsThereOnATerminalUnlessNotWished) {
+  TaskcProcess taskc;
+  taskc.Write("bad.task", kBadTask);
+  EXPECT_THAT(CheckOnTerminal(taskc, "env -u NO_COLOR"), HasSubstr("\033["));
+  std::string plain = CheckOnTerminal(taskc, "NO_COLOR=1");
+  EXPECT_THAT(plain, AllOf(HasSubstr("E0201"), Not(HasSubstr("\033["))));
+}
+
+TEST(Text, SaysOnceWhereThereIsMore) {
+  TaskcProcess taskc;
+  taskc.Write("warned.task", "task warned\nmetric one = 1\n");
+  taskc.Write("bad.task", kBadTask);
+  EXPECT_THAT(taskc.Run("check warned.task bad.task").error,
+              EndsWith("\n1 error, 1 warning; for more: taskc explain E0201\n"));
+}
+
+}  // namespace
+}  // namespace compiler
