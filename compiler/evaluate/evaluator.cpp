@@ -9,38 +9,6 @@
 namespace compiler {
 namespace {
 
-template <typename Number>
-Number Assigned(AssignOperator op, Number old, Number value) {
-  switch (op) {
-    case AssignOperator::kSet:
-      return value;
-    case AssignOperator::kAdd:
-      return Calculate(BinaryOperator::kAdd, old, value);
-    case AssignOperator::kSubtract:
-      return Calculate(BinaryOperator::kSubtract, old, value);
-    case AssignOperator::kMultiply:
-      return Calculate(BinaryOperator::kMultiply, old, value);
-    case AssignOperator::kDivide:
-      break;
-  }
-  return Calculate(BinaryOperator::kDivide, old, value);
-}
-
-// Sets the elements at `indices`, or all where there are none; a scalar is set in each of them.
-void Set(AssignOperator op, const std::vector<uint32_t>& indices, const Value& value,
-         Value& memory) {
-  const size_t count = indices.empty() ? SizeOf(memory) : indices.size();
-  std::visit(
-      [&]<typename ElementsType>(ElementsType& elements) {
-        const auto& values = std::get<ElementsType>(value);
-        for (size_t i = 0; i < count; ++i) {
-          auto& element = elements[indices.empty() ? i : indices[i]];
-          element = Assigned(op, element, values[values.size() == 1 ? 0 : i]);
-        }
-      },
-      memory);
-}
-
 void SetOnce(int32_t& first, uint32_t index) {
   if (first < 0) first = static_cast<int32_t>(index);
 }
@@ -94,7 +62,7 @@ Value Evaluator::EvaluateHere(const CheckedExpression& expression) const {
 }
 
 void Evaluator::Reset(uint32_t memory) {
-  Set(AssignOperator::kSet, {}, Evaluate(task_.memory[memory].initial), frame_.memory[memory]);
+  Assign(AssignOperator::kSet, {}, Evaluate(task_.memory[memory].initial), frame_.memory[memory]);
 }
 
 void Evaluator::Run(const CheckedBlock& block) {
@@ -106,7 +74,7 @@ void Evaluator::Run(const CheckedBlock& block) {
 void Evaluator::Run(const CheckedLet& let) { locals_[let.local] = EvaluateHere(let.value); }
 
 void Evaluator::Run(const CheckedAssign& assign) {
-  Set(assign.op, assign.elements, EvaluateHere(assign.value), frame_.memory[assign.memory]);
+  Assign(assign.op, assign.elements, EvaluateHere(assign.value), frame_.memory[assign.memory]);
 }
 
 void Evaluator::Run(const CheckedIf& branches) {

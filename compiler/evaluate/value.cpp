@@ -1,6 +1,28 @@
 #include "compiler/evaluate/value.h"
 
+#include "compiler/check/arithmetic.h"
+
 namespace compiler {
+namespace {
+
+template <typename Number>
+Number Assigned(AssignOperator op, Number old, Number value) {
+  switch (op) {
+    case AssignOperator::kSet:
+      return value;
+    case AssignOperator::kAdd:
+      return Calculate(BinaryOperator::kAdd, old, value);
+    case AssignOperator::kSubtract:
+      return Calculate(BinaryOperator::kSubtract, old, value);
+    case AssignOperator::kMultiply:
+      return Calculate(BinaryOperator::kMultiply, old, value);
+    case AssignOperator::kDivide:
+      break;
+  }
+  return Calculate(BinaryOperator::kDivide, old, value);
+}
+
+}  // namespace
 
 Value Filled(Scalar scalar, size_t size, double number) {
   if (scalar == Scalar::kReal) return Reals(size, number);
@@ -31,6 +53,20 @@ Value Pick(const Value& value, const std::vector<uint32_t>& indices) {
         return picked;
       },
       value);
+}
+
+void Assign(AssignOperator op, const std::vector<uint32_t>& indices, const Value& value,
+            Value& place) {
+  const size_t count = indices.empty() ? SizeOf(place) : indices.size();
+  std::visit(
+      [&]<typename ElementsType>(ElementsType& elements) {
+        const auto& values = std::get<ElementsType>(value);
+        for (size_t i = 0; i < count; ++i) {
+          auto& element = elements[indices.empty() ? i : indices[i]];
+          element = Assigned(op, element, values[values.size() == 1 ? 0 : i]);
+        }
+      },
+      place);
 }
 
 }  // namespace compiler

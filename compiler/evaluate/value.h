@@ -28,4 +28,9 @@ Reals ToReals(const Value& value);
 // The elements at `indices`, in that order.
 Value Pick(const Value& value, const std::vector<uint32_t>& indices);
 
+// Sets the elements of `place` at `indices`, all where there are none: to `value`'s element by
+// element, or each to the one that a scalar has.
+void Assign(AssignOperator op, const std::vector<uint32_t>& indices, const Value& value,
+            Value& place);
+
 }  // namespace compiler

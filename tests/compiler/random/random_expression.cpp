@@ -1,0 +1,390 @@
+#include "tests/compiler/random/random_expression.h"
+
+#include <fmt/format.h>
+
+#include "compiler/check/type.h"
+#include "compiler/check/unit.h"
+
+namespace compiler {
+namespace {
+
+constexpr Unit kRadian{.radian = 1};
+
+Type VectorType(uint32_t size) { return {Scalar::kReal, Shape::kVector, size, 1, ""}; }
+Type ArrayType(Scalar scalar, uint32_t size) { return {scalar, Shape::kArray, size, 1, ""}; }
+
+struct Factor {
+  std::string_view name;
+  int power;
+};
+
+std::vector<Factor> FactorsOf(const Unit& unit) {
+  return {{"m", unit.metre}, {"kg", unit.kilogram}, {"s", unit.second}, {"rad", unit.radian}};
+}
+
+std::string Power(const Factor& factor, int power) {
+  return power == 1 ? std::string(factor.name) : fmt::format("{}^{}", factor.name, power);
+}
+
+bool IsSmall(const Unit& unit) {
+  for (const Factor& factor : FactorsOf(unit)) {
+    if (factor.power < -3 || factor.power > 3) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::string UnitOfLiteral(const Unit& unit) {
+  std::string above;
+  std::string below;
+  for (const Factor& factor : FactorsOf(unit)) {
+    if (factor.power > 0) above += (above.empty() ? " " : "*") + Power(factor, factor.power);
+    if (factor.power < 0) below += " / " + Power(factor, -factor.power);
+  }
+  return above + below;
+}
+
+std::string TypeText(const Type& type, const Unit& unit) {
+  if (IsPlain(unit)) return ToString(type);
+  std::string text;
+  for (const Factor& factor : FactorsOf(unit)) {
+    if (factor.power != 0) text += (text.empty() ? "" : " ") + Power(factor, factor.power);
+  }
+  return fmt::format("{} [{}]", ToString(type), text);
+}
+
+RandomExpressions::RandomExpressions(RandomNumbers& random, const std::vector<Readable>& readable)
+    : random_(random), readable_(readable) {}
+
+Type RandomExpressions::RandomType() {
+  switch (random_.Below(6)) {
+    case 0:
+      return ScalarType(Scalar::kBool);
+    case 1:
+      return ScalarType(Scalar::kInt);
+    case 2:
+      return VectorType(2 + random_.Below(3));
+    case 3:
+      return *FindType("mat3");
+    case 4:
+      return RandomRow(random_.OneOf({Scalar::kBool, Scalar::kInt, Scalar::kReal}));
+    default:
+      return ScalarType(Scalar::kReal);
+  }
+}
+
+Unit RandomExpressions::RandomUnit() {
+  static const std::vector<Unit> units = {{},
+                                          {},
+                                          {.metre = 1},
+                                          {.second = 1},
+                                          {.radian = 1},
+                                          {.metre = 1, .second = -1},
+                                          {.second = -1},
+                                          {.metre = 1, .kilogram = 1, .second = -2}};
+  return random_.OneOf(units);
+}
+
+// Long ones are computed in loops, short ones are written out.
+Type RandomExpressions::RandomRow(Scalar scalar) {
+  if (scalar == Scalar::kReal && random_.OneIn(2)) return VectorType(2 + random_.Below(3));
+  return ArrayType(scalar, random_.OneOf({2u, 3u, 5u, 40u}));
+}
+
+bool RandomExpressions::IsRowType(const Type& type) const {
+  return type.shape == Shape::kVector || type.shape == Shape::kArray;
+}
+
+RandomExpressions::Text RandomExpressions::Literal(Scalar scalar, const Unit& unit) {
+  switch (scalar) {
+    case Scalar::kBool:
+      return {random_.OneOf({"true", "false"}), true};
+    case Scalar::kInt:
+      return {std::to_string(random_.Below(12)), true};
+    case Scalar::kReal:
+      break;
+  }
+  static const std::vector<std::string> numbers = {"0.5",  "1.0",  "2.0",   "0.1",  "3.25",
+                                                   "1e-3", "17.0", "1.5e4", "0.25", "0.0"};
+  return {"(" + random_.OneOf(numbers) + UnitOfLiteral(unit) + ")", true};
+}
+
+// ---- Names and their elements
+// --------------------------------------------------------------------
+
+std::string RandomExpressions::ElementOf(const Readable& whole) {
+  const Type& type = whole.type;
+  if (type.shape == Shape::kMatrix) {
+    return fmt::format("{}[{}, {}]", whole.name, random_.Below(type.rows),
+                       random_.Below(type.columns));
+  }
+  const bool has_letters = type.shape != Shape::kArray;
+  const uint32_t index = random_.Below(type.size());
+  if (!has_letters || (type.shape == Shape::kVector && random_.OneIn(3))) {
+    return fmt::format("{}[{}]", whole.name, index);
+  }
+  return fmt::format("{}.{}", whole.name, "xyzw"[index]);
+}
+
+std::string RandomExpressions::Read(const Type& type, const Unit& unit) {
+  std::vector<std::string> reads;
+  for (const Readable& readable : readable_) {
+    if (readable.unit != unit || readable.type.scalar != type.scalar) continue;
+    if (readable.type == type) {
+      reads.push_back(readable.name);
+    } else if (IsScalar(type)) {
+      reads.push_back(ElementOf(readable));
+    } else if (IsRowType(type) && readable.type.shape == type.shape &&
+               readable.type.rows > type.rows) {
+      const uint32_t first = random_.Below(readable.type.rows - type.rows + 1);
+      reads.push_back(fmt::format("{}[{}..{}]", readable.name, first, first + type.rows - 1));
+    }
+  }
+  return reads.empty() ? "" : random_.OneOf(reads);
+}
+
+std::string RandomExpressions::Variable(const Type& type, const Unit& unit, int depth) {
+  const Text made = Make(type, unit, depth);
+  if (!made.is_constant) return made.text;
+  if (std::string read = Read(type, unit); !read.empty()) return read;
+  return fmt::format("({} * {})", made.text, Read(ScalarType(Scalar::kReal), {}));
+}
+
+std::string RandomExpressions::VariableReal(const Unit& unit, int depth) {
+  return Variable(ScalarType(Scalar::kReal), unit, depth);
+}
+
+// ---- By type
+// -------------------------------------------------------------------------------------
+
+RandomExpressions::Text RandomExpressions::Make(const Type& type, const Unit& unit, int depth) {
+  if (depth <= 0 || random_.OneIn(8)) {
+    if (std::string read = Read(type, unit); !read.empty()) return {read};
+    if (IsScalar(type) && (depth <= 0 || type.scalar != Scalar::kReal)) {
+      return Literal(type.scalar, unit);
+    }
+  }
+  if (type.shape == Shape::kMatrix) return MakeMatrix(type, unit, depth);
+  if (IsRowType(type)) return MakeRow(type, unit, depth);
+  switch (type.scalar) {
+    case Scalar::kBool:
+      return MakeBool(depth);
+    case Scalar::kInt:
+      return MakeInt(depth);
+    case Scalar::kReal:
+      break;
+  }
+  return MakeReal(unit, depth);
+}
+
+RandomExpressions::Text RandomExpressions::MakeBool(int depth) {
+  const Type boolean = ScalarType(Scalar::kBool);
+  switch (random_.Below(5)) {
+    case 0: {
+      const Scalar scalar = random_.OneOf({Scalar::kInt, Scalar::kReal});
+      const Unit unit = scalar == Scalar::kReal ? RandomUnit() : Unit{};
+      const Text left = Make(ScalarType(scalar), unit, depth - 1);
+      const Text right = Make(ScalarType(scalar), unit, depth - 1);
+      return {fmt::format("({} {} {})", left.text,
+                          random_.OneOf({"<", "<=", ">", ">=", "==", "!="}), right.text),
+              left.is_constant && right.is_constant};
+    }
+    case 1: {
+      const Text operand = Make(boolean, {}, depth - 1);
+      return {fmt::format("(not {})", operand.text), operand.is_constant};
+    }
+    case 2: {
+      std::string row = Read(ArrayType(Scalar::kBool, random_.OneOf({2u, 3u, 5u, 40u})), {});
+      if (row.empty()) row = Read(boolean, {});
+      return {fmt::format("{}({})", random_.OneOf({"any", "all", "none"}), row)};
+    }
+    default: {
+      const Text left = Make(boolean, {}, depth - 1);
+      const Text right = Make(boolean, {}, depth - 1);
+      return {fmt::format("({} {} {})", left.text, random_.OneOf({"and", "or", "==", "!="}),
+                          right.text),
+              left.is_constant || right.is_constant};
+    }
+  }
+}
+
+RandomExpressions::Text RandomExpressions::MakeInt(int depth) {
+  const Type integer = ScalarType(Scalar::kInt);
+  const auto part = [&] { return Make(integer, {}, depth - 1).text; };
+  switch (random_.Below(7)) {
+    case 0: {
+      std::string row = Read(ArrayType(Scalar::kBool, random_.OneOf({2u, 3u, 5u, 40u})), {});
+      if (row.empty()) row = Read(ScalarType(Scalar::kBool), {});
+      return {fmt::format("count({})", row)};
+    }
+    case 1:
+      return {fmt::format("{}({}, {})", random_.OneOf({"min", "max"}), part(),
+                          Variable(integer, {}, depth - 1))};
+    case 2:
+      return {fmt::format("clamp({}, {}, {})", Variable(integer, {}, depth - 1), part(), part())};
+    case 3:
+      return {fmt::format("abs({})", Variable(integer, {}, depth - 1))};
+    case 4: {
+      const Type row = RandomRow(Scalar::kInt);
+      return {fmt::format("{}({})", random_.OneOf({"sum", "min", "max"}),
+                          Make(row, {}, depth - 2).text)};
+    }
+    case 5:
+      return {fmt::format("(-{})", Variable(integer, {}, depth - 1))};
+    default:
+      return {fmt::format("({} {} {})", part(), random_.OneOf({"+", "-", "*"}),
+                          Variable(integer, {}, depth - 1))};
+  }
+}
+
+RandomExpressions::Text RandomExpressions::MakeReal(const Unit& unit, int depth) {
+  if (random_.OneIn(3)) return MakeReduction(unit, depth);
+  if (IsPlain(unit) && random_.OneIn(3)) {
+    switch (random_.Below(5)) {
+      case 0:
+        return {fmt::format("{}({})", random_.OneOf({"exp", "log", "tanh"}),
+                            VariableReal({}, depth - 1))};
+      case 1:
+        return {
+            fmt::format("{}({})", random_.OneOf({"sin", "cos"}), VariableReal(kRadian, depth - 1))};
+      case 2:
+        return {fmt::format("({} / {})", Variable(ScalarType(Scalar::kInt), {}, depth - 1),
+                            Variable(ScalarType(Scalar::kInt), {}, depth - 1))};
+      case 3:
+        return {fmt::format("({} {} {})", Variable(ScalarType(Scalar::kInt), {}, depth - 1),
+                            random_.OneOf({"+", "-", "*"}), VariableReal({}, depth - 1))};
+      default:
+        return {"pi", true};
+    }
+  }
+  if (unit == kRadian && random_.OneIn(3)) {
+    const Unit common = RandomUnit();
+    return {fmt::format("atan2({}, {})", VariableReal(common, depth - 1),
+                        VariableReal(common, depth - 1))};
+  }
+  return MakeRealOfReals(unit, depth);
+}
+
+RandomExpressions::Text RandomExpressions::MakeRealOfReals(const Unit& unit, int depth) {
+  const Type real = ScalarType(Scalar::kReal);
+  const auto part = [&] { return Make(real, unit, depth - 1); };
+  switch (random_.Below(8)) {
+    case 0: {
+      const Text left = part();
+      return {fmt::format("(-{})", left.text), left.is_constant};
+    }
+    case 1:
+      return {fmt::format("{}({}, {}, {})", random_.OneOf({"min", "max", "clamp"}), part().text,
+                          part().text, VariableReal(unit, depth - 1))};
+    case 2:
+      return {fmt::format("abs({})", VariableReal(unit, depth - 1))};
+    case 3: {
+      const auto squared = Multiply(unit, unit);
+      if (!squared || !IsSmall(*squared)) return part();
+      return {fmt::format("sqrt({})", VariableReal(*squared, depth - 1))};
+    }
+    case 4: {
+      const Unit other = RandomUnit();
+      const auto product = Multiply(unit, other);
+      if (!product || !IsSmall(*product)) return part();
+      return {fmt::format("({} / {})", VariableReal(*product, depth - 1),
+                          VariableReal(other, depth - 1))};
+    }
+    case 5: {
+      const Unit other = RandomUnit();
+      const auto quotient = Divide(unit, other);
+      if (!quotient || !IsSmall(*quotient)) return part();
+      return {fmt::format("({} * {})", Make(real, *quotient, depth - 1).text,
+                          VariableReal(other, depth - 1))};
+    }
+    default: {
+      const Text left = part();
+      const Text right = part();
+      return {fmt::format("({} {} {})", left.text, random_.OneOf({"+", "-"}), right.text),
+              left.is_constant && right.is_constant};
+    }
+  }
+}
+
+RandomExpressions::Text RandomExpressions::MakeReduction(const Unit& unit, int depth) {
+  const Type row = RandomRow(Scalar::kReal);
+  if (random_.OneIn(3)) {
+    const Unit other = RandomUnit();
+    if (const auto quotient = Divide(unit, other); quotient && IsSmall(*quotient)) {
+      return {fmt::format("dot({}, {})", Make(row, *quotient, depth - 2).text,
+                          Make(row, other, depth - 2).text)};
+    }
+  }
+  return {fmt::format("{}({})", random_.OneOf({"sum", "norm", "min", "max"}),
+                      Make(row, unit, depth - 2).text)};
+}
+
+RandomExpressions::Text RandomExpressions::MakeRow(const Type& type, const Unit& unit, int depth) {
+  const auto part = [&] { return Make(type, unit, depth - 1).text; };
+  const std::string read = Read(type, unit);
+  const bool is_vector = type.shape == Shape::kVector;
+  if (type.scalar == Scalar::kBool || (depth <= 0 && !read.empty())) {
+    // There is a row of bools of each size among the sensors.
+    return {read};
+  }
+  const Type element = ScalarType(type.scalar);
+  switch (depth <= 0 ? 0 : random_.Below(7)) {
+    case 0: {
+      // From scalars: an array of this type in any unit, made to fit.
+      const Unit plain{};
+      std::string row = read.empty() ? Read(type, plain) : read;
+      if (!read.empty()) return {row};
+      return {fmt::format("({} * {})", row, Literal(type.scalar, unit).text)};
+    }
+    case 1:
+      return {fmt::format("(-{})", part())};
+    case 2:
+      return {fmt::format("abs({})", part())};
+    case 3:
+      return {fmt::format("({} {} {})", part(), random_.OneOf({"+", "-"}),
+                          Make(element, unit, depth - 1).text)};
+    case 4:
+      return {fmt::format("({} * {})", Make(element, unit, depth - 1).text,
+                          Make(type, {}, depth - 1).text)};
+    case 5:
+      if (is_vector && type.rows == 3 && random_.OneIn(2)) {
+        return {fmt::format("cross({}, {})", part(), Make(type, {}, depth - 1).text)};
+      }
+      if (is_vector && random_.OneIn(2)) {
+        const Readable whole{part(), type, unit};
+        std::string letters;
+        for (uint32_t i = 0; i < type.rows; ++i) letters += "xyzw"[random_.Below(type.rows)];
+        return {fmt::format("{}.{}", whole.name, letters)};
+      }
+      if (type.scalar == Scalar::kReal) {
+        return {fmt::format("({} / {})", part(), VariableReal({}, depth - 1))};
+      }
+      return {part()};
+    default:
+      return {fmt::format("({} {} {})", part(), random_.OneOf({"+", "-"}), part())};
+  }
+}
+
+RandomExpressions::Text RandomExpressions::MakeMatrix(const Type& type, const Unit& unit,
+                                                      int depth) {
+  const auto part = [&] { return Make(type, unit, depth - 1).text; };
+  const std::string read = Read(type, unit);
+  if (depth <= 0) {
+    if (!read.empty()) return {read};
+    return {fmt::format("({} * {})", Read(type, {}), Literal(Scalar::kReal, unit).text)};
+  }
+  switch (random_.Below(4)) {
+    case 0:
+      return {fmt::format("({} {} {})", part(), random_.OneOf({"+", "-"}), part())};
+    case 1:
+      return {fmt::format("(-{})", part())};
+    case 2:
+      return {fmt::format("({} * {})", Make(type, {}, depth - 1).text,
+                          Make(ScalarType(Scalar::kReal), unit, depth - 1).text)};
+    default:
+      return {fmt::format("({} / {})", part(), VariableReal({}, depth - 1))};
+  }
+}
+
+}  // namespace compiler

@@ -1,0 +1,220 @@
+#include "tests/compiler/random/random_task.h"
+
+#include <fmt/format.h>
+
+#include <vector>
+
+#include "compiler/check/type.h"
+#include "compiler/check/unit.h"
+#include "compiler/syntax/words.h"
+#include "tests/compiler/random/random_expression.h"
+
+namespace compiler {
+namespace {
+
+class TaskWriter {
+ public:
+  explicit TaskWriter(uint32_t seed) : random_(seed), expressions_(random_, readable_) {}
+
+  std::string Write() {
+    text_ = "task random\n";
+    DeclareSensors();
+    DeclareParams();
+    DeclareMemory();
+    DeclareMetrics();
+    for (const auto& event : kEventNames) {
+      if (random_.OneIn(2)) WriteEvent(event.text, event.meaning);
+    }
+    return text_;
+  }
+
+ private:
+  void Line(const std::string& line) { text_ += std::string(indent_ * 2, ' ') + line + "\n"; }
+  bool IsStep() const { return event_ >= EventKind::kStartOfTimeStep; }
+  std::string NewName(std::string_view kind) { return fmt::format("{}{}", kind, ++names_); }
+
+  // One of each type in plain numbers, so that everything can be made; then some with units.
+  void DeclareSensors() {
+    for (const char* type :
+         {"bool",   "int",     "real",    "vec2",    "vec3",     "vec4",    "mat3",
+          "quat",   "bool[2]", "bool[3]", "bool[5]", "bool[40]", "int[2]",  "int[3]",
+          "int[5]", "int[40]", "real[2]", "real[3]", "real[5]",  "real[40]"}) {
+      DeclareSensor(type, {});
+    }
+    for (int i = 0; i < 6; ++i) {
+      DeclareSensor(random_.OneOf({"real", "real", "vec2", "vec3", "vec4", "mat3", "real[5]"}),
+                    expressions_.RandomUnit());
+    }
+  }
+
+  void DeclareSensor(const std::string& type_name, const Unit& unit) {
+    const std::string name = NewName("s");
+    const std::string element = type_name.substr(0, type_name.find('['));
+    Type type = *FindType(element);
+    if (element != type_name) {
+      type.shape = Shape::kArray;
+      type.rows = static_cast<uint32_t>(std::stoi(type_name.substr(element.size() + 1)));
+    }
+    Line(fmt::format("sensor {}: {}", name, TypeText(type, unit)));
+    readable_.push_back({name, type, unit});
+  }
+
+  void DeclareParams() {
+    for (int i = 0; i < 3; ++i) {
+      const Type type =
+          ScalarType(random_.OneOf({Scalar::kBool, Scalar::kInt, Scalar::kReal, Scalar::kReal}));
+      const Unit unit = type.scalar == Scalar::kReal ? expressions_.RandomUnit() : Unit{};
+      params_.push_back({NewName("p"), type, unit});
+      Line(fmt::format("param {}: {} = {}", params_.back().name, TypeText(type, unit),
+                       ConstantOf(type, unit)));
+    }
+    readable_.insert(readable_.end(), params_.begin(), params_.end());
+  }
+
+  std::string ConstantOf(const Type& type, const Unit& unit) {
+    if (IsBool(type)) return random_.OneOf({"true", "false"});
+    if (type.scalar == Scalar::kInt) return std::to_string(int(random_.Below(20)) - 10);
+    return random_.OneOf({"0.5", "-2.0", "1e3"}) + UnitOfLiteral(unit);
+  }
+
+  void DeclareMemory() {
+    for (int i = 0; i < 8; ++i) {
+      const Type type = expressions_.RandomType();
+      const Unit unit = type.scalar == Scalar::kReal ? expressions_.RandomUnit() : Unit{};
+      memory_.push_back({NewName("v"), type, unit});
+      Line(fmt::format("memory {}: {} = {}{}", memory_.back().name, TypeText(type, unit),
+                       InitialValue(type, unit),
+                       random_.OneOf({"", " per action", " per run", " per episode"})));
+    }
+    readable_.insert(readable_.end(), memory_.begin(), memory_.end());
+  }
+
+  std::string InitialValue(const Type& type, const Unit& unit) {
+    for (const Readable& param : params_) {
+      const bool fits = param.type.scalar == type.scalar && param.unit == unit;
+      if (fits && random_.OneIn(2)) return param.name;
+    }
+    return ConstantOf(type, unit);
+  }
+
+  void DeclareMetrics() {
+    for (int i = 0; i < 2; ++i) {
+      Line(fmt::format("metric {} = {}", NewName("metric"),
+                       expressions_.OfType(ScalarType(Scalar::kReal), expressions_.RandomUnit())));
+    }
+  }
+
+  void WriteEvent(std::string_view name, EventKind event) {
+    event_ = event;
+    const size_t outside = readable_.size();
+    readable_.push_back({"reward", ScalarType(Scalar::kReal), {}});
+    if (IsStep()) readable_.push_back({"time_step", ScalarType(Scalar::kReal), {.second = 1}});
+    Line(fmt::format("on {} {{", name));
+    WriteBlock(4 + random_.Below(8), 2);
+    Line("}");
+    readable_.resize(outside);
+  }
+
+  void WriteBlock(uint32_t statements, int depth) {
+    ++indent_;
+    const size_t outside = readable_.size();
+    for (uint32_t i = 0; i < statements; ++i) WriteStatement(depth);
+    readable_.resize(outside);
+    --indent_;
+  }
+
+  void WriteStatement(int depth) {
+    switch (random_.Below(depth > 0 ? 9 : 7)) {
+      case 0:
+      case 1:
+        return WriteLet();
+      case 2:
+      case 3:
+        return WriteAssignment();
+      case 4:
+      case 5:
+        return WriteReward();
+      case 6:
+        return WriteEnd();
+      default:
+        return WriteIf(depth);
+    }
+  }
+
+  void WriteLet() {
+    const Type type = expressions_.RandomType();
+    const Unit unit = type.scalar == Scalar::kReal ? expressions_.RandomUnit() : Unit{};
+    const Readable let{NewName("l"), type, unit};
+    Line(fmt::format("let {} = {}", let.name, expressions_.OfType(type, unit)));
+    readable_.push_back(let);
+  }
+
+  void WriteAssignment() {
+    const Readable& target = random_.OneOf(memory_);
+    const Type& type = target.type;
+    const bool is_scaled = !IsBool(type) && random_.OneIn(4);
+    std::string op = "=";
+    if (is_scaled) {
+      op = type.scalar == Scalar::kReal ? random_.OneOf({"*=", "/="}) : "*=";
+    } else if (!IsBool(type)) {
+      op = random_.OneOf({"=", "+=", "-="});
+    }
+    const Type element = ScalarType(type.scalar);
+    const Type value =
+        !IsBool(type) && (is_scaled || random_.OneIn(4)) && op != "=" ? element : type;
+    std::string text = expressions_.OfType(value, is_scaled ? Unit{} : target.unit);
+    // A divisor must not be a constant: it might be 0.
+    if (op == "/=") text = fmt::format("({} + {})", text, readable_[2].name);
+    Line(fmt::format("{} {} {}", target.name, op, text));
+  }
+
+  void WriteReward() {
+    const std::string value =
+        expressions_.OfType(ScalarType(Scalar::kReal), expressions_.RandomUnit());
+    if (random_.OneIn(5)) {
+      return Line(fmt::format("reward {} {}", random_.OneOf({"+=", "-="}),
+                              expressions_.OfType(ScalarType(Scalar::kReal), {})));
+    }
+    Line(fmt::format("reward {}{} = {}", IsStep() && random_.OneIn(2) ? "rate " : "",
+                     fmt::format("t{}", random_.Below(4)), value));
+  }
+
+  void WriteEnd() {
+    if (event_ == EventKind::kEndOfEpisode) return WriteReward();
+    Line(fmt::format(
+        "{} \"{}\"",
+        random_.OneOf({"end_episode success", "end_episode failure", "truncate_episode"}),
+        NewName("reason")));
+  }
+
+  void WriteIf(int depth) {
+    const auto condition = [&] { return expressions_.OfType(ScalarType(Scalar::kBool), {}); };
+    Line(fmt::format("if {} {{", condition()));
+    WriteBlock(1 + random_.Below(3), depth - 1);
+    if (random_.OneIn(3)) {
+      Line(fmt::format("}} else if {} {{", condition()));
+      WriteBlock(1 + random_.Below(3), depth - 1);
+    }
+    if (random_.OneIn(2)) {
+      Line("} else {");
+      WriteBlock(1 + random_.Below(3), depth - 1);
+    }
+    Line("}");
+  }
+
+  RandomNumbers random_;
+  std::vector<Readable> readable_;
+  std::vector<Readable> params_;
+  std::vector<Readable> memory_;
+  RandomExpressions expressions_;
+  std::string text_;
+  size_t indent_ = 0;
+  int names_ = 0;
+  EventKind event_{};
+};
+
+}  // namespace
+
+std::string RandomTask(uint32_t seed) { return TaskWriter(seed).Write(); }
+
+}  // namespace compiler

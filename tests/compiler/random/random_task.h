@@ -1,0 +1,11 @@
+// Random tasks, all of them right: each seed gives the text of another one.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace compiler {
+
+std::string RandomTask(uint32_t seed);
+
+}  // namespace compiler

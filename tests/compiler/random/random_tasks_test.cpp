@@ -1,0 +1,200 @@
+// Random tasks: the evaluator, the plugin without optimisation and the plugin as users get it give
+// the same bits, whatever the sensors say.
+//
+// TASKC_RANDOM_TASKS=5000 tries more tasks than usual, TASKC_RANDOM_SEED=71 others.
+#include <dlfcn.h>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+
+#include "compiler/build/child_process.h"
+#include "compiler/build/cxx_compiler.h"
+#include "compiler/build/file_io.h"
+#include "compiler/emit/emit.h"
+#include "compiler/testing/side_by_side.h"
+#include "tests/compiler/check/checked_source.h"
+#include "tests/compiler/random/random_task.h"
+#include "tests/compiler/random/random_values.h"
+#include "tests/compiler/temporary_folder.h"
+
+namespace compiler {
+namespace {
+
+uint32_t NumberFrom(const char* variable, uint32_t otherwise) {
+  const char* text = std::getenv(variable);
+  return text == nullptr ? otherwise : static_cast<uint32_t>(std::stoul(text));
+}
+
+void ReplaceAll(std::string& text, const std::string& what, const std::string& with) {
+  for (size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += with.size()) {
+    text.replace(at, what.size(), with);
+  }
+}
+
+// Several plugins in one library: starting the C++ compiler costs more than most tasks.
+class Library {
+ public:
+  // `cpps`: what was emitted for each task.
+  Library(const std::vector<std::string>& cpps, const std::string& optimization) {
+    std::string text = "#include <taskc/plugin.h>\n";
+    for (size_t i = 0; i < cpps.size(); ++i) text += InNamespace(cpps[i], i);
+    Compile(text, optimization);
+    library_ = dlopen((folder_.path() / "plugins.so").c_str(), RTLD_NOW | RTLD_LOCAL);
+    if (library_ == nullptr) throw std::runtime_error(dlerror());
+  }
+  ~Library() {
+    if (library_ != nullptr) dlclose(library_);
+  }
+  Library(const Library&) = delete;
+  Library& operator=(const Library&) = delete;
+
+  const taskc_plugin& operator[](size_t i) const {
+    const std::string name = fmt::format("{}_{}", TASKC_PLUGIN_ENTRY, i);
+    return *reinterpret_cast<taskc_plugin_entry>(dlsym(library_, name.c_str()))();
+  }
+
+ private:
+  static std::string InNamespace(std::string cpp, size_t number) {
+    ReplaceAll(cpp, "#include <taskc/plugin.h>", "");
+    ReplaceAll(cpp, TASKC_PLUGIN_ENTRY "()", fmt::format("{}_{}()", TASKC_PLUGIN_ENTRY, number));
+    return fmt::format("namespace task_{} {{\n{}\n}}\n", number, cpp);
+  }
+
+  void Compile(const std::string& text, const std::string& optimization) {
+    WriteWholeFile(folder_.path() / "plugins.cpp", text);
+    std::vector<std::string> command = FindCxxCompiler().command;
+    for (const std::string& flag : PluginFlags()) {
+      command.push_back(flag == "-O2" ? optimization : flag);
+    }
+    command.insert(command.end(), {"-I", SOURCE_DIR "/plugins/abi", "-x", "c++", "-", "-o",
+                                   folder_.path() / "plugins.so"});
+    command.insert(command.end(), PluginLibraries().begin(), PluginLibraries().end());
+    const int status = Run({.command = command,
+                            .input = folder_.path() / "plugins.cpp",
+                            .output = folder_.path() / "output.txt",
+                            .scratch = folder_.path()});
+    if (status != 0) {
+      throw std::runtime_error(ReadWholeFile(folder_.path() / "output.txt").value_or(""));
+    }
+  }
+
+  TemporaryFolder folder_;
+  void* library_ = nullptr;
+};
+
+// A task that is built and used in every way.
+struct Subject {
+  explicit Subject(std::string task_text)
+      : text(std::move(task_text)), checked(SourceFile("random.task", text)) {
+    if (checked.task) cpp = Emit(*checked.task, checked.source);
+  }
+
+  std::string text;
+  CheckedSource checked;
+  std::string cpp;
+};
+
+// What differs between plugin and evaluator when it is used for a while; nothing if nothing does.
+std::optional<std::string> FindDifference(const CheckedTask& task, const taskc_plugin& plugin,
+                                          uint32_t seed) {
+  RandomNumbers random(seed);
+  try {
+    SideBySide both(task, plugin);
+    for (int call = 0; call < 40; ++call) {
+      for (uint32_t i = 0; i < task.sensors.size(); ++i) {
+        if (random.OneIn(2)) both.SetSensor(i, RandomValue(task.sensors[i].type, random));
+      }
+      for (uint32_t i = 0; i < task.params.size(); ++i) {
+        if (!random.OneIn(8)) continue;
+        const bool is_real = task.params[i].type.scalar == Scalar::kReal;
+        both.SetParam(i, is_real ? RandomReal(random) : random.Below(3));
+      }
+      both.Fire(static_cast<EventKind>(random.Below(TASKC_EVENT_COUNT)), RandomReal(random));
+    }
+  } catch (const Disagreement& found) {
+    return found.what();
+  }
+  return std::nullopt;
+}
+
+const std::vector<std::string> kOptimizations = {"-O0", "-O2"};
+
+std::optional<std::string> FindDifference(const std::string& text, uint32_t seed) {
+  const Subject subject(text);
+  if (!subject.checked.task) return std::nullopt;
+  for (const std::string& optimization : kOptimizations) {
+    const Library library({subject.cpp}, optimization);
+    if (auto found = FindDifference(*subject.checked.task, library[0], seed)) {
+      return fmt::format("with {}, {}", optimization, *found);
+    }
+  }
+  return std::nullopt;
+}
+
+std::vector<std::string> LinesOf(const std::string& text) {
+  std::vector<std::string> lines;
+  for (size_t begin = 0; begin < text.size();) {
+    const size_t end = text.find('\n', begin) + 1;
+    lines.push_back(text.substr(begin, end - begin));
+    begin = end;
+  }
+  return lines;
+}
+
+// The same task without the lines that the difference does not need.
+std::string Shrink(const std::string& text, uint32_t seed) {
+  std::vector<std::string> lines = LinesOf(text);
+  const auto without = [&](size_t first, size_t count) {
+    std::string rest;
+    for (size_t i = 0; i < lines.size(); ++i) {
+      if (i < first || i >= first + count) rest += lines[i];
+    }
+    return rest;
+  };
+  for (size_t count = lines.size() / 2; count > 0; count /= 2) {
+    for (size_t first = 0; first + count <= lines.size();) {
+      if (const std::string rest = without(first, count); FindDifference(rest, seed)) {
+        lines = LinesOf(rest);
+      } else {
+        first += count;
+      }
+    }
+  }
+  return without(0, 0);
+}
+
+void ExpectNoDifference(const Subject& subject, const taskc_plugin& plugin, uint32_t seed) {
+  if (!FindDifference(*subject.checked.task, plugin, seed)) return;
+  const std::string shrunk = Shrink(subject.text, seed);
+  ADD_FAILURE() << "seed " << seed << ": " << FindDifference(shrunk, seed).value_or("") << "\n"
+                << shrunk;
+}
+
+TEST(RandomTasks, AreRightAndMeanTheSameToAll) {
+  constexpr uint32_t kBatch = 10;
+  const uint32_t first = NumberFrom("TASKC_RANDOM_SEED", 1);
+  const uint32_t end = first + NumberFrom("TASKC_RANDOM_TASKS", 30);
+  for (uint32_t batch = first; batch < end; batch += kBatch) {
+    std::vector<std::unique_ptr<Subject>> subjects;
+    std::vector<std::string> cpps;
+    for (uint32_t i = 0; i < kBatch; ++i) {
+      subjects.push_back(std::make_unique<Subject>(RandomTask(batch + i)));
+      const Subject& subject = *subjects.back();
+      ASSERT_TRUE(subject.checked.task) << "seed " << batch + i << "\n"
+                                        << subject.checked.Messages() << subject.text;
+      cpps.push_back(subject.cpp);
+    }
+    for (const std::string& optimization : kOptimizations) {
+      const Library library(cpps, optimization);
+      for (uint32_t i = 0; i < kBatch; ++i) ExpectNoDifference(*subjects[i], library[i], batch + i);
+    }
+    if (HasFailure()) return;
+  }
+}
+
+}  // namespace
+}  // namespace compiler
