@@ -64,17 +64,26 @@ json Terms(const RunRecord& run, const std::vector<EpisodeRecord>& episodes) {
   return terms;
 }
 
-json Metrics(const RunRecord& run, const std::vector<EpisodeRecord>& episodes) {
-  json metrics = json::array();
-  for (const MetricRecord& metric : run.metrics) {
-    metrics.push_back(
-        {{"name", metric.name},
-         {"unit", metric.unit},
-         {"reduction", metric.reduction},
-         {"doc", metric.doc},
-         {"values", EncodeElement(episodes, &EpisodeRecord::metrics, metrics.size())}});
+json Sources(const RunRecord& run) {
+  json sources = json::array();
+  for (const SourceRecord& source : run.sources) {
+    sources.push_back({{"file", source.file}, {"text", source.text}});
   }
-  return metrics;
+  return sources;
+}
+
+// Metrics or logs.
+json Curves(const std::vector<CurveRecord>& records, const std::vector<EpisodeRecord>& episodes,
+            std::vector<double> EpisodeRecord::*member) {
+  json curves = json::array();
+  for (const CurveRecord& record : records) {
+    curves.push_back({{"name", record.name},
+                      {"unit", record.unit},
+                      {"reduction", record.reduction},
+                      {"doc", record.doc},
+                      {"values", EncodeElement(episodes, member, curves.size())}});
+  }
+  return curves;
 }
 
 // The different ends with their counts, in the order of their first episodes, and for each episode
@@ -101,14 +110,17 @@ void AddTotals(const std::vector<EpisodeRecord>& episodes, json& data) {
   double simulated = 0;
   double wall = 0;
   int64_t faults = 0;
+  int64_t violations = 0;
   for (const EpisodeRecord& episode : episodes) {
     simulated += episode.simulated_seconds;
     wall += episode.wall_seconds;
     faults += episode.faults;
+    violations += episode.violations;
   }
   data["simulatedSeconds"] = simulated;
   data["wallSeconds"] = wall;
   data["faults"] = faults;
+  data["violations"] = violations;
 }
 
 }  // namespace
@@ -124,7 +136,7 @@ json CollectReportData(const std::filesystem::path& run_dir) {
   }
   json data;
   data["run"] = RunTexts(database);
-  data["taskSource"] = run.task_source;
+  data["sources"] = Sources(run);
   data["agentText"] = run.agent;
   data["modules"] = AgentModules(run.agent);
   data["madeAt"] =
@@ -133,7 +145,8 @@ json CollectReportData(const std::filesystem::path& run_dir) {
   data["episode"] = EncodeSeries(episodes, [](const EpisodeRecord& e) { return e.number; });
   data["returns"] = EncodeSeries(episodes, [](const EpisodeRecord& e) { return e.episode_return; });
   data["terms"] = Terms(run, episodes);
-  data["metrics"] = Metrics(run, episodes);
+  data["metrics"] = Curves(run.metrics, episodes, &EpisodeRecord::metrics);
+  data["logs"] = Curves(run.logs, episodes, &EpisodeRecord::logs);
   AddEnds(episodes, data);
   AddTotals(episodes, data);
   AddRecordings(run_dir, database, run.body, episodes, data);

@@ -6,10 +6,10 @@
 
 namespace runtime {
 
-// Keys: run (texts by key), taskSource, agentText, modules, body, madeAt, episode, returns, endOf,
-// ends, simulatedSeconds, wallSeconds, faults, terms, metrics, recordings, notes. Series and poses
-// are base64 (base64.h); a value that is not a number is NaN there. Throws UserError where there is
-// no run, no episode yet, or the database cannot be read.
+// Keys: run (texts by key), sources, agentText, modules, body, madeAt, episode, returns, endOf,
+// ends, simulatedSeconds, wallSeconds, faults, violations, terms, metrics, logs, recordings, notes.
+// Series and poses are base64 (base64.h); a value that is not a number is NaN there. Throws
+// UserError where there is no run, no episode yet, or the database cannot be read.
 nlohmann::json CollectReportData(const std::filesystem::path& run_dir);
 
 }  // namespace runtime

@@ -28,6 +28,15 @@ std::string BestText(double best_return) {
   return std::isfinite(best_return) ? fmt::format("{:.4g}", best_return) : "none";
 }
 
+// `values` under the names of their `records`.
+template <class Record>
+nlohmann::ordered_json ByName(const std::vector<Record>& records,
+                              const std::vector<double>& values) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::object();
+  for (size_t i = 0; i < values.size(); ++i) json[records[i].name] = values[i];
+  return json;
+}
+
 }  // namespace
 
 std::string DurationText(double seconds) {
@@ -48,23 +57,19 @@ std::string ProgressLine(const ProgressValues& values) {
 }
 
 std::string EpisodeJson(const EpisodeRecord& episode, const RunRecord& run) {
-  nlohmann::ordered_json terms = nlohmann::ordered_json::object();
-  for (size_t i = 0; i < episode.terms.size(); ++i) terms[run.terms[i].name] = episode.terms[i];
-  nlohmann::ordered_json metrics = nlohmann::ordered_json::object();
-  for (size_t i = 0; i < episode.metrics.size(); ++i) {
-    metrics[run.metrics[i].name] = episode.metrics[i];
-  }
   const nlohmann::ordered_json json = {
       {"episode", episode.number},
       {"return", episode.episode_return},
       {"end", {{"kind", episode.end_kind}, {"reason", episode.end_reason}}},
-      {"terms", terms},
-      {"metrics", metrics},
+      {"terms", ByName(run.terms, episode.terms)},
+      {"metrics", ByName(run.metrics, episode.metrics)},
+      {"logs", ByName(run.logs, episode.logs)},
       {"steps", episode.steps},
       {"actions", episode.actions},
       {"simulated_seconds", episode.simulated_seconds},
       {"wall_seconds", episode.wall_seconds},
-      {"faults", episode.faults}};
+      {"faults", episode.faults},
+      {"violations", episode.violations}};
   return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 

@@ -12,7 +12,7 @@
 namespace runtime {
 namespace {
 
-constexpr int kSchemaVersion = 1;
+constexpr int kSchemaVersion = 2;
 constexpr int kApplicationId = 0x74736b63;  // "tskc"
 
 constexpr const char* kOpening = "open the run";
@@ -153,12 +153,23 @@ void RunDatabase::Impl::WriteRun(const RunRecord& run) {
               std::string_view(run.terms[i].doc))
         .Run();
   }
-  SqliteStatement metric(*database, "INSERT INTO metric VALUES (?, ?, ?, ?, ?)", "make the run");
-  for (size_t i = 0; i < run.metrics.size(); ++i) {
-    const MetricRecord& record = run.metrics[i];
-    metric
-        .Bind(static_cast<int64_t>(i), std::string_view(record.name), std::string_view(record.unit),
-              std::string_view(record.reduction), std::string_view(record.doc))
+  SqliteStatement source(*database, "INSERT INTO source VALUES (?, ?, ?)", "make the run");
+  for (size_t i = 0; i < run.sources.size(); ++i) {
+    source
+        .Bind(static_cast<int64_t>(i), std::string_view(run.sources[i].file),
+              std::string_view(run.sources[i].text))
+        .Run();
+  }
+  WriteCurves("INSERT INTO metric VALUES (?, ?, ?, ?, ?)", run.metrics);
+  WriteCurves("INSERT INTO log VALUES (?, ?, ?, ?, ?)", run.logs);
+}
+
+void RunDatabase::Impl::WriteCurves(const char* insert, const std::vector<CurveRecord>& curves) {
+  SqliteStatement row(*database, insert, "make the run");
+  for (size_t i = 0; i < curves.size(); ++i) {
+    const CurveRecord& curve = curves[i];
+    row.Bind(static_cast<int64_t>(i), std::string_view(curve.name), std::string_view(curve.unit),
+             std::string_view(curve.reduction), std::string_view(curve.doc))
         .Run();
   }
 }
@@ -171,14 +182,16 @@ void RunDatabase::AddEpisode(const EpisodeRecord& episode,
   write.episode
       .Bind(episode.number, episode.episode_return, std::string_view(episode.end_kind),
             std::string_view(episode.end_reason), episode.steps, episode.actions,
-            episode.simulated_seconds, episode.wall_seconds, episode.faults)
+            episode.simulated_seconds, episode.wall_seconds, episode.faults, episode.violations)
       .Run();
-  for (size_t i = 0; i < episode.terms.size(); ++i) {
-    write.term.Bind(episode.number, static_cast<int64_t>(i), episode.terms[i]).Run();
-  }
-  for (size_t i = 0; i < episode.metrics.size(); ++i) {
-    write.metric.Bind(episode.number, static_cast<int64_t>(i), episode.metrics[i]).Run();
-  }
+  const auto add = [&](SqliteStatement& row, const std::vector<double>& values) {
+    for (size_t i = 0; i < values.size(); ++i) {
+      row.Bind(episode.number, static_cast<int64_t>(i), values[i]).Run();
+    }
+  };
+  add(write.term, episode.terms);
+  add(write.metric, episode.metrics);
+  add(write.log, episode.logs);
   if (recording) {
     write.recording
         .Bind(episode.number, recording->is_best ? 1 : 0, recording->frames,

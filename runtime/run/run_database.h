@@ -35,7 +35,7 @@ class RunDatabase {
   // What a trainer that was killed left behind reads as interrupted.
   RunState ReadState() const;
   std::string ReadValue(const std::string& key) const;  // of the table `run`; "" if there is none
-  std::vector<EpisodeRecord> ReadEpisodes() const;      // ascending, with terms and metrics
+  std::vector<EpisodeRecord> ReadEpisodes() const;      // ascending, with all their values
   std::optional<Checkpoint> ReadCheckpoint() const;
   std::optional<Recording> ReadRecording(int64_t episode) const;
 

@@ -16,27 +16,22 @@ struct TextKey {
   std::string RunRecord::*member;
 };
 inline constexpr TextKey kTexts[] = {
-    {"task", &RunRecord::task},
-    {"task_file", &RunRecord::task_file},
-    {"task_source", &RunRecord::task_source},
-    {"task_hash", &RunRecord::task_hash},
-    {"plugin", &RunRecord::plugin},
-    {"robot", &RunRecord::robot},
-    {"robot_description", &RunRecord::robot_description},
-    {"agent", &RunRecord::agent},
-    {"profile", &RunRecord::profile},
-    {"version", &RunRecord::version},
-    {"compiler", &RunRecord::compiler},
+    {"task", &RunRecord::task},           {"task_file", &RunRecord::task_file},
+    {"task_hash", &RunRecord::task_hash}, {"plugin", &RunRecord::plugin},
+    {"robot", &RunRecord::robot},         {"robot_description", &RunRecord::robot_description},
+    {"agent", &RunRecord::agent},         {"profile", &RunRecord::profile},
+    {"version", &RunRecord::version},     {"compiler", &RunRecord::compiler},
     {"body", &RunRecord::body},
 };
 
 // The statements that run once per episode.
 struct WriteStatements {
   explicit WriteStatements(const SqliteDatabase& database)
-      : episode(database, "INSERT INTO episode VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)",
+      : episode(database, "INSERT INTO episode VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
                 "save an episode"),
         term(database, "INSERT INTO episode_term VALUES (?, ?, ?)", "save an episode"),
         metric(database, "INSERT INTO episode_metric VALUES (?, ?, ?)", "save an episode"),
+        log(database, "INSERT INTO episode_log VALUES (?, ?, ?)", "save an episode"),
         recording(database, "INSERT INTO recording VALUES (?, ?, ?, ?, ?)", "save a recording"),
         checkpoint(database, "INSERT OR REPLACE INTO checkpoint VALUES (1, ?, ?)",
                    "save a checkpoint"),
@@ -45,6 +40,7 @@ struct WriteStatements {
   SqliteStatement episode;
   SqliteStatement term;
   SqliteStatement metric;
+  SqliteStatement log;
   SqliteStatement recording;
   SqliteStatement checkpoint;
   SqliteStatement set_value;
@@ -71,6 +67,7 @@ struct RunDatabase::Impl {
     write->set_value.Bind(std::string_view(key), std::string_view(value)).Run();
   }
   void WriteRun(const RunRecord& run);
+  void WriteCurves(const char* insert, const std::vector<CurveRecord>& curves);
   void WriteCheckpoint(const Checkpoint& checkpoint);
 };
 

@@ -14,6 +14,13 @@ Number ParseNumber(const std::string& text) {
   return number;
 }
 
+std::vector<CurveRecord> ReadCurves(const SqliteDatabase& database, const char* query) {
+  std::vector<CurveRecord> curves;
+  SqliteStatement row(database, query, "read the run");
+  while (row.Step()) curves.push_back({row.Text(0), row.Text(1), row.Text(2), row.Text(3)});
+  return curves;
+}
+
 }  // namespace
 
 std::string RunDatabase::ReadValue(const std::string& key) const {
@@ -30,12 +37,12 @@ RunRecord RunDatabase::ReadRun() const {
   run.checkpoint_seconds = ParseNumber<double>(ReadValue("checkpoint_seconds"));
   SqliteStatement term(*impl_->database, "SELECT name, doc FROM term ORDER BY id", "read the run");
   while (term.Step()) run.terms.push_back({term.Text(0), term.Text(1)});
-  SqliteStatement metric(*impl_->database,
-                         "SELECT name, unit, reduction, doc FROM metric ORDER BY id",
+  SqliteStatement source(*impl_->database, "SELECT file, text FROM source ORDER BY id",
                          "read the run");
-  while (metric.Step()) {
-    run.metrics.push_back({metric.Text(0), metric.Text(1), metric.Text(2), metric.Text(3)});
-  }
+  while (source.Step()) run.sources.push_back({source.Text(0), source.Text(1)});
+  run.metrics =
+      ReadCurves(*impl_->database, "SELECT name, unit, reduction, doc FROM metric ORDER BY id");
+  run.logs = ReadCurves(*impl_->database, "SELECT name, unit, reduction, doc FROM log ORDER BY id");
   return run;
 }
 
@@ -50,10 +57,11 @@ RunState RunDatabase::ReadState() const {
 std::vector<EpisodeRecord> RunDatabase::ReadEpisodes() const {
   std::vector<EpisodeRecord> episodes;
   std::map<int64_t, size_t> index;
-  SqliteStatement query(*impl_->database,
-                        "SELECT number, return, end_kind, end_reason, steps, actions, "
-                        "simulated_seconds, wall_seconds, faults FROM episode ORDER BY number",
-                        "read the episodes");
+  SqliteStatement query(
+      *impl_->database,
+      "SELECT number, return, end_kind, end_reason, steps, actions, "
+      "simulated_seconds, wall_seconds, faults, violations FROM episode ORDER BY number",
+      "read the episodes");
   while (query.Step()) {
     EpisodeRecord& episode = episodes.emplace_back();
     episode.number = query.Integer(0);
@@ -65,6 +73,7 @@ std::vector<EpisodeRecord> RunDatabase::ReadEpisodes() const {
     episode.simulated_seconds = query.Real(6);
     episode.wall_seconds = query.Real(7);
     episode.faults = query.Integer(8);
+    episode.violations = query.Integer(9);
     index[episode.number] = episodes.size() - 1;
   }
   SqliteStatement term(*impl_->database,
@@ -73,6 +82,9 @@ std::vector<EpisodeRecord> RunDatabase::ReadEpisodes() const {
   SqliteStatement metric(*impl_->database,
                          "SELECT episode, value FROM episode_metric ORDER BY episode, metric",
                          "read the episodes");
+  SqliteStatement log(*impl_->database,
+                      "SELECT episode, value FROM episode_log ORDER BY episode, log",
+                      "read the episodes");
   // A row whose episode was added after the first query belongs to none of these.
   const auto read = [&](SqliteStatement& values, std::vector<double> EpisodeRecord::*member) {
     while (values.Step()) {
@@ -82,6 +94,7 @@ std::vector<EpisodeRecord> RunDatabase::ReadEpisodes() const {
   };
   read(term, &EpisodeRecord::terms);
   read(metric, &EpisodeRecord::metrics);
+  read(log, &EpisodeRecord::logs);
   return episodes;
 }
 

@@ -20,7 +20,13 @@ struct TermRecord {
   std::string doc;
 };
 
-struct MetricRecord {
+struct SourceRecord {
+  std::string file;
+  std::string text;
+};
+
+// A metric or a log: one number per episode.
+struct CurveRecord {
   std::string name;
   std::string unit;
   std::string reduction;  // "last", "sum", "max", "min", "mean"
@@ -31,8 +37,7 @@ struct MetricRecord {
 struct RunRecord {
   std::string task;
   std::string task_file;
-  std::string task_source;
-  std::string task_hash;  // SHA-256 of the source
+  std::string task_hash;  // SHA-256 of the sources
   std::string plugin;     // file name of the shared object in the run's folder
   std::string robot;
   std::string robot_description;  // text of the robot's file
@@ -46,7 +51,9 @@ struct RunRecord {
   int64_t record_every = 0;       // 0: only the best episodes
   double checkpoint_seconds = 0;  // at most one checkpoint in this time
   std::vector<TermRecord> terms;
-  std::vector<MetricRecord> metrics;
+  std::vector<CurveRecord> metrics;
+  std::vector<CurveRecord> logs;
+  std::vector<SourceRecord> sources;  // the task's own first
 };
 
 struct EpisodeRecord {
@@ -59,8 +66,10 @@ struct EpisodeRecord {
   double simulated_seconds = 0;
   double wall_seconds = 0;
   int64_t faults = 0;
+  int64_t violations = 0;
   std::vector<double> terms;    // one for each term of the run
   std::vector<double> metrics;  // one for each metric of the run
+  std::vector<double> logs;     // one for each log of the run; NaN where nothing was logged
 };
 
 struct Recording {

@@ -1,12 +1,19 @@
 -- One run of the trainer: the file run.db in the run's folder. SI units. PRAGMA user_version holds
 -- the version of this schema, PRAGMA application_id marks the file as ours (run_database.cpp).
 
--- What the run is: task, task_file, task_source, task_hash, robot, robot_description, agent,
+-- What the run is: task, task_file, task_hash, robot, robot_description, agent,
 -- profile, seed, episodes_planned, record_every, checkpoint_seconds, plugin, version, compiler,
 -- started_at, finished_at, state (running, interrupted or finished), body (body_json.h).
 CREATE TABLE run (
   key TEXT PRIMARY KEY,
   value TEXT NOT NULL
+);
+
+-- The texts that the task is made of: its own first, then those it imports and extends.
+CREATE TABLE source (
+  id INTEGER PRIMARY KEY,
+  file TEXT NOT NULL,
+  text TEXT NOT NULL
 );
 
 -- The named parts of the reward, in the order of the plugin.
@@ -24,6 +31,14 @@ CREATE TABLE metric (
   doc TEXT NOT NULL
 );
 
+CREATE TABLE log (
+  id INTEGER PRIMARY KEY,
+  name TEXT NOT NULL,
+  unit TEXT NOT NULL,
+  reduction TEXT NOT NULL,  -- last, sum, max, min or mean
+  doc TEXT NOT NULL
+);
+
 -- Numbered from 1. A value that is not a number is NULL.
 CREATE TABLE episode (
   number INTEGER PRIMARY KEY,
@@ -34,7 +49,8 @@ CREATE TABLE episode (
   actions INTEGER NOT NULL,
   simulated_seconds REAL NOT NULL,
   wall_seconds REAL NOT NULL,
-  faults INTEGER NOT NULL   -- reward values that were not finite and so not paid
+  faults INTEGER NOT NULL,  -- reward values that were not finite and so not paid
+  violations INTEGER NOT NULL  -- callbacks in which something that the task requires did not hold
 );
 
 CREATE TABLE episode_term (
@@ -49,6 +65,13 @@ CREATE TABLE episode_metric (
   metric INTEGER NOT NULL REFERENCES metric,
   value REAL,
   PRIMARY KEY (episode, metric)
+) WITHOUT ROWID;
+
+CREATE TABLE episode_log (
+  episode INTEGER NOT NULL REFERENCES episode ON DELETE CASCADE,
+  log INTEGER NOT NULL REFERENCES log,
+  value REAL,               -- NULL where nothing was logged
+  PRIMARY KEY (episode, log)
 ) WITHOUT ROWID;
 
 -- `poses`: zstd of little-endian float32 [frames][links][7]: x y z qw qx qy qz of each link's frame

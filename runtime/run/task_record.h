@@ -6,7 +6,8 @@
 
 namespace runtime {
 
-// Notes in `run` what the plugin says about its task: name, source, compiler, terms and metrics.
+// Notes in `run` what the plugin says about its task: name, sources, compiler, terms, metrics and
+// logs.
 void DescribeTask(const taskc_plugin& plugin, RunRecord& run);
 
 }  // namespace runtime

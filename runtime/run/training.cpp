@@ -78,8 +78,10 @@ EpisodeRecord Training::RunEpisode(const StopRequest& stop) {
   episode.simulated_seconds = environment_.time();
   episode.wall_seconds = std::chrono::duration<double>(Clock::now() - start).count();
   episode.faults = task_.fault_count();
+  for (const Incidents& violations : task_.violations()) episode.violations += violations.count;
   episode.terms.assign(task_.term_sums().begin(), task_.term_sums().end());
   episode.metrics.assign(task_.metrics().begin(), task_.metrics().end());
+  episode.logs.assign(task_.logs().begin(), task_.logs().end());
   return episode;
 }
 
@@ -95,7 +97,11 @@ void Training::WarnAbout(const EpisodeRecord& episode) {
         "learned from",
         episode.number, episode.simulated_seconds));
   }
-  if (episode.faults == 0) return;
+  if (episode.faults > 0) WarnAboutFaults(episode);
+  if (episode.violations > 0) WarnAboutViolations(episode);
+}
+
+void Training::WarnAboutFaults(const EpisodeRecord& episode) {
   std::string terms;
   for (size_t i = 0; i < run_.terms.size(); ++i) {
     const Incidents& faults = task_.faults()[i];
@@ -106,6 +112,21 @@ void Training::WarnAbout(const EpisodeRecord& episode) {
   }
   progress_.Warn(
       fmt::format("warning: episode {}: not finite and so not paid: {}", episode.number, terms));
+}
+
+void Training::WarnAboutViolations(const EpisodeRecord& episode) {
+  violations_noted_.resize(task_.violations().size());
+  for (size_t i = 0; i < violations_noted_.size(); ++i) {
+    const Incidents& violations = task_.violations()[i];
+    if (violations.count == 0 || violations_noted_[i]) continue;
+    violations_noted_[i] = true;
+    const taskc_requirement& requirement = task_.plugin().requirements[i];
+    progress_.Warn(fmt::format(
+        "warning: episode {}: {} requires `{}` ({}), which did not hold at {:.3f} s; such episodes "
+        "are truncated and counted, and this is said once",
+        episode.number, run_.task, requirement.reason, PlaceText(task_.plugin(), requirement.place),
+        violations.first_time));
+  }
 }
 
 std::optional<Recording> Training::RecordingOf(const EpisodeRecord& episode) const {

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <optional>
+#include <vector>
 
 #include "runtime/learning/peng_q_lambda.h"
 #include "runtime/module/network.h"
@@ -38,6 +39,8 @@ class Training {
   EpisodeRecord RunEpisode(const StopRequest& stop);
   void CaptureFrame();
   void WarnAbout(const EpisodeRecord& episode);
+  void WarnAboutFaults(const EpisodeRecord& episode);
+  void WarnAboutViolations(const EpisodeRecord& episode);
   std::optional<Recording> RecordingOf(const EpisodeRecord& episode) const;
   std::optional<Checkpoint> CheckpointIfDue(bool is_last_episode);
 
@@ -52,6 +55,7 @@ class Training {
   ReturnStatistics statistics_;
   int64_t episodes_done_ = 0;
   bool stop_is_noted_ = false;
+  std::vector<bool> violations_noted_;  // for each requirement: whether a warning was given
   Clock::time_point last_checkpoint_ = Clock::now();
 };
 

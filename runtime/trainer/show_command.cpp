@@ -1,7 +1,10 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <span>
 
 #include "runtime/run/progress.h"
 #include "runtime/run/run_database.h"
@@ -23,8 +26,30 @@ struct Summary {
   double simulated_seconds = 0;
   double wall_seconds = 0;
   int64_t faults = 0;
+  int64_t violations = 0;
+  std::vector<double> metrics;  // each one's mean over the last episodes
+  std::vector<double> logs;
   Ends ends;
 };
+
+// Over the last episodes that have a value there; not a number where none has.
+std::vector<double> LastMeans(std::span<const EpisodeRecord> episodes, size_t count,
+                              std::vector<double> EpisodeRecord::*member) {
+  constexpr size_t kMeanOver = ReturnStatistics::kMeanOver;
+  std::vector<double> means;
+  for (size_t i = 0; i < count; ++i) {
+    double sum = 0;
+    int64_t values = 0;
+    for (const EpisodeRecord& episode : episodes.last(std::min(episodes.size(), kMeanOver))) {
+      const double value = (episode.*member)[i];
+      if (std::isnan(value)) continue;
+      sum += value;
+      ++values;
+    }
+    means.push_back(sum / static_cast<double>(values));  // 0 / 0 without a value
+  }
+  return means;
+}
 
 Summary Summarise(const std::filesystem::path& folder) {
   const RunDatabase database = RunDatabase::OpenToRead(folder);
@@ -40,13 +65,32 @@ Summary Summarise(const std::filesystem::path& folder) {
     summary.simulated_seconds += episode.simulated_seconds;
     summary.wall_seconds += episode.wall_seconds;
     summary.faults += episode.faults;
+    summary.violations += episode.violations;
     ++summary.ends[{episode.end_kind, episode.end_reason}];
   }
+  summary.metrics = LastMeans(episodes, summary.run.metrics.size(), &EpisodeRecord::metrics);
+  summary.logs = LastMeans(episodes, summary.run.logs.size(), &EpisodeRecord::logs);
   return summary;
 }
 
 void PrintLine(const char* name, const std::string& value) {
   fmt::print("{:<10} {}\n", name, value);
+}
+
+void PrintMeans(const char* name, const std::vector<CurveRecord>& curves,
+                const std::vector<double>& means) {
+  for (size_t i = 0; i < curves.size(); ++i) {
+    const std::string unit = curves[i].unit.empty() ? "" : " " + curves[i].unit;
+    PrintLine(name, fmt::format("{}: {:.6g}{} on average of the last {}", curves[i].name, means[i],
+                                unit, ReturnStatistics::kMeanOver));
+  }
+}
+
+nlohmann::ordered_json MeansByName(const std::vector<CurveRecord>& curves,
+                                   const std::vector<double>& means) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::object();
+  for (size_t i = 0; i < curves.size(); ++i) json[curves[i].name] = means[i];
+  return json;
 }
 
 void PrintText(const Summary& summary) {
@@ -64,10 +108,16 @@ void PrintText(const Summary& summary) {
                                   summary.returns.best_episode()));
   }
   PrintLine("last 20", fmt::format("{:.6g} on average", summary.returns.mean()));
+  PrintMeans("metric", run.metrics, summary.metrics);
+  PrintMeans("log", run.logs, summary.logs);
   PrintLine("time", fmt::format("{} simulated in {}", DurationText(summary.simulated_seconds),
                                 DurationText(summary.wall_seconds)));
   if (summary.faults > 0) {
     PrintLine("faults", fmt::format("{} reward values were not finite", summary.faults));
+  }
+  if (summary.violations > 0) {
+    PrintLine("violations", fmt::format("{} times something that the task requires did not hold",
+                                        summary.violations));
   }
   for (const auto& [end, count] : summary.ends) {
     PrintLine("ends", fmt::format("{} {}: {}", count, end.first, end.second));
@@ -95,7 +145,10 @@ void PrintJson(const Summary& summary) {
                                  {"simulated_seconds", summary.simulated_seconds},
                                  {"wall_seconds", summary.wall_seconds},
                                  {"faults", summary.faults},
+                                 {"violations", summary.violations},
                                  {"mean_of_last_20", summary.returns.mean()},
+                                 {"metrics", MeansByName(run.metrics, summary.metrics)},
+                                 {"logs", MeansByName(run.logs, summary.logs)},
                                  {"ends", ends}};
   if (summary.returns.best_episode() > 0) {
     json["best"] = {{"episode", summary.returns.best_episode()},

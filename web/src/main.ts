@@ -7,14 +7,14 @@ import "./style/charts.css";
 import "./style/replay.css";
 
 import { LearningCurve } from "./charts/learning_curve.ts";
-import { MetricCharts } from "./charts/metric_charts.ts";
 import { TermCurves } from "./charts/term_curves.ts";
+import { ValueCharts } from "./charts/value_charts.ts";
 import { decodeReport, type Recording, type Report } from "./data/report_data.ts";
 import { kWindows, usualWindow } from "./data/statistics.ts";
 import { formatCount, formatNumber } from "./data/words.ts";
 import { byId, element, prefersReducedMotion } from "./page/dom.ts";
 import { showKeyFigures, showMasthead } from "./page/masthead.ts";
-import { showProvenance, showSource } from "./page/provenance.ts";
+import { showProvenance, showSources } from "./page/provenance.ts";
 import { Viewer } from "./replay/viewer.ts";
 
 /** The charts; `replay` is called for a recording whose mark is chosen. */
@@ -35,13 +35,16 @@ function showCharts(report: Report, replay: (recording: Recording) => void): Lea
     },
     window,
   );
-  const metrics = new MetricCharts(report, byId("metrics", HTMLElement), window);
+  const metrics = new ValueCharts(report, report.metrics, byId("metrics", HTMLElement), window);
+  const logs = new ValueCharts(report, report.logs, byId("logs", HTMLElement), window);
   byId("terms-section", HTMLElement).hidden = report.terms.length === 0;
   byId("metrics-section", HTMLElement).hidden = report.metrics.length === 0;
+  byId("logs-section", HTMLElement).hidden = report.logs.length === 0;
   connectWindow(window, (chosen) => {
     curve.setWindow(chosen);
     terms.setWindow(chosen);
     metrics.setWindow(chosen);
+    logs.setWindow(chosen);
   });
   return curve;
 }
@@ -86,7 +89,7 @@ function main(): void {
   const report = decodeReport(byId("report-data", HTMLElement).textContent ?? "");
   showMasthead(report);
   showKeyFigures(report);
-  showSource(report);
+  showSources(report);
   showProvenance(report);
   const chosen = byId("recording", HTMLSelectElement);
   fillRecordings(report, chosen);

@@ -26,11 +26,13 @@ test("series and poses of a report are decoded", () => {
       returns: one,
       terms: [curve],
       metrics: [],
+      logs: [curve],
       recordings: [recording],
     }),
   );
   assert.equal(report.run["task"], "crawling");
   assert.deepEqual([...(report.terms[0]?.values ?? [])], [1]);
+  assert.deepEqual([...(report.logs[0]?.values ?? [])], [1]);
   assert.deepEqual([...(report.recordings[0]?.poses ?? [])], [1]);
 });
 

@@ -37,6 +37,8 @@ EpisodeRecord Episode(int64_t number, double value) {
   episode.wall_seconds = 2;
   episode.terms = {value + 1, -1, 0};
   episode.metrics = {0.5, 0};
+  episode.logs = {number == 1 ? 0.25 : NAN};
+  episode.violations = number;
   return episode;
 }
 
@@ -66,7 +68,7 @@ class WriteReportTest : public testing::Test {
   TemporaryFolder folder_;
 };
 
-TEST_F(WriteReportTest, TellsReturnsTermsAndMetricsOfEachEpisode) {
+TEST_F(WriteReportTest, TellsTheValuesOfEachEpisode) {
   RunDatabase database = Create();
   database.AddEpisode(Episode(1, -2.5), std::nullopt, std::nullopt);
   database.AddEpisode(Episode(2, NAN), std::nullopt, std::nullopt);
@@ -81,6 +83,12 @@ TEST_F(WriteReportTest, TellsReturnsTermsAndMetricsOfEachEpisode) {
   EXPECT_EQ(data["metrics"][0]["unit"], "m");
   EXPECT_EQ(data["metrics"][1]["reduction"], "sum");
   EXPECT_THAT(Floats(data["metrics"][0]["values"]), ElementsAre(0.5f, 0.5f));
+  ASSERT_THAT(data["logs"], SizeIs(1));
+  EXPECT_EQ(data["logs"][0]["name"], "speed");
+  EXPECT_EQ(data["logs"][0]["reduction"], "mean");
+  EXPECT_THAT(Floats(data["logs"][0]["values"]),
+              ElementsAre(0.25f, testing::NanSensitiveFloatEq(kNan)));
+  EXPECT_EQ(data["violations"], 3);
 }
 
 TEST_F(WriteReportTest, CountsTheEndsByKindAndReason) {
@@ -106,7 +114,9 @@ TEST_F(WriteReportTest, TellsWhereTheRunComesFrom) {
   EXPECT_EQ(data["run"]["task"], "crawling");
   EXPECT_EQ(data["run"]["seed"], "1");
   EXPECT_EQ(data["run"]["state"], "running");
-  EXPECT_EQ(data["taskSource"], run_.task_source);
+  ASSERT_THAT(data["sources"], SizeIs(2));
+  EXPECT_EQ(data["sources"][0]["text"], run_.sources[0].text);
+  EXPECT_EQ(data["sources"][1]["file"], "tasks/shaping.task");
   EXPECT_EQ(data["agentText"], run_.agent);
   EXPECT_EQ(data["modules"]["learner"]["type"], "PengQLambda");
   EXPECT_EQ(data["modules"]["learner"]["temperature"], 5.0);

@@ -64,6 +64,7 @@ EpisodeRecord SampleEpisode(int64_t number, int64_t episodes, std::mt19937& rand
   episode.steps = std::lround(episode.simulated_seconds / 0.005);
   episode.actions = episode.steps / 30;
   episode.metrics = {speed * episode.simulated_seconds, falls};
+  episode.logs = {speed};
   return episode;
 }
 
@@ -73,7 +74,8 @@ RunRecord SampleRunRecord() {
   RunRecord run;
   run.task = "crawling";
   run.task_file = "tasks/crawling.task";
-  run.task_source = CrawlingSource();
+  run.sources = {{run.task_file, CrawlingSource()},
+                 {"tasks/shaping.task", "fn double(x: real) -> real = 2 * x\n"}};
   run.task_hash = "8f2d0c5b7a1e";
   run.robot = "humanoid";
   run.agent = kAgent;
@@ -86,6 +88,7 @@ RunRecord SampleRunRecord() {
   run.record_every = 100;
   run.terms = {{"forward", "speed along the body's heading"}, {"turning", ""}, {"fall", ""}};
   run.metrics = {{"distance", "m", "last", ""}, {"falls", "", "sum", "actions with a fall"}};
+  run.logs = {{"speed", "m/s", "mean", "of the body, forward"}};
   return run;
 }
 

@@ -72,10 +72,11 @@ TEST(DurationText, ShowsHoursOnlyWhereThereAreSome) {
   EXPECT_EQ(DurationText(-1), "0:00");
 }
 
-TEST(EpisodeJson, NamesTermsAndMetrics) {
+TEST(EpisodeJson, NamesTermsMetricsAndLogs) {
   EpisodeRecord episode = SampleEpisode(7);
   episode.end_reason = "fell \"badly\"";
   episode.metrics = {std::nan("")};
+  episode.logs[1] = std::nan("");
   const nlohmann::json json = nlohmann::json::parse(EpisodeJson(episode, SampleRun()));
   EXPECT_EQ(json["episode"], 7);
   EXPECT_EQ(json["return"].get<double>(), episode.episode_return);
@@ -84,6 +85,9 @@ TEST(EpisodeJson, NamesTermsAndMetrics) {
   EXPECT_EQ(json["terms"]["speed"].get<double>(), 1.0 / 3.0);
   EXPECT_EQ(json["terms"]["fall"], -4);
   EXPECT_TRUE(json["metrics"]["distance"].is_null());
+  EXPECT_EQ(json["logs"]["speed"], 0.125);
+  EXPECT_TRUE(json["logs"]["falls"].is_null());
+  EXPECT_EQ(json["violations"], 3);
   EXPECT_EQ(json["steps"], 4007);
   EXPECT_EQ(json["actions"], 80);
   EXPECT_EQ(json["faults"], 2);

@@ -35,7 +35,6 @@ TEST_F(RunDatabaseTest, GivesBackWhatTheRunIs) {
   const RunRecord read = RunDatabase::OpenToRead(folder()).ReadRun();
   EXPECT_EQ(read.task, written.task);
   EXPECT_EQ(read.task_file, written.task_file);
-  EXPECT_EQ(read.task_source, written.task_source);
   EXPECT_EQ(read.task_hash, written.task_hash);
   EXPECT_EQ(read.plugin, written.plugin);
   EXPECT_EQ(read.robot, written.robot);
@@ -58,12 +57,20 @@ TEST_F(RunDatabaseTest, GivesBackWhatTheRunIs) {
   EXPECT_EQ(read.metrics[0].unit, "m");
   EXPECT_EQ(read.metrics[0].reduction, "last");
   EXPECT_EQ(read.metrics[0].doc, "how far it got");
+  ASSERT_EQ(read.logs.size(), 2u);
+  EXPECT_EQ(read.logs[0].name, "speed");
+  EXPECT_EQ(read.logs[0].unit, "m/s");
+  EXPECT_EQ(read.logs[1].reduction, "sum");
+  ASSERT_EQ(read.sources.size(), 2u);
+  EXPECT_EQ(read.sources[0].text, written.sources[0].text);
+  EXPECT_EQ(read.sources[1].file, "tasks/shaping.task");
 }
 
 TEST_F(RunDatabaseTest, GivesBackEpisodesBitForBit) {
   RunDatabase database = RunDatabase::Create(folder(), SampleRun());
   EpisodeRecord second = SampleEpisode(2);
   second.episode_return = std::numeric_limits<double>::quiet_NaN();
+  second.logs[0] = std::numeric_limits<double>::quiet_NaN();
   second.terms = {std::numeric_limits<double>::infinity(), 5e-324};
   database.AddEpisode(SampleEpisode(1), {}, {});
   database.AddEpisode(second, {}, {});
@@ -81,9 +88,13 @@ TEST_F(RunDatabaseTest, GivesBackEpisodesBitForBit) {
   EXPECT_EQ(read[0].wall_seconds, first.wall_seconds);
   EXPECT_EQ(read[0].faults, 2);
   EXPECT_EQ(read[0].terms, first.terms);
+  EXPECT_EQ(read[0].violations, 3);
   EXPECT_EQ(read[0].metrics, first.metrics);
+  EXPECT_EQ(read[0].logs, first.logs);
   EXPECT_TRUE(std::isnan(read[1].episode_return));
   EXPECT_EQ(read[1].terms, second.terms);
+  EXPECT_TRUE(std::isnan(read[1].logs[0]));
+  EXPECT_EQ(read[1].logs[1], 7);
 }
 
 TEST_F(RunDatabaseTest, KeepsTheLastCheckpointAndAllRecordings) {
@@ -110,7 +121,8 @@ TEST_F(RunDatabaseTest, DeletesLaterEpisodesWithAllThatBelongsToThem) {
   database.DeleteEpisodesAfter(1);
   EXPECT_EQ(database.ReadEpisodes().size(), 1u);
   SqliteDatabase raw(file(), SqliteAccess::kRead);
-  for (const char* table : {"episode", "episode_term", "episode_metric", "recording"}) {
+  for (const char* table :
+       {"episode", "episode_term", "episode_metric", "episode_log", "recording"}) {
     const std::string column = table == std::string("episode") ? "number" : "episode";
     EXPECT_EQ(raw.QueryInteger("SELECT max(" + column + ") FROM " + table, "count"), 1) << table;
   }

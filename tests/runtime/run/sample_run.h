@@ -1,4 +1,4 @@
-// A made-up run with two reward terms and one metric.
+// A made-up run with two reward terms, one metric and two logs.
 #pragma once
 
 #include "runtime/run/run_records.h"
@@ -9,7 +9,6 @@ inline RunRecord SampleRun() {
   RunRecord run;
   run.task = "crawling";
   run.task_file = "tasks/crawling.task";
-  run.task_source = "task crawling for humanoid\n";
   run.task_hash = "0123abcd";
   run.plugin = "plugin-0123.so";
   run.robot = "humanoid";
@@ -25,6 +24,9 @@ inline RunRecord SampleRun() {
   run.checkpoint_seconds = 0.1;
   run.terms = {{"speed", "forward speed"}, {"fall", ""}};
   run.metrics = {{"distance", "m", "last", "how far it got"}};
+  run.logs = {{"speed", "m/s", "mean", "while it moves"}, {"falls", "", "sum", ""}};
+  run.sources = {{"tasks/crawling.task", "task crawling for humanoid\n"},
+                 {"tasks/shaping.task", "fn double(x: real) -> real = 2 * x\n"}};
   return run;
 }
 
@@ -40,7 +42,9 @@ inline EpisodeRecord SampleEpisode(int64_t number) {
   episode.wall_seconds = 4.5;
   episode.faults = 2;
   episode.terms = {1.0 / 3.0, -4};
+  episode.violations = 3;
   episode.metrics = {0.25};
+  episode.logs = {0.125, 7};
   return episode;
 }
 

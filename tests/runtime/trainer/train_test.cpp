@@ -20,7 +20,7 @@ TEST_F(TrainTest, StoresWhatTheRunIs) {
   const RunDatabase database = RunDatabase::OpenToRead(RunFolder("run"));
   const RunRecord run = database.ReadRun();
   EXPECT_EQ(run.task, "leaning");
-  EXPECT_THAT(run.task_source, HasSubstr("task leaning for humanoid"));
+  EXPECT_THAT(run.sources.front().text, HasSubstr("task leaning for humanoid"));
   EXPECT_EQ(run.task_hash.size(), 64u);
   EXPECT_EQ(run.robot, "humanoid");
   EXPECT_THAT(run.robot_description, HasSubstr("left_foot"));

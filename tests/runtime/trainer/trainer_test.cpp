@@ -11,10 +11,10 @@ TrainerTest::Trace TrainerTest::TraceOf(const std::string& name) const {
   for (const EpisodeRecord& episode : database.ReadEpisodes()) {
     trace.episodes.push_back(
         fmt::format("{} return {:a} end {} {} steps {} actions {} time {:a} faults {} terms {::a} "
-                    "metrics {::a}",
+                    "metrics {::a} logs {::a} violations {}",
                     episode.number, episode.episode_return, episode.end_kind, episode.end_reason,
                     episode.steps, episode.actions, episode.simulated_seconds, episode.faults,
-                    episode.terms, episode.metrics));
+                    episode.terms, episode.metrics, episode.logs, episode.violations));
     const std::optional<Recording> recording = database.ReadRecording(episode.number);
     trace.recordings.push_back(recording ? recording->poses : "");
   }

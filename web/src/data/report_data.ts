@@ -1,4 +1,4 @@
-// What the page shows: the JSON that runtime/report/run_data.cpp writes into the page, decoded.
+// What the page shows: the JSON that runtime/report/report_data.cpp writes into the page, decoded.
 
 import { decodeFloats } from "./base64.ts";
 
@@ -21,7 +21,7 @@ export interface EpisodeEnd {
 export interface Curve {
   name: string;
   unit: string;
-  reduction: string; // of a metric: last, sum, max, min, mean; "" for a reward term
+  reduction: string; // of a metric or a log: last, sum, max, min, mean; "" for a reward term
   doc: string;
   values: Float32Array; // one for each episode; NaN where there is none
 }
@@ -40,9 +40,15 @@ export interface AgentModule {
   [parameter: string]: unknown;
 }
 
+/** One of the texts that the task is made of. */
+export interface Source {
+  file: string;
+  text: string;
+}
+
 export interface Report {
   run: Record<string, string>;
-  taskSource: string;
+  sources: Source[]; // the task's own first
   agentText: string;
   modules: Record<string, AgentModule>;
   body: BodyLink[];
@@ -54,8 +60,10 @@ export interface Report {
   simulatedSeconds: number;
   wallSeconds: number;
   faults: number;
+  violations: number;
   terms: Curve[];
   metrics: Curve[];
+  logs: Curve[];
   recordings: Recording[]; // in the order of their episodes
   notes: string[]; // what was left out, in sentences
 }
@@ -68,12 +76,13 @@ interface EncodedRecording extends Omit<Recording, "poses"> {
 }
 interface EncodedReport extends Omit<
   Report,
-  "episode" | "returns" | "terms" | "metrics" | "recordings"
+  "episode" | "returns" | "terms" | "metrics" | "logs" | "recordings"
 > {
   episode: string;
   returns: string;
   terms: EncodedCurve[];
   metrics: EncodedCurve[];
+  logs: EncodedCurve[];
   recordings: EncodedRecording[];
 }
 
@@ -91,6 +100,7 @@ export function decodeReport(text: string): Report {
     returns: decodeFloats(encoded.returns),
     terms: encoded.terms.map(decodeCurve),
     metrics: encoded.metrics.map(decodeCurve),
+    logs: encoded.logs.map(decodeCurve),
     recordings: encoded.recordings.map((recording) => ({
       ...recording,
       poses: decodeFloats(recording.poses),

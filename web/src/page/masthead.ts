@@ -41,7 +41,7 @@ function runFacts(report: Report): [string, string | undefined][] {
 export function showMasthead(report: Report): void {
   const { run } = report;
   byId("task-name", HTMLElement).textContent = (run["task"] ?? "").replaceAll("_", " ");
-  byId("task-doc", HTMLElement).textContent = docOfTask(report.taskSource);
+  byId("task-doc", HTMLElement).textContent = docOfTask(report.sources[0]?.text ?? "");
   byId("agent-words", HTMLElement).textContent = agentInWords(report.modules);
   const state = byId("run-state", HTMLElement);
   state.textContent = kStateWords[run["state"] ?? ""] ?? run["state"] ?? "";

@@ -20,16 +20,30 @@ const kNames: [string, string][] = [
   ["state", "State"],
 ];
 
-/** The source, line by line, with numbers; comments stand back. */
-export function showSource(report: Report): void {
-  const code = byId("task-source", HTMLElement);
-  for (const line of report.taskSource.replace(/\n$/, "").split("\n")) {
+/** A text, line by line, with numbers; comments stand back. */
+function sourceCode(text: string): HTMLElement {
+  const code = element("code");
+  for (const line of text.replace(/\n$/, "").split("\n")) {
     const comment = commentStart(line);
     const row = element("span", { class: "line" }, line.slice(0, comment));
     row.append(element("span", { class: "comment" }, line.slice(comment)), "\n");
     code.append(row);
   }
-  byId("task-file", HTMLElement).textContent = report.run["task_file"] ?? "";
+  return code;
+}
+
+/** All texts of the task; its own is open. */
+export function showSources(report: Report): void {
+  report.sources.forEach((source, i) => {
+    const file = element("span", { class: "note" }, source.file);
+    const details = element(
+      "details",
+      i === 0 ? { open: "" } : {},
+      element("summary", {}, i === 0 ? "Task " : "Part of it ", file),
+      element("pre", { class: "source" }, sourceCode(source.text)),
+    );
+    byId("sources", HTMLElement).append(details);
+  });
 }
 
 function row(name: string, value: string): HTMLElement {
@@ -47,6 +61,11 @@ export function showProvenance(report: Report): void {
     if (!known.has(key)) table.append(row(key, value));
   }
   table.append(row("Faults", `${formatCount(report.faults)} rewards were not finite and not paid`));
+  if (report.violations > 0) {
+    table.append(
+      row("Violations", `${formatCount(report.violations)} times what the task requires did not hold`),
+    );
+  }
   table.append(row("Page made", report.madeAt));
   byId("agent-text", HTMLElement).textContent = report.agentText;
   const notes = byId("notes", HTMLElement);

@@ -1,4 +1,4 @@
-// What the user really wants, told apart from the reward: one small chart for each metric.
+// One small chart for each metric, what the user really wants, and for each log.
 
 import type { Curve, Report } from "../data/report_data.ts";
 import { runningMean } from "../data/statistics.ts";
@@ -14,32 +14,32 @@ const kReductionWords: Record<string, string> = {
   mean: "mean over the episode",
 };
 
-class MetricChart {
+class ValueChart {
   private readonly chart: EpisodeChart;
   private readonly value = element("output", { class: "value" });
   private mean: Float32Array;
 
   constructor(
     private readonly report: Report,
-    private readonly metric: Curve,
+    private readonly curve: Curve,
     host: HTMLElement,
     window: number,
   ) {
-    this.mean = runningMean(metric.values, window);
-    const unit = metric.unit ? ` [${metric.unit}]` : "";
-    const words = [kReductionWords[metric.reduction] ?? metric.reduction, metric.doc];
-    const heading = element("h3", {}, `${metric.name}${unit}`);
+    this.mean = runningMean(curve.values, window);
+    const unit = curve.unit ? ` [${curve.unit}]` : "";
+    const words = [kReductionWords[curve.reduction] ?? curve.reduction, curve.doc];
+    const heading = element("h3", {}, `${curve.name}${unit}`);
     const note = element("p", { class: "note" }, words.filter(Boolean).join(" — "));
     const chart = element("div", { class: "chart" });
     host.append(element("article", {}, element("header", {}, heading, this.value), note, chart));
     this.chart = new EpisodeChart(chart, {
       episode: report.episode,
       series: [
-        { values: metric.values, color: "--point", kind: "points" },
+        { values: curve.values, color: "--point", kind: "points" },
         { values: this.mean, color: "--accent", kind: "line" },
       ],
       height: 190,
-      label: `${metric.name} of each episode and its running mean.`,
+      label: `${curve.name} of each episode and its running mean.`,
       onHover: (index) => this.showValue(index),
     });
     onThemeChange(() => this.chart.redraw());
@@ -47,7 +47,7 @@ class MetricChart {
   }
 
   setWindow(window: number): void {
-    this.mean = runningMean(this.metric.values, window);
+    this.mean = runningMean(this.curve.values, window);
     this.chart.setValues(1, this.mean);
     this.showValue(null);
   }
@@ -56,16 +56,16 @@ class MetricChart {
     const at = index ?? this.report.episode.length - 1;
     const episode = formatCount(this.report.episode[at] ?? 0);
     const mean = `mean ${formatNumber(this.mean[at])}`;
-    const value = formatNumber(this.metric.values[at]);
+    const value = formatNumber(this.curve.values[at]);
     this.value.textContent = index === null ? mean : `episode ${episode}: ${value}, ${mean}`;
   }
 }
 
-export class MetricCharts {
-  private readonly charts: MetricChart[];
+export class ValueCharts {
+  private readonly charts: ValueChart[];
 
-  constructor(report: Report, host: HTMLElement, window: number) {
-    this.charts = report.metrics.map((metric) => new MetricChart(report, metric, host, window));
+  constructor(report: Report, curves: Curve[], host: HTMLElement, window: number) {
+    this.charts = curves.map((curve) => new ValueChart(report, curve, host, window));
   }
 
   setWindow(window: number): void {
