@@ -2,8 +2,11 @@
 //
 // Between the lexer and the parser (compiler/syntax/layout.h)
 //   - LINE_END is put where a line ends a statement: not inside ( ) [ ], not after an operator or a
-//     comma, not before `{`, `else`, `in` or `per`;
-//   - braces inside ( ) or [ ] become SET_BEGIN and SET_END: `{body, head}` is no block;
+//     comma, not before `{`, `else`, `in`, `per` or `->`;
+//   - braces inside ( ) or [ ], and in the set of a `for`, become SET_BEGIN and SET_END:
+//     `{body, head}` is no block;
+//   - words that are keywords only where a statement or declaration begins (FN ... RETURN below)
+//     become NAME elsewhere: nothing is lost as a name;
 //   - brackets are checked and, where they are wrong, repaired: one mistake gives one message.
 // The names of events, reductions, scopes and outcomes are ordinary words here, listed in
 // compiler/syntax/words.h: a misspelt one gets a message of its own, and none is lost as a name.
@@ -14,23 +17,29 @@ tokens { LINE_END, SET_BEGIN, SET_END }
 
 // ---- Declarations -------------------------------------------------------------------------------
 
-file : header declaration* EOF ;
+// The tree builder checks the order: a task has its header first, a library has none, and no
+// declarations but imports and functions.
+file : (allow | header | declaration)* EOF ;
 
-// task crawling for humanoid
-header : TASK name (FOR robot=name)? LINE_END? ;
+// task crawling for humanoid, task backward_rolling extends "forward_rolling.task"
+header : TASK name (EXTENDS base=STRING)? (FOR robot=name)? LINE_END? ;
 
-declaration : ( start | sensor | param | memory | metric | event ) LINE_END? ;
+declaration
+    : ( start | sensor | param | memory | metric | event | function | imported | test | change )
+      LINE_END?
+    ;
+
+// allow W0706, W0712: above a declaration, a statement or the header
+allow : ALLOW NAME (',' NAME)* (LINE_END | EOF) ;
 
 // start standing
 start : START name ;
 
-// sensor base.velocity: vec3 [m/s]
-sensor : SENSOR name ('.' name)* ':' type ;
+// sensor pole.angle: real [rad] in -180 deg .. 180 deg
+sensor : SENSOR name ('.' name)* ':' type range? ;
 
 // param gain: real [1/s] = 4 / s in 0 .. 20 / s
-param
-    : PARAM name ':' type '=' initial=expression (IN minimum=expression '..' maximum=expression)?
-    ;
+param : PARAM name ':' type '=' expression range? ;
 
 // memory fallen: bool = false per action
 memory : MEMORY name ':' type '=' expression (PER scope=NAME)? ;
@@ -41,29 +50,90 @@ metric : METRIC reduction=word? name '=' expression ;
 // on end_of_time_step { ... }
 event : ON name block ;
 
+// import "shaping.task"
+imported : IMPORT STRING ;
+
+range : IN minimum=expression '..' maximum=expression ;
+
+// ---- Functions ----------------------------------------------------------------------------------
+
+// fn near(distance: real [m], reach: real [m]) -> real = exp(-distance / reach)
+function : FN name '(' (parameter (',' parameter)*)? ')' '->' type ('=' expression | body) ;
+
+parameter : name ':' type ;
+
+// { let x = ... return x }: the tree builder checks that one `return` ends it.
+body : '{' bodyStatement* '}' ;
+
+bodyStatement : ( let | RETURN expression ) LINE_END? ;
+
+// ---- What a task changes of the one that it extends ---------------------------------------------
+
+change : OVERRIDE ( start | newDefault | metric | reward | event | function ) ;
+
+// override param direction = -1
+newDefault : PARAM name '=' expression range? ;
+
+// ---- Tests --------------------------------------------------------------------------------------
+
+// test "a fall is paid once" { ... }
+test : TEST STRING '{' (allow | testStatement)* '}' ;
+
+testStatement : ( given | fire | expect ) LINE_END? ;
+
+// given contact[head] = true
+given : GIVEN target '=' expression ;
+
+// fire start_of_action, 100 * end_of_time_step
+fire : FIRE fired (',' fired)* ;
+
+fired : (times=NUMBER '*')? name ;
+
+// expect total(fall) == -4, expect end_episode failure "fell"
+expect : EXPECT ( end | expression ) ;
+
+// ---- Types --------------------------------------------------------------------------------------
+
 // real, vec3 [m/s], bool[link], real[4]
 type : name ('[' (index=name | length=NUMBER) ']')? ('[' unit ']')? ;
 
 // ---- Statements ---------------------------------------------------------------------------------
 
-block : '{' statement* '}' ;
+block : '{' (allow | statement)* '}' ;
 
-statement : ( let | assignment | branches | reward | end ) LINE_END? ;
+statement
+    : ( let | assignment | branches | loop | once | reward | end | log | require ) LINE_END?
+    ;
 
 // let speed = norm(base.velocity)
 let : LET name '=' expression ;
 
-// sum += reward
-assignment : target=(NAME | REWARD) op=('=' | '+=' | '-=' | '*=' | '/=') expression ;
+// sum += reward, touched[feet] = false
+assignment : (target | anonymous=REWARD) op=('=' | '+=' | '-=' | '*=' | '/=') expression ;
+
+// place.xy, touched[feet]; in a test also a sensor with its dots
+target : name ('.' name)* ('[' items ']')? ;
 
 // if time > 20 s { ... } else if fallen { ... } else { ... }
 branches : IF expression block (ELSE IF expression block)* (ELSE otherwise=block)? ;
+
+// for l in links - feet { ... }, for i in 0..3 { ... }
+loop : FOR name IN items block ;
+
+// once per action if fallen { ... }
+once : ONCE PER scope=NAME IF expression block ;
 
 // reward fall = -4, reward rate forward = base.velocity.x
 reward : REWARD rate=NAME? name '=' expression ;
 
 // end_episode failure "fell", truncate_episode "time is up"
 end : END_EPISODE outcome=NAME STRING | TRUNCATE_EPISODE STRING ;
+
+// log max speed = norm(base.velocity)
+log : LOG reduction=word? name '=' expression ;
+
+// require norm(base.position) < 100 m "stays near"
+require : REQUIRE expression STRING? ;
 
 // ---- Expressions --------------------------------------------------------------------------------
 
@@ -102,10 +172,10 @@ primary
     | NAME
     | REWARD
     | '(' expression ')'
-    | SET_BEGIN items SET_END    // only inside an index, which the tree builder checks
+    | SET_BEGIN items SET_END    // only in an index set, which the tree builder checks
     ;
 
-call : function=word '(' (expression (',' expression)*)? ')' ;
+call : callee=word '(' (expression (',' expression)*)? ')' ;
 
 // ---- Numbers and units --------------------------------------------------------------------------
 
@@ -157,6 +227,21 @@ NOT : 'not' ;
 TRUE : 'true' ;
 FALSE : 'false' ;
 
+// Names, but where a statement or declaration begins.
+FN : 'fn' ;
+IMPORT : 'import' ;
+EXTENDS : 'extends' ;
+OVERRIDE : 'override' ;
+ALLOW : 'allow' ;
+TEST : 'test' ;
+GIVEN : 'given' ;
+FIRE : 'fire' ;
+EXPECT : 'expect' ;
+ONCE : 'once' ;
+LOG : 'log' ;
+REQUIRE : 'require' ;
+RETURN : 'return' ;
+
 MIN : 'min' ;
 
 NAME : [a-zA-Z_] [a-zA-Z_0-9]* ;
@@ -183,6 +268,7 @@ MINUS : '-' ;
 TIMES : '*' ;
 DIVIDE : '/' ;
 POWER : '^' ;
+ARROW : '->' ;
 COLON : ':' ;
 COMMA : ',' ;
 DOT : '.' ;

@@ -50,14 +50,26 @@ Expression ExpressionBuilder::Build(TaskParser::ExpressionContext& context) {
   is_in_index_ = false;
   is_too_deep_ = false;
   Built built = Disjunction(context);
-  if (is_too_deep_) {
-    Diagnostic diagnostic = MakeDiagnostic(
-        code::kTooDeep, SpanOf(context),
-        fmt::format("this expression has more than {} operators in a row", kMaxNesting));
-    diagnostic.help = "give parts of it a name with `let`";
-    report_.Add(std::move(diagnostic));
-  }
+  CheckDepth(SpanOf(context));
   return std::move(*built.expression);
+}
+
+std::vector<ExpressionPtr> ExpressionBuilder::BuildSet(TaskParser::ItemsContext& context) {
+  is_in_index_ = true;
+  is_too_deep_ = false;
+  uint32_t depth = 0;
+  std::vector<ExpressionPtr> items = Items(context, depth);
+  CheckDepth(SpanOf(context));
+  return items;
+}
+
+void ExpressionBuilder::CheckDepth(Span span) {
+  if (!is_too_deep_) return;
+  Diagnostic diagnostic = MakeDiagnostic(
+      code::kTooDeep, span,
+      fmt::format("this expression has more than {} operators in a row", kMaxNesting));
+  diagnostic.help = "give parts of it a name with `let`";
+  report_.Add(std::move(diagnostic));
 }
 
 // ---- Operators ---------------------------------------------------------------------------------
@@ -178,7 +190,7 @@ ExpressionBuilder::Built ExpressionBuilder::Primary(TaskParser::PrimaryContext& 
 }
 
 ExpressionBuilder::Built ExpressionBuilder::Call(TaskParser::CallContext& context) {
-  CallExpression node{BuildName(*context.function), {}};
+  CallExpression node{BuildName(*context.callee), {}};
   uint32_t depth = 0;
   for (TaskParser::ExpressionContext* argument : context.expression()) {
     Built built = Disjunction(*argument);

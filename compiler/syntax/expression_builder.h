@@ -17,6 +17,8 @@ class ExpressionBuilder {
   explicit ExpressionBuilder(SyntaxReport& report) : report_(report) {}
 
   Expression Build(grammar::TaskParser::ExpressionContext& context);
+  // The items of an index set.
+  std::vector<ExpressionPtr> BuildSet(grammar::TaskParser::ItemsContext& context);
 
  private:
   // An expression and the depth of its tree.
@@ -46,6 +48,8 @@ class ExpressionBuilder {
               Built (ExpressionBuilder::*operand)(OperandContext&));
   Built Binary(Built left, const antlr4::Token& op, Built right);
   Built Unary(const antlr4::Token& op, Built operand);
+  // Reports an expression that turned out to be too deep.
+  void CheckDepth(Span span);
   template <typename Node>
   Built Make(Span span, Node node, uint32_t depth_below = 0);
 

@@ -40,11 +40,12 @@ bool IsPrefix(TokenType type) { return type == TaskParser::NOT || type == TaskPa
 // Words that can begin a line without beginning a statement.
 bool ContinuesStatement(TokenType type) {
   return type == TaskParser::LEFT_BRACE || type == TaskParser::ELSE || type == TaskParser::IN ||
-         type == TaskParser::PER;
+         type == TaskParser::PER || type == TaskParser::ARROW;
 }
 
 bool AnnouncesBlock(TokenType type) {
-  return type == TaskParser::IF || type == TaskParser::ELSE || type == TaskParser::ON;
+  return type == TaskParser::IF || type == TaskParser::ELSE || type == TaskParser::ON ||
+         type == TaskParser::FOR || type == TaskParser::ONCE || type == TaskParser::TEST;
 }
 
 bool IsBlockContent(TokenType type) {
@@ -53,7 +54,15 @@ bool IsBlockContent(TokenType type) {
 
 bool BeginsStatementBehind(TokenType last) {
   return last == TaskParser::LEFT_BRACE || last == TaskParser::RIGHT_BRACE ||
-         last == TaskParser::ELSE;
+         last == TaskParser::ELSE || last == TaskParser::OVERRIDE;
+}
+
+// What follows makes a name of the word: `log = 3`, `test: real`, `log(x)`; not `require (a)`.
+bool IsNameBefore(TokenType word, TokenType next) {
+  const bool takes_expression =
+      word == TaskParser::REQUIRE || word == TaskParser::EXPECT || word == TaskParser::RETURN;
+  const bool begins_expression = next == TaskParser::LEFT_PARENTHESIS || next == TaskParser::MINUS;
+  return FollowsOperand(next) && !(takes_expression && begins_expression);
 }
 
 std::string Quoted(TokenType type) { return fmt::format("`{}`", Spelling(type)); }
@@ -61,23 +70,25 @@ std::string Quoted(TokenType type) { return fmt::format("`{}`", Spelling(type));
 }  // namespace
 
 TokenList Layout::Run(antlr4::TokenSource& lexer) {
+  std::unique_ptr<antlr4::Token> next = lexer.nextToken();
   while (result_.is_parseable) {
-    auto token = lexer.nextToken();
-    auto& common = static_cast<antlr4::CommonToken&>(*token);
+    std::unique_ptr<antlr4::Token> token = std::move(next);
+    if (token->getType() != antlr4::Token::EOF) next = lexer.nextToken();
     if (token->getType() == TaskParser::DOC_COMMENT) {
       AddDocumentation(*token);
       continue;
     }
+    auto& common = static_cast<antlr4::CommonToken&>(*token);
     if (!RepairToken(common, report_)) continue;
-    const bool is_end = token->getType() == antlr4::Token::EOF;
     token.release();
-    Add(std::unique_ptr<antlr4::CommonToken>(&common));
-    if (is_end) break;
+    Add(std::unique_ptr<antlr4::CommonToken>(&common), next != nullptr ? next->getType() : 0);
+    if (next == nullptr) break;
   }
   return std::move(result_);
 }
 
-void Layout::Add(std::unique_ptr<antlr4::CommonToken> token) {
+void Layout::Add(std::unique_ptr<antlr4::CommonToken> token, TokenType next) {
+  ClassifyWord(*token, next);
   const TokenType type = token->getType();
   const bool is_first_in_line = last_ == nullptr || token->getLine() != last_->getLine();
   if (last_ != nullptr && (is_first_in_line || type == antlr4::Token::EOF)) BeginLine(*token);
@@ -88,9 +99,29 @@ void Layout::Add(std::unique_ptr<antlr4::CommonToken> token) {
   if (IsOpening(type)) Open(*token);
   ExpectBlock(*token);
   CountNesting(*token);
-  if (!doc_.empty()) result_.docs[SpanOf(*token).begin] = std::exchange(doc_, "");
+  if (type == TaskParser::ALLOW) allow_line_ = token->getLine();
+  if (!doc_.empty() && token->getLine() != allow_line_) {
+    result_.docs[SpanOf(*token).begin] = std::exchange(doc_, "");
+  }
   last_ = token.get();
   result_.tokens.push_back(std::move(token));
+}
+
+// ---- Words -------------------------------------------------------------------------------------
+
+void Layout::ClassifyWord(antlr4::CommonToken& token, TokenType next) {
+  const TokenType type = token.getType();
+  if (!IsContextualKeyword(type)) return;
+  if (!CanBeginStatement(token) || IsNameBefore(type, next)) token.setType(TaskParser::NAME);
+}
+
+bool Layout::CanBeginStatement(const antlr4::CommonToken& token) const {
+  if (last_ == nullptr) return true;
+  const TokenType last = last_->getType();
+  const bool is_first_in_line = token.getLine() != last_->getLine();
+  if (EndsOperand(last)) return is_first_in_line || !IsInBrackets();
+  if (BeginsStatementBehind(last)) return true;
+  return is_first_in_line && !IsInBrackets() && !ExpectsOperand(last);
 }
 
 void Layout::ExpectBlock(const antlr4::CommonToken& token) {
@@ -98,9 +129,13 @@ void Layout::ExpectBlock(const antlr4::CommonToken& token) {
   const bool begins_statement = last_ == nullptr || token.getLine() != last_->getLine() ||
                                 BeginsStatementBehind(last_->getType());
   if (AnnouncesBlock(type) && begins_statement) {
-    awaits_block_ = true;
-  } else if (awaits_block_ && EndsOperand(last_->getType()) && IsBlockContent(type)) {
-    awaits_block_ = false;  // `if a reward b = 1`
+    block_head_ = type;
+  } else if (block_head_ == TaskParser::ONCE && type == TaskParser::IF) {
+    block_head_ = TaskParser::IF;
+  } else if (block_head_ == TaskParser::FOR && type == TaskParser::IN) {
+    block_head_ = TaskParser::IN;
+  } else if (block_head_ != 0 && EndsOperand(last_->getType()) && IsBlockContent(type)) {
+    block_head_ = 0;  // `if a reward b = 1`
     braceless_line_ = token.getLine();
   }
 }
@@ -142,7 +177,7 @@ void Layout::BeginLine(const antlr4::CommonToken& next) {
     if (!is_keyword) report_.MarkFaulty(SpanOf(next));  // perhaps the rest of the expression
   }
   const bool is_headed = EndsOperand(last_->getType()) || last_->getType() == TaskParser::ELSE;
-  if (awaits_block_ && is_headed && type != TaskParser::LEFT_BRACE) OpenMissingBlock();
+  if (block_head_ != 0 && is_headed && type != TaskParser::LEFT_BRACE) OpenMissingBlock();
   const bool ends_block = is_end || (IsDeclarationKeyword(type) && !open_.empty() &&
                                      IndentationOf(next) <= open_.front().indentation);
   if (ends_block) CloseUnclosed(0, next);
@@ -158,13 +193,25 @@ void Layout::BeginLine(const antlr4::CommonToken& next) {
 
 void Layout::OpenMissingBlock() {
   const uint32_t place = SpanOf(*last_).end;
-  report_.AddUnlessFaulty(MakeDiagnostic(code::kUnexpectedToken, {place, place},
-                                         "expected `{`, found the end of the line"));
-  awaits_block_ = false;
+  report_.AddUnlessFaulty(
+      MakeDiagnostic(code::kUnexpectedToken, {place, place},
+                     fmt::format("expected {}, found the end of the line", MissingBlockHead())));
+  block_head_ = 0;
   const uint32_t indentation = IndentationOf(*last_);
   AddSynthetic(TaskParser::LEFT_BRACE);
   open_.push_back({TaskParser::LEFT_BRACE, {place, place}, true, 1, indentation, true});
   ++nesting_;
+}
+
+std::string Layout::MissingBlockHead() const {
+  switch (block_head_) {
+    case TaskParser::ONCE:
+      return "`if` and a condition";
+    case TaskParser::FOR:
+      return "`in` and a set";
+    default:
+      return "`{`";
+  }
 }
 
 void Layout::EndExpression(const antlr4::CommonToken& next) {
@@ -197,8 +244,9 @@ uint32_t Layout::IndentationOf(const antlr4::Token& token) {
 // ---- Brackets ----------------------------------------------------------------------------------
 
 void Layout::Open(antlr4::CommonToken& token) {
-  const bool is_block = token.getType() == TaskParser::LEFT_BRACE && !IsInBrackets();
-  if (is_block) awaits_block_ = false;
+  const bool is_block =
+      token.getType() == TaskParser::LEFT_BRACE && !IsInBrackets() && !IsLoopSet();
+  if (is_block) block_head_ = 0;
   const Span span = SpanOf(token);
   const uint32_t nesting = 1 + std::exchange(prefix_run_, 0);
   open_.push_back(
@@ -207,13 +255,18 @@ void Layout::Open(antlr4::CommonToken& token) {
   if (token.getType() == TaskParser::LEFT_BRACE && !is_block) token.setType(TaskParser::SET_BEGIN);
 }
 
+bool Layout::IsLoopSet() const {
+  return block_head_ == TaskParser::IN &&
+         (last_->getType() == TaskParser::IN || ExpectsOperand(last_->getType()));
+}
+
 bool Layout::Close(antlr4::CommonToken& token) {
   const TokenType type = token.getType();
   const bool is_first_in_line = last_ == nullptr || token.getLine() != last_->getLine();
   // `if a reward b = 1 }`: the parser reports the missing brace.
-  const bool is_braceless = awaits_block_ || token.getLine() == braceless_line_;
+  const bool is_braceless = block_head_ != 0 || token.getLine() == braceless_line_;
   if (type == TaskParser::RIGHT_BRACE && !IsInBrackets() && is_braceless) {
-    awaits_block_ = false;
+    block_head_ = 0;
     braceless_line_ = 0;
     return false;
   }

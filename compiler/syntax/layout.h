@@ -37,7 +37,11 @@ class Layout {
     bool is_synthetic = false;  // its opening brace is missing
   };
 
-  void Add(std::unique_ptr<antlr4::CommonToken> token);
+  // `next`: the type of the token that follows.
+  void Add(std::unique_ptr<antlr4::CommonToken> token, TokenType next);
+  // Makes a name of a word that is no keyword in its place.
+  void ClassifyWord(antlr4::CommonToken& token, TokenType next);
+  bool CanBeginStatement(const antlr4::CommonToken& token) const;
   void AddSynthetic(TokenType type);
   void AddDocumentation(const antlr4::Token& token);
 
@@ -48,14 +52,17 @@ class Layout {
   void BeginLine(const antlr4::CommonToken& next);
   // Notes where a block must follow.
   void ExpectBlock(const antlr4::CommonToken& token);
-  // Where `if`, `else` or `on` has no brace by the end of its line.
+  // Where `if`, `for`, `on` ... has no brace by the end of its line.
   void OpenMissingBlock();
+  std::string MissingBlockHead() const;
   void RejectBrokenLine(const antlr4::CommonToken& next);
 
   void Open(antlr4::CommonToken& token);
   // Returns false if the token is to be left out.
   bool Close(antlr4::CommonToken& token);
   bool IsInBrackets() const { return !open_.empty() && !open_.back().is_block; }
+  // The next brace opens a set: `for l in {`, `for l in links - {`.
+  bool IsLoopSet() const;
   // The open brackets from `index` on are not closed: reports the innermost that has been opened,
   // before `next`, and closes them all.
   void CloseUnclosed(size_t index, const antlr4::CommonToken& next);
@@ -75,7 +82,10 @@ class Layout {
   uint32_t indentation_ = 0;
   std::string doc_;            // the `///` lines since the last token
   size_t braceless_line_ = 0;  // a block without its opening brace stands in this line
-  bool awaits_block_ = false;  // since an `if`, `else` or `on`
+  size_t allow_line_ = 0;      // its documentation is that of what follows
+  // The word that says that a block must follow: `if`, `else`, `on` ...; `in` for a `for` that has
+  // got that far. 0: none must.
+  TokenType block_head_ = 0;
   const antlr4::Token* last_ = nullptr;
   std::vector<TokenType> synthetic_closings_;  // whose real ones may still come
   // Blocks whose closing brace stands further left than the line that opens them: where a brace is

@@ -1,5 +1,6 @@
 #include "compiler/syntax/statement_builder.h"
 
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -27,13 +28,24 @@ AssignOperator AssignOperatorOf(TokenType type) {
   }
 }
 
+// `.xy`
+bool IsSwizzle(std::string_view member) {
+  return !member.empty() && member.find_first_not_of("xyzw") == std::string_view::npos;
+}
+
 }  // namespace
 
 Block StatementBuilder::Build(TaskParser::BlockContext& context) {
   Block block;
-  for (TaskParser::StatementContext* statement : context.statement()) {
-    if (statement->exception == nullptr) block.push_back(BuildStatement(*statement));
+  for (antlr4::tree::ParseTree* child : context.children) {
+    if (auto* allow = dynamic_cast<TaskParser::AllowContext*>(child)) {
+      allowances_.Add(*allow);
+    } else if (auto* statement = dynamic_cast<TaskParser::StatementContext*>(child)) {
+      allowances_.Attach(SpanOf(*statement));
+      if (statement->exception == nullptr) block.push_back(BuildStatement(*statement));
+    }
   }
+  allowances_.End();
   return block;
 }
 
@@ -41,23 +53,59 @@ Statement StatementBuilder::BuildStatement(TaskParser::StatementContext& context
   auto& inner = *static_cast<antlr4::ParserRuleContext*>(context.children.front());
   Statement statement{SpanOf(inner), {}};
   if (auto* let = context.let()) {
-    statement.node = LetStatement{BuildName(*let->name()), expressions_.Build(*let->expression())};
+    statement.node = Let(*let);
   } else if (auto* assignment = context.assignment()) {
     statement.node = Assignment(*assignment);
   } else if (auto* branches = context.branches()) {
     statement.node = Branches(*branches);
+  } else if (auto* loop = context.loop()) {
+    statement.node = Loop(*loop);
+  } else if (auto* once = context.once()) {
+    statement.node = Once(*once);
   } else if (auto* reward = context.reward()) {
     statement.node = Reward(*reward);
+  } else if (auto* log = context.log()) {
+    statement.node = Log(*log);
+  } else if (auto* require = context.require()) {
+    statement.node = Require(*require);
   } else {
     statement.node = End(*context.end());
   }
   return statement;
 }
 
+LetStatement StatementBuilder::Let(TaskParser::LetContext& context) {
+  return {BuildName(*context.name()), expressions_.Build(*context.expression())};
+}
+
 AssignStatement StatementBuilder::Assignment(TaskParser::AssignmentContext& context) {
-  const Identifier name = BuildName(*context.target);
-  return {Target{name, std::nullopt, {}, name.span}, AssignOperatorOf(context.op->getType()),
-          expressions_.Build(*context.expression())};
+  AssignStatement statement;
+  if (context.anonymous != nullptr) {
+    const Identifier name = BuildName(*context.anonymous);
+    statement.target = Target{name, std::nullopt, {}, name.span};
+  } else {
+    statement.target = BuildTarget(*context.target());
+  }
+  statement.op = AssignOperatorOf(context.op->getType());
+  statement.value = expressions_.Build(*context.expression());
+  return statement;
+}
+
+Target StatementBuilder::BuildTarget(TaskParser::TargetContext& context) {
+  Target target;
+  for (TaskParser::NameContext* part : context.name()) {
+    const Identifier name = BuildName(*part);
+    if (target.name.text.empty()) {
+      target.name = name;
+    } else if (part == context.name().back() && IsSwizzle(name.text)) {
+      target.member = name;
+    } else {
+      target.name = {target.name.text + "." + name.text, Cover(target.name.span, name.span)};
+    }
+  }
+  if (context.items() != nullptr) target.items = expressions_.BuildSet(*context.items());
+  target.span = SpanOf(context);
+  return target;
 }
 
 IfStatement StatementBuilder::Branches(TaskParser::BranchesContext& context) {
@@ -71,10 +119,27 @@ IfStatement StatementBuilder::Branches(TaskParser::BranchesContext& context) {
   return statement;
 }
 
+ForStatement StatementBuilder::Loop(TaskParser::LoopContext& context) {
+  ForStatement statement;
+  statement.variable = BuildName(*context.name());
+  statement.items = expressions_.BuildSet(*context.items());
+  statement.items_span = SpanOf(*context.items());
+  statement.body = Build(*context.block());
+  return statement;
+}
+
+OnceStatement StatementBuilder::Once(TaskParser::OnceContext& context) {
+  OnceStatement statement;
+  statement.scope = LookUp(BuildName(*context.scope), kScopeNames, code::kUnknownWord,
+                           "a scope of `once`", report_);
+  statement.condition = expressions_.Build(*context.expression());
+  statement.body = Build(*context.block());
+  return statement;
+}
+
 RewardStatement StatementBuilder::Reward(TaskParser::RewardContext& context) {
   RewardStatement statement;
-  const auto doc = docs_.find(SpanOf(context).begin);
-  if (doc != docs_.end()) statement.doc = doc->second;
+  statement.doc = DocOf(context);
   statement.is_rate = context.rate != nullptr;
   if (statement.is_rate) {
     constexpr std::array<Word<bool>, 1> kRate = {{{"rate", true}}};
@@ -92,29 +157,34 @@ EndStatement StatementBuilder::End(TaskParser::EndContext& context) {
                             "an outcome of an episode", report_);
   }
   antlr4::Token& text = *context.STRING()->getSymbol();
-  statement.reason = Text(text);
+  statement.reason = BuildText(text, report_);
   statement.reason_span = SpanOf(text);
   return statement;
 }
 
-// Without the quotes; `\"` and `\\` stand for the signs themselves.
-std::string StatementBuilder::Text(antlr4::Token& token) {
-  const Span span = SpanOf(token);
-  const std::string& source = report_.source().text();
-  std::string text;
-  for (uint32_t i = span.begin + 1; i + 1 < span.end; ++i) {
-    if (source[i] == '\\') {
-      ++i;
-      if (source[i] != '"' && source[i] != '\\') {
-        Diagnostic diagnostic = MakeDiagnostic(code::kUnknownEscape, {i - 1, i + 1},
-                                               "there is no such escape sequence");
-        diagnostic.help = "a text knows `\\\"` and `\\\\`";
-        report_.Add(std::move(diagnostic));
-      }
-    }
-    text += source[i];
+LogStatement StatementBuilder::Log(TaskParser::LogContext& context) {
+  LogStatement statement;
+  statement.doc = DocOf(context);
+  if (context.reduction != nullptr) {
+    statement.reduction = LookUp(BuildName(*context.reduction), kReductionNames, code::kUnknownWord,
+                                 "a reduction of a log", report_);
   }
-  return text;
+  statement.name = BuildName(*context.name());
+  statement.value = expressions_.Build(*context.expression());
+  return statement;
+}
+
+RequireStatement StatementBuilder::Require(TaskParser::RequireContext& context) {
+  RequireStatement statement{expressions_.Build(*context.expression()), ""};
+  if (context.STRING() != nullptr) {
+    statement.reason = BuildText(*context.STRING()->getSymbol(), report_);
+  }
+  return statement;
+}
+
+std::string StatementBuilder::DocOf(antlr4::ParserRuleContext& context) const {
+  const auto found = docs_.find(SpanOf(context).begin);
+  return found != docs_.end() ? found->second : "";
 }
 
 }  // namespace compiler

@@ -6,6 +6,7 @@
 #include <map>
 #include <string>
 
+#include "compiler/syntax/allowances.h"
 #include "compiler/syntax/expression_builder.h"
 #include "compiler/syntax/syntax_report.h"
 #include "compiler/syntax/syntax_tree.h"
@@ -14,23 +15,31 @@ namespace compiler {
 
 class StatementBuilder {
  public:
-  // `docs`: the documentation by the offset of what it describes; must outlive the builder.
-  StatementBuilder(SyntaxReport& report, const std::map<uint32_t, std::string>& docs)
-      : report_(report), docs_(docs), expressions_(report) {}
+  // `docs`: the documentation by the offset of what it describes. Both must outlive the builder.
+  StatementBuilder(SyntaxReport& report, const std::map<uint32_t, std::string>& docs,
+                   Allowances& allowances)
+      : report_(report), docs_(docs), allowances_(allowances), expressions_(report) {}
 
   // Statements in which the parser has found an error are left out.
   Block Build(grammar::TaskParser::BlockContext& context);
+  LetStatement Let(grammar::TaskParser::LetContext& context);
+  RewardStatement Reward(grammar::TaskParser::RewardContext& context);
+  EndStatement End(grammar::TaskParser::EndContext& context);
+  Target BuildTarget(grammar::TaskParser::TargetContext& context);
 
  private:
   Statement BuildStatement(grammar::TaskParser::StatementContext& context);
   AssignStatement Assignment(grammar::TaskParser::AssignmentContext& context);
   IfStatement Branches(grammar::TaskParser::BranchesContext& context);
-  RewardStatement Reward(grammar::TaskParser::RewardContext& context);
-  EndStatement End(grammar::TaskParser::EndContext& context);
-  std::string Text(antlr4::Token& token);
+  ForStatement Loop(grammar::TaskParser::LoopContext& context);
+  OnceStatement Once(grammar::TaskParser::OnceContext& context);
+  LogStatement Log(grammar::TaskParser::LogContext& context);
+  RequireStatement Require(grammar::TaskParser::RequireContext& context);
+  std::string DocOf(antlr4::ParserRuleContext& context) const;
 
   SyntaxReport& report_;
   const std::map<uint32_t, std::string>& docs_;
+  Allowances& allowances_;
   ExpressionBuilder expressions_;
 };
 

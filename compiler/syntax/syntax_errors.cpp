@@ -16,6 +16,12 @@ bool IsFirstInLine(antlr4::TokenStream& tokens) {
   return previous == nullptr || previous->getLine() != tokens.LT(1)->getLine();
 }
 
+// A rule that loops over statements in braces.
+bool IsBlock(size_t rule) {
+  return rule == TaskParser::RuleBlock || rule == TaskParser::RuleBody ||
+         rule == TaskParser::RuleTest;
+}
+
 }  // namespace
 
 antlr4::Token* SyntaxErrors::recoverInline(antlr4::Parser* parser) {
@@ -28,7 +34,10 @@ void SyntaxErrors::recover(antlr4::Parser* parser, std::exception_ptr error) {
     case TaskParser::RuleDeclaration:
       Skip(*parser, false);
       break;
+    case TaskParser::RuleAllow:
     case TaskParser::RuleStatement:
+    case TaskParser::RuleBodyStatement:
+    case TaskParser::RuleTestStatement:
       Skip(*parser, true);
       break;
     default:
@@ -39,14 +48,14 @@ void SyntaxErrors::recover(antlr4::Parser* parser, std::exception_ptr error) {
 
 void SyntaxErrors::sync(antlr4::Parser* parser) {
   const size_t rule = parser->getContext()->getRuleIndex();
-  if (rule != TaskParser::RuleFile && rule != TaskParser::RuleBlock) return;
+  if (rule != TaskParser::RuleFile && !IsBlock(rule)) return;
   antlr4::TokenStream& tokens = *parser->getTokenStream();
   const antlr4::atn::ATN& atn = parser->getATN();
   const antlr4::misc::IntervalSet expected = atn.nextTokens(atn.states[parser->getState()]);
   while (!expected.contains(tokens.LA(1)) && tokens.LA(1) != antlr4::Token::EOF) {
     Report(*parser, *tokens.LT(1));
     parser->consume();
-    Skip(*parser, rule == TaskParser::RuleBlock);
+    Skip(*parser, IsBlock(rule));
   }
 }
 

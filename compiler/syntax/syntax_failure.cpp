@@ -25,13 +25,17 @@ bool Failure::is_behind_last() const {
 Failure MakeFailure(antlr4::Parser& parser, antlr4::Token& found) {
   antlr4::TokenStream& tokens = *parser.getTokenStream();
   const size_t index = found.getTokenIndex();
-  const auto* context = parser.getContext();
+  auto* context = parser.getContext();
   const auto* parent = dynamic_cast<const antlr4::ParserRuleContext*>(context->parent);
+  const antlr4::Token* begin = context->getStart();
+  const size_t begin_index = begin != nullptr ? begin->getTokenIndex() : 0;
   return {parser,
           found,
           index >= 2 ? tokens.get(index - 2) : nullptr,
           index >= 1 ? tokens.get(index - 1) : nullptr,
           index + 1 < tokens.size() ? tokens.get(index + 1) : nullptr,
+          begin,
+          begin_index >= 1 ? tokens.get(begin_index - 1) : nullptr,
           context->getRuleIndex(),
           parent != nullptr ? parent->getRuleIndex() : size_t{TaskParser::RuleFile}};
 }

@@ -16,6 +16,8 @@ struct Failure {
   const antlr4::Token* before_last;  // the two tokens before it and the one after it, or null
   const antlr4::Token* last;
   const antlr4::Token* next;
+  const antlr4::Token* begin;  // the first of the rule that fails, and the one before that
+  const antlr4::Token* before_begin;
   size_t rule;  // the grammar's rule that fails, and the one it is part of
   size_t parent_rule;
 

@@ -28,7 +28,7 @@ std::string DidYouMean(const std::string& name, const std::vector<std::string>& 
 using Description = std::optional<Diagnostic>;
 
 Description MissingHeader(const Failure& failure) {
-  if (failure.rule != TaskParser::RuleHeader || failure.last != nullptr) return std::nullopt;
+  if (failure.rule != TaskParser::RuleFile || failure.last != nullptr) return std::nullopt;
   return WithHelp(MakeDiagnostic(code::kMissingHeader, SpanOf(failure.found),
                                  fmt::format("expected `task NAME`, found {}", FoundText(failure))),
                   "a file begins with the task's name and its robot: `task crawling for humanoid`");
@@ -176,28 +176,23 @@ Description BadReward(const Failure& failure) {
 
 // ---- Statements and declarations ---------------------------------------------------------------
 
-// A name that could begin an assignment but is followed by something else.
+// What could begin an assignment but is followed by something else.
 Description UnknownStatement(const Failure& failure) {
-  if (failure.rule != TaskParser::RuleAssignment || failure.last_type() != TaskParser::NAME) {
-    return std::nullopt;
-  }
-  const std::string name = failure.last->getText();
-  const Span span = SpanOf(*failure.last);
+  if (failure.rule != TaskParser::RuleAssignment || failure.begin == nullptr) return std::nullopt;
+  const antlr4::Token& begin = *failure.begin;
+  const std::string name = begin.getText();
   const bool is_in_line =
-      failure.before_last != nullptr && failure.before_last->getLine() == failure.last->getLine();
-  const TokenType before = is_in_line ? failure.before_last->getType() : 0;
-  if (before == TaskParser::NUMBER) return UnknownUnit(*failure.last);
+      failure.before_begin != nullptr && failure.before_begin->getLine() == begin.getLine();
+  const TokenType before = is_in_line ? failure.before_begin->getType() : 0;
+  if (before == TaskParser::NUMBER) return UnknownUnit(begin);
   if (EndsOperand(before) && before != TaskParser::RIGHT_BRACE) {
     return MakeDiagnostic(
-        code::kUnexpectedToken, span,
+        code::kUnexpectedToken, SpanOf(begin),
         fmt::format("expected an operator or the end of the line, found `{}`", name));
   }
-  if (failure.type() == TaskParser::DOT || failure.type() == TaskParser::LEFT_BRACKET) {
-    return WithHelp(Expected(failure, "`=`"),
-                    "only a memory is assigned, and only as a whole: sensors are read");
-  }
+  if (failure.last != &begin) return ExpectedBehindLast(failure, "`=`");
   if (failure.type() == TaskParser::LEFT_PARENTHESIS) {
-    return WithHelp(MakeDiagnostic(code::kUnknownStatement, span,
+    return WithHelp(MakeDiagnostic(code::kUnknownStatement, SpanOf(begin),
                                    fmt::format("the value of `{}` is not used", name)),
                     fmt::format("name it, `let x = {}(...)`, or assign it to a memory", name));
   }
@@ -205,7 +200,7 @@ Description UnknownStatement(const Failure& failure) {
   keywords.push_back(Spelling(TaskParser::ELSE));
   std::string help = DidYouMean(name, keywords);
   if (help.empty()) help = fmt::format("a memory is set by `{} = ...`", name);
-  return WithHelp(MakeDiagnostic(code::kUnknownStatement, span,
+  return WithHelp(MakeDiagnostic(code::kUnknownStatement, SpanOf(begin),
                                  fmt::format("there is no statement `{}`", name)),
                   help);
 }
@@ -295,6 +290,10 @@ Diagnostic Unexpected(const Failure& failure) {
   // Where a word may stand, `min` may; that says nothing.
   if (std::ranges::count(expected, ssize_t{TaskParser::NAME}) > 0) {
     std::erase(expected, ssize_t{TaskParser::MIN});
+  }
+  // Both are the end of the line.
+  if (std::ranges::count(expected, ssize_t{TaskParser::LINE_END}) > 0) {
+    std::erase(expected, static_cast<ssize_t>(antlr4::Token::EOF));
   }
   constexpr size_t kMostNamed = 4;
   if (expected.empty() || expected.size() > kMostNamed) {

@@ -119,10 +119,12 @@ struct LetStatement {  // `let speed = norm(base.velocity)`
 };
 
 // What is assigned to, or given in a test: `sum`, `place.xy`, `touched[feet]`, `contact[head]`.
+// The last of several parts between dots is the member if it consists of x, y, z and w only; so in
+// `cart.x` it may also be the end of a sensor's name.
 struct Target {
-  Identifier name;                    // of a sensor, with its dots: `base.velocity`
-  std::optional<Identifier> member;   // `.xy`
-  std::vector<ExpressionPtr> items;   // `[feet]`; empty: no index
+  Identifier name;                   // of a sensor, with its dots: `base.velocity`
+  std::optional<Identifier> member;  // `.xy`
+  std::vector<ExpressionPtr> items;  // `[feet]`; empty: no index
   Span span{};
 };
 
@@ -278,7 +280,8 @@ struct ParamOverride {  // `override param direction = -1`; type and unit are th
   std::optional<Expression> minimum;  // nothing: the base's range
   std::optional<Expression> maximum;
 };
-struct RewardOverride {  // `override reward rate roll = ...`: in place of every statement of the term
+struct RewardOverride {  // `override reward rate roll = ...`: in place of every statement of the
+                         // term
   RewardStatement reward;
 };
 
@@ -308,6 +311,7 @@ struct TestStatement {
 };
 
 struct TestDeclaration {  // `test "a fall is paid once" { ... }`
+  std::string doc;
   std::string name;
   Span name_span;
   std::vector<TestStatement> statements;

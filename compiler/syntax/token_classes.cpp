@@ -71,7 +71,7 @@ bool ExpectsOperand(TokenType type) {
   return IsComparison(type) || IsAssignment(type) ||
          IsOneOf(type, {TaskParser::PLUS, TaskParser::MINUS, TaskParser::TIMES, TaskParser::DIVIDE,
                         TaskParser::AND, TaskParser::OR, TaskParser::NOT, TaskParser::COMMA,
-                        TaskParser::RANGE});
+                        TaskParser::RANGE, TaskParser::ARROW});
 }
 
 bool FollowsOperand(TokenType type) {
@@ -95,12 +95,18 @@ bool StartsOperand(TokenType type) {
 
 bool IsDeclarationKeyword(TokenType type) {
   static const antlr4::misc::IntervalSet first = FirstOf(TaskParser::RuleDeclaration);
-  return type == TaskParser::TASK || first.contains(type);
+  return type == TaskParser::TASK || type == TaskParser::ALLOW || first.contains(type);
 }
 
 bool IsStatementKeyword(TokenType type) {
-  return IsOneOf(type, {TaskParser::LET, TaskParser::IF, TaskParser::ELSE, TaskParser::END_EPISODE,
-                        TaskParser::TRUNCATE_EPISODE});
+  return IsOneOf(type, {TaskParser::LET, TaskParser::IF, TaskParser::ELSE, TaskParser::FOR,
+                        TaskParser::ONCE, TaskParser::END_EPISODE, TaskParser::TRUNCATE_EPISODE,
+                        TaskParser::LOG, TaskParser::REQUIRE, TaskParser::GIVEN, TaskParser::FIRE,
+                        TaskParser::EXPECT, TaskParser::RETURN, TaskParser::ALLOW});
+}
+
+bool IsContextualKeyword(TokenType type) {
+  return type >= TaskParser::FN && type <= TaskParser::RETURN;
 }
 
 bool IsUnit(TokenType type) { return Units().contains(type); }

@@ -28,9 +28,11 @@ bool StartsOperand(TokenType type);
 
 // `param`, `on` ...: begin a declaration and stand nowhere else.
 bool IsDeclarationKeyword(TokenType type);
-// `let`, `if`, `end_episode` ...: stand nowhere but at the begin of a statement. `reward` does not
-// count.
+// `let`, `if`, `end_episode` ...: begin a statement, in an event or a test or a function. `reward`
+// does not count.
 bool IsStatementKeyword(TokenType type);
+// `log`, `test`, `given` ...: keywords only where a statement or declaration begins, else names.
+bool IsContextualKeyword(TokenType type);
 bool IsUnit(TokenType type);
 // Any keyword or unit.
 bool IsReserved(TokenType type);

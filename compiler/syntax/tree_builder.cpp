@@ -1,10 +1,16 @@
 #include "compiler/syntax/tree_builder.h"
 
+#include <fmt/format.h>
+
 #include <string>
 #include <utility>
 
+#include "compiler/syntax/allowances.h"
 #include "compiler/syntax/expression_builder.h"
+#include "compiler/syntax/function_builder.h"
 #include "compiler/syntax/statement_builder.h"
+#include "compiler/syntax/test_builder.h"
+#include "compiler/syntax/token_classes.h"
 #include "compiler/syntax/unit_builder.h"
 #include "compiler/syntax/word_lookup.h"
 
@@ -12,44 +18,135 @@ namespace compiler {
 namespace {
 
 using grammar::TaskParser;
+using DeclarationNode = decltype(Declaration::node);
 
 class TreeBuilder {
  public:
   TreeBuilder(const std::map<uint32_t, std::string>& docs, SyntaxReport& report)
-      : docs_(docs), report_(report), expressions_(report), statements_(report, docs) {}
+      : docs_(docs),
+        report_(report),
+        allowances_(report),
+        expressions_(report),
+        statements_(report, docs, allowances_),
+        tests_(report, statements_, allowances_),
+        functions_(report, statements_) {}
 
   SyntaxTree Build(TaskParser::FileContext& file) {
-    if (file.header()->exception == nullptr) Header(*file.header());
-    for (TaskParser::DeclarationContext* declaration : file.declaration()) {
-      if (declaration->exception == nullptr) Declare(*declaration);
+    for (antlr4::tree::ParseTree* child : file.children) {
+      if (auto* allow = dynamic_cast<TaskParser::AllowContext*>(child)) {
+        allowances_.Add(*allow);
+      } else if (auto* header = dynamic_cast<TaskParser::HeaderContext*>(child)) {
+        allowances_.Attach(WholeFile());
+        AddHeader(*header);
+      } else if (auto* declaration = dynamic_cast<TaskParser::DeclarationContext*>(child)) {
+        allowances_.Attach(SpanOf(*declaration));
+        if (first_ == nullptr) first_ = declaration;
+        if (declaration->exception == nullptr) AddDeclaration(*declaration);
+      }
     }
+    allowances_.End();
+    if (header_ == nullptr) CheckLibrary(*file.getStart());
+    tree_.allowances = allowances_.Take();
     return std::move(tree_);
   }
 
  private:
-  void Header(TaskParser::HeaderContext& context) {
+  // ---- The header ------------------------------------------------------------------------------
+
+  void AddHeader(TaskParser::HeaderContext& context) {
+    const Span task = SpanOf(*context.getStart());
+    if (header_ != nullptr) {
+      Diagnostic diagnostic = MakeDiagnostic(code::kRepeatedHeader, task, "a file holds one task");
+      diagnostic.help = "put the other task into a file of its own";
+      report_.AddUnlessFaulty(std::move(diagnostic));
+      return;
+    }
+    header_ = &context;
+    if (first_ != nullptr) {
+      Diagnostic diagnostic =
+          MakeDiagnostic(code::kMissingHeader, task, "a task begins with its header");
+      diagnostic.labels.push_back({SpanOf(*first_->getStart()), "this stands before it"});
+      diagnostic.help = "move this line to the top of the file";
+      report_.AddUnlessFaulty(std::move(diagnostic));
+    }
+    if (context.exception == nullptr) BuildHeader(context);
+  }
+
+  void BuildHeader(TaskParser::HeaderContext& context) {
     tree_.doc = DocOf(context);
     tree_.task = BuildName(*context.name(0));
+    if (context.base != nullptr) {
+      tree_.base = BaseTask{BuildText(*context.base, report_), SpanOf(*context.base)};
+    }
     if (context.robot != nullptr) tree_.robot = BuildName(*context.robot);
   }
 
-  void Declare(TaskParser::DeclarationContext& context) {
+  // The file has no header: is it a library?
+  void CheckLibrary(const antlr4::Token& begin) {
+    if (first_ == nullptr || !IsLibraryPart(*first_)) {
+      const std::string found = begin.getType() == antlr4::Token::EOF
+                                    ? "the end of the file"
+                                    : fmt::format("`{}`", begin.getText());
+      Diagnostic diagnostic = MakeDiagnostic(code::kMissingHeader, SpanOf(begin),
+                                             fmt::format("expected `task NAME`, found {}", found));
+      diagnostic.help =
+          "a file begins with the task's name and its robot: `task crawling for humanoid`";
+      report_.AddUnlessFaulty(std::move(diagnostic));
+      return;
+    }
+    if (misplaced_ == nullptr) return;
+    const antlr4::Token& word = *misplaced_->getStart();
+    Diagnostic diagnostic =
+        MakeDiagnostic(code::kNotInLibrary, SpanOf(word),
+                       fmt::format("`{}` does not stand in a library", word.getText()));
+    diagnostic.help = "a file without `task NAME` holds only imports and functions";
+    report_.AddUnlessFaulty(std::move(diagnostic));
+  }
+
+  static bool IsLibraryPart(TaskParser::DeclarationContext& context) {
+    const TokenType type = context.getStart()->getType();
+    return type == TaskParser::FN || type == TaskParser::IMPORT;
+  }
+
+  Span WholeFile() const { return {0, static_cast<uint32_t>(report_.source().text().size())}; }
+
+  // ---- Declarations ----------------------------------------------------------------------------
+
+  void AddDeclaration(TaskParser::DeclarationContext& context) {
+    if (misplaced_ == nullptr && !IsLibraryPart(context)) misplaced_ = &context;
+    doc_ = DocOf(context);
     auto& inner = *static_cast<antlr4::ParserRuleContext*>(context.children.front());
     Declaration declaration{SpanOf(inner), {}};
-    if (auto* start = context.start()) {
-      declaration.node = Start(*start);
-    } else if (auto* sensor = context.sensor()) {
-      declaration.node = Sensor(*sensor);
-    } else if (auto* param = context.param()) {
-      declaration.node = Param(*param);
-    } else if (auto* memory = context.memory()) {
-      declaration.node = Memory(*memory);
-    } else if (auto* metric = context.metric()) {
-      declaration.node = Metric(*metric);
+    if (auto* changed = context.change()) {
+      declaration.override_span = SpanOf(*changed->getStart());
+      declaration.node = BuildOverride(*changed);
     } else {
-      declaration.node = Event(*context.event());
+      declaration.node = BuildNew(context);
     }
     tree_.declarations.push_back(std::move(declaration));
+  }
+
+  DeclarationNode BuildNew(TaskParser::DeclarationContext& context) {
+    if (auto* start = context.start()) return Start(*start);
+    if (auto* sensor = context.sensor()) return Sensor(*sensor);
+    if (auto* param = context.param()) return Param(*param);
+    if (auto* memory = context.memory()) return Memory(*memory);
+    if (auto* metric = context.metric()) return Metric(*metric);
+    if (auto* event = context.event()) return Event(*event);
+    if (auto* function = context.function()) return Function(*function);
+    if (auto* test = context.test()) return Test(*test);
+    return Import(*context.imported());
+  }
+
+  DeclarationNode BuildOverride(TaskParser::ChangeContext& context) {
+    if (auto* start = context.start()) return Start(*start);
+    if (auto* param = context.newDefault()) return NewDefault(*param);
+    if (auto* metric = context.metric()) return Metric(*metric);
+    if (auto* event = context.event()) return Event(*event);
+    if (auto* function = context.function()) return Function(*function);
+    RewardStatement reward = statements_.Reward(*context.reward());
+    reward.doc = doc_;
+    return RewardOverride{std::move(reward)};
   }
 
   StartDeclaration Start(TaskParser::StartContext& context) {
@@ -67,38 +164,41 @@ class TreeBuilder {
 
   SensorDeclaration Sensor(TaskParser::SensorContext& context) {
     SensorDeclaration sensor;
-    sensor.doc = DocOf(context);
+    sensor.doc = doc_;
     for (TaskParser::NameContext* part : context.name()) {
       const Identifier name = BuildName(*part);
       const bool is_first = sensor.name.text.empty();
       sensor.name.text += is_first ? name.text : "." + name.text;
       sensor.name.span = is_first ? name.span : Cover(sensor.name.span, name.span);
     }
-    sensor.type = Type(*context.type());
-    sensor.unit = UnitOf(*context.type());
+    SetType(*context.type(), sensor);
+    if (context.range() != nullptr) SetRange(*context.range(), sensor);
     return sensor;
   }
 
   ParamDeclaration Param(TaskParser::ParamContext& context) {
     ParamDeclaration param;
-    param.doc = DocOf(context);
+    param.doc = doc_;
     param.name = BuildName(*context.name());
-    param.type = Type(*context.type());
-    param.unit = UnitOf(*context.type());
-    param.initial = expressions_.Build(*context.initial);
-    if (context.minimum != nullptr) {
-      param.minimum = expressions_.Build(*context.minimum);
-      param.maximum = expressions_.Build(*context.maximum);
-    }
+    SetType(*context.type(), param);
+    param.initial = expressions_.Build(*context.expression());
+    if (context.range() != nullptr) SetRange(*context.range(), param);
+    return param;
+  }
+
+  ParamOverride NewDefault(TaskParser::NewDefaultContext& context) {
+    ParamOverride param;
+    param.name = BuildName(*context.name());
+    param.initial = expressions_.Build(*context.expression());
+    if (context.range() != nullptr) SetRange(*context.range(), param);
     return param;
   }
 
   MemoryDeclaration Memory(TaskParser::MemoryContext& context) {
     MemoryDeclaration memory;
-    memory.doc = DocOf(context);
+    memory.doc = doc_;
     memory.name = BuildName(*context.name());
-    memory.type = Type(*context.type());
-    memory.unit = UnitOf(*context.type());
+    SetType(*context.type(), memory);
     memory.initial = expressions_.Build(*context.expression());
     if (context.scope != nullptr) {
       memory.scope = LookUp(BuildName(*context.scope), kScopeNames, code::kUnknownWord,
@@ -109,7 +209,7 @@ class TreeBuilder {
 
   MetricDeclaration Metric(TaskParser::MetricContext& context) {
     MetricDeclaration metric;
-    metric.doc = DocOf(context);
+    metric.doc = doc_;
     metric.name = BuildName(*context.name());
     metric.value = expressions_.Build(*context.expression());
     if (context.reduction != nullptr) {
@@ -122,21 +222,36 @@ class TreeBuilder {
   EventDeclaration Event(TaskParser::EventContext& context) {
     const Identifier name = BuildName(*context.name());
     const EventKind kind = LookUp(name, kEventNames, code::kUnknownEvent, "an event", report_);
-    return {DocOf(context), kind, name, statements_.Build(*context.block())};
+    return {doc_, kind, name, statements_.Build(*context.block())};
   }
 
-  static TypeExpression Type(TaskParser::TypeContext& context) {
-    TypeExpression type{BuildName(*context.name(0)), std::nullopt, {}};
-    type.span = type.name.span;
-    if (context.index != nullptr) type.index = BuildName(*context.index);
-    if (context.length != nullptr) type.index = BuildName(*context.length);
-    if (type.index) type.span = Cover(type.span, SpanOf(*context.RIGHT_BRACKET(0)->getSymbol()));
-    return type;
+  ImportDeclaration Import(TaskParser::ImportedContext& context) {
+    antlr4::Token& path = *context.STRING()->getSymbol();
+    return {BuildText(path, report_), SpanOf(path)};
   }
 
-  std::optional<UnitExpression> UnitOf(TaskParser::TypeContext& context) {
-    if (context.unit() == nullptr) return std::nullopt;
-    return BuildUnit(*context.unit(), report_);
+  FunctionDeclaration Function(TaskParser::FunctionContext& context) {
+    FunctionDeclaration function = functions_.Build(context);
+    function.doc = doc_;
+    return function;
+  }
+
+  TestDeclaration Test(TaskParser::TestContext& context) {
+    TestDeclaration test = tests_.Build(context);
+    test.doc = doc_;
+    return test;
+  }
+
+  template <typename Declared>
+  void SetType(TaskParser::TypeContext& context, Declared& declared) {
+    declared.type = BuildType(context);
+    declared.unit = BuildUnitOf(context, report_);
+  }
+
+  template <typename Declared>
+  void SetRange(TaskParser::RangeContext& context, Declared& declared) {
+    declared.minimum = expressions_.Build(*context.minimum);
+    declared.maximum = expressions_.Build(*context.maximum);
   }
 
   std::string DocOf(antlr4::ParserRuleContext& context) const {
@@ -146,10 +261,17 @@ class TreeBuilder {
 
   const std::map<uint32_t, std::string>& docs_;
   SyntaxReport& report_;
+  Allowances allowances_;
   ExpressionBuilder expressions_;
   StatementBuilder statements_;
+  TestBuilder tests_;
+  FunctionBuilder functions_;
   SyntaxTree tree_;
-  std::optional<Identifier> start_;  // the first start pose
+  std::string doc_;                                      // of the declaration being built
+  TaskParser::HeaderContext* header_ = nullptr;          // the first
+  TaskParser::DeclarationContext* first_ = nullptr;      // the first declaration
+  TaskParser::DeclarationContext* misplaced_ = nullptr;  // the first that no library holds
+  std::optional<Identifier> start_;                      // the first start pose
 };
 
 }  // namespace

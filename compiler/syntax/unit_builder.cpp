@@ -67,6 +67,39 @@ Identifier BuildName(antlr4::ParserRuleContext& context) {
   return {context.getText(), SpanOf(context)};
 }
 
+std::string BuildText(antlr4::Token& token, SyntaxReport& report) {
+  const Span span = SpanOf(token);
+  const std::string& source = report.source().text();
+  std::string text;
+  for (uint32_t i = span.begin + 1; i + 1 < span.end; ++i) {
+    if (source[i] == '\\') {
+      ++i;
+      if (source[i] != '"' && source[i] != '\\') {
+        Diagnostic diagnostic = MakeDiagnostic(code::kUnknownEscape, {i - 1, i + 1},
+                                               "there is no such escape sequence");
+        diagnostic.help = "a text knows `\\\"` and `\\\\`";
+        report.Add(std::move(diagnostic));
+      }
+    }
+    text += source[i];
+  }
+  return text;
+}
+
+TypeExpression BuildType(TaskParser::TypeContext& context) {
+  TypeExpression type{BuildName(*context.name(0)), std::nullopt, {}};
+  type.span = type.name.span;
+  if (context.index != nullptr) type.index = BuildName(*context.index);
+  if (context.length != nullptr) type.index = BuildName(*context.length);
+  if (type.index) type.span = Cover(type.span, SpanOf(*context.RIGHT_BRACKET(0)->getSymbol()));
+  return type;
+}
+
+std::optional<UnitExpression> BuildUnitOf(TaskParser::TypeContext& context, SyntaxReport& report) {
+  if (context.unit() == nullptr) return std::nullopt;
+  return BuildUnit(*context.unit(), report);
+}
+
 UnitExpression BuildUnit(TaskParser::UnitContext& context, SyntaxReport& report) {
   if (context.one != nullptr && context.one->getText() != "1") {
     ReportNumber(report, SpanOf(*context.one), "a unit has no factor but 1",

@@ -1,7 +1,10 @@
-// Parse tree to syntax tree: names, units and numbers.
+// Parse tree to syntax tree: names, texts, types, units and numbers.
 #pragma once
 
 #include <TaskParser.h>
+
+#include <optional>
+#include <string>
 
 #include "compiler/syntax/syntax_report.h"
 #include "compiler/syntax/syntax_tree.h"
@@ -11,7 +14,13 @@ namespace compiler {
 Span SpanOf(antlr4::ParserRuleContext& context);
 Identifier BuildName(antlr4::Token& token);
 Identifier BuildName(antlr4::ParserRuleContext& context);
+// A text without its quotes; `\"` and `\\` stand for the signs themselves.
+std::string BuildText(antlr4::Token& token, SyntaxReport& report);
 
+TypeExpression BuildType(grammar::TaskParser::TypeContext& context);
+// The unit that stands behind a type.
+std::optional<UnitExpression> BuildUnitOf(grammar::TaskParser::TypeContext& context,
+                                          SyntaxReport& report);
 UnitExpression BuildUnit(grammar::TaskParser::UnitContext& context, SyntaxReport& report);
 NumberLiteral BuildNumber(grammar::TaskParser::NumberContext& context, SyntaxReport& report);
 

@@ -71,13 +71,17 @@ TokenRole RoleOf(TerminalNode& node) {
              : TokenRole::kOperator;
 }
 
+bool BeginsLine(size_t rule) {
+  return rule == TaskParser::RuleHeader || rule == TaskParser::RuleDeclaration ||
+         rule == TaskParser::RuleAllow || rule == TaskParser::RuleStatement ||
+         rule == TaskParser::RuleBodyStatement || rule == TaskParser::RuleTestStatement;
+}
+
 // Goes down the parse tree from left to right.
 class Collector {
  public:
   void Visit(ParserRuleContext& context) {
-    const size_t rule = context.getRuleIndex();
-    begins_line_ = begins_line_ || rule == TaskParser::RuleHeader ||
-                   rule == TaskParser::RuleDeclaration || rule == TaskParser::RuleStatement;
+    begins_line_ = begins_line_ || BeginsLine(context.getRuleIndex());
     for (ParseTree* child : context.children) {
       if (auto* terminal = dynamic_cast<TerminalNode*>(child)) {
         Add(*terminal);

@@ -47,6 +47,14 @@ TEST(Sensor, ArrayOverAnEnumeration) {
   EXPECT_FALSE(sensor.unit.has_value());
 }
 
+TEST(Sensor, MayHaveARange) {
+  const auto sensor =
+      ParseOne<SensorDeclaration>("sensor pole.angle: real [rad] in -180 deg .. 180 deg");
+  EXPECT_EQ(ToText(*sensor.minimum), "(- 180[deg])");
+  EXPECT_EQ(ToText(*sensor.maximum), "180[deg]");
+  EXPECT_FALSE(ParseOne<SensorDeclaration>("sensor a: real").minimum.has_value());
+}
+
 TEST(Param, DefaultAndRange) {
   const auto param = ParseOne<ParamDeclaration>("param gain: real [1/s] = 4 / s in 0 .. 20 / s");
   EXPECT_EQ(param.name.text, "gain");

@@ -31,7 +31,9 @@ std::vector<std::string> Examples(const std::string& page) {
 std::string MakeTask(const std::string& example) {
   const std::string header = "task example for humanoid\n";
   if (example.find("task ") == 0 || example.find("\ntask ") != std::string::npos) return example;
-  for (const char* word : {"start ", "sensor ", "param ", "memory ", "metric ", "on "}) {
+  if (example.find("import ") == 0 || example.find("fn ") == 0) return example;  // a library
+  for (const char* word : {"start ", "sensor ", "param ", "memory ", "metric ", "on ", "override ",
+                           "test ", "allow "}) {
     if (example.find(word) == 0 || example.find(std::string("\n") + word) != std::string::npos) {
       return header + example;
     }

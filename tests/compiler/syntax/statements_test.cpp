@@ -45,6 +45,46 @@ TEST(Statements, Ends) {
   EXPECT_EQ(ParseToText("truncate_episode \"time is up\""), "truncate 'time is up'");
 }
 
+TEST(Statements, Elements) {
+  EXPECT_EQ(ParseToText("touched[feet] = false"), "(at touched feet) = false");
+  EXPECT_EQ(ParseToText("place.xy += 1 m"), "place .xy += 1[m]");
+  EXPECT_EQ(ParseToText("turn[2, 0] *= 2"), "(at turn 2 0) *= 2");
+  EXPECT_EQ(ParseToText("touched[links - {body, head}] = true"),
+            "(at touched (- links (set body head))) = true");
+  EXPECT_EQ(ParseToText("base.velocity = 0"), "base.velocity = 0");
+}
+
+TEST(Statements, For) {
+  EXPECT_EQ(ParseToText("for l in links - feet { n += 1 }"), "for l in (- links feet) {n += 1}");
+  EXPECT_EQ(ParseToText("for i in 0..3, 7 { }"), "for i in 0..3 7 {}");
+  EXPECT_EQ(ParseToText("for l in {body, head} { }"), "for l in (set body head) {}");
+  EXPECT_EQ(ParseToText("for l in links - {body, head} - feet\n{ n = 1 }"),
+            "for l in (- (- links (set body head)) feet) {n = 1}");
+  EXPECT_EQ(ParseToText("for l in body,\n head { for i in 0..1 { } }"),
+            "for l in body head {for i in 0..1 {}}");
+}
+
+TEST(Statements, Once) {
+  EXPECT_EQ(ParseToText("once per action if a { n = 1 }"), "once action if a {n = 1}");
+  EXPECT_EQ(ParseToText("once per episode if a { }"), "once episode if a {}");
+  EXPECT_EQ(ParseToText("once per run if a { once per run if b { } }"),
+            "once run if a {once run if b {}}");
+}
+
+TEST(Statements, Log) {
+  EXPECT_EQ(ParseToText("log speed = v.x"), "log last speed v.x");
+  EXPECT_EQ(ParseToText("log max speed = v.x"), "log max speed v.x");
+  EXPECT_EQ(ParseToText("log min speed = v.x"), "log min speed v.x");
+  EXPECT_EQ(ParseToText("log mean = v.x"), "log last mean v.x");
+}
+
+TEST(Statements, Require) {
+  EXPECT_EQ(ParseToText("require a < 3"), "require (< a 3) ''");
+  EXPECT_EQ(ParseToText("require (a) and -b < 3 \"stays small\""),
+            "require (and a (< (- b) 3)) 'stays small'");
+  EXPECT_EQ(ParseToText("require -b < 3"), "require (< (- b) 3) ''");
+}
+
 TEST(Statements, EscapesInTexts) {
   EXPECT_EQ(ParseToText(R"(truncate_episode "say \"no\" \\ // {")"),
             R"(truncate 'say "no" \ // {')");
@@ -73,6 +113,11 @@ TEST(Statements, ARewardKeepsItsDocumentation) {
   ASSERT_EQ(block.size(), 2u);
   EXPECT_EQ(std::get<RewardStatement>(block[0].node).doc, "Paid once.");
   EXPECT_EQ(std::get<RewardStatement>(block[1].node).doc, "");
+}
+
+TEST(Statements, ALogKeepsItsDocumentation) {
+  const Block block = ParseBlock("/// How fast.\nlog speed = v");
+  EXPECT_EQ(std::get<LogStatement>(block.at(0).node).doc, "How fast.");
 }
 
 }  // namespace

@@ -79,11 +79,23 @@ std::string ToText(const Expression& expression) {
   return std::visit(visitor, expression.node);
 }
 
+std::string ToText(const Target& target) {
+  std::string text = target.name.text;
+  if (target.member) text += fmt::format(" .{}", target.member->text);
+  return target.items.empty() ? text : fmt::format("(at {}{})", text, List(target.items));
+}
+
+std::string ToText(const EndStatement& end) {
+  const std::string_view kind = NameOf(end.kind, kOutcomeNames);
+  return end.kind == EndKind::kTruncated ? fmt::format("truncate '{}'", end.reason)
+                                         : fmt::format("end {} '{}'", kind, end.reason);
+}
+
 std::string ToText(const Statement& statement) {
   const Overload visitor = {
       [](const LetStatement& s) { return fmt::format("let {} {}", s.name.text, ToText(s.value)); },
       [](const AssignStatement& s) {
-        return fmt::format("{} {} {}", s.target.name.text,
+        return fmt::format("{} {} {}", ToText(s.target),
                            kAssignOperators.at(static_cast<size_t>(s.op)), ToText(s.value));
       },
       [](const IfStatement& s) {
@@ -98,12 +110,21 @@ std::string ToText(const Statement& statement) {
         return fmt::format("{} {} {}", s.is_rate ? "reward rate" : "reward", s.name.text,
                            ToText(s.value));
       },
-      [](const EndStatement& s) {
-        const std::string_view kind = NameOf(s.kind, kOutcomeNames);
-        return s.kind == EndKind::kTruncated ? fmt::format("truncate '{}'", s.reason)
-                                             : fmt::format("end {} '{}'", kind, s.reason);
+      [](const EndStatement& s) { return ToText(s); },
+      [](const ForStatement& s) {
+        return fmt::format("for {} in{} {}", s.variable.text, List(s.items), BracesText(s.body));
       },
-      [](const auto&) { return std::string("?"); },
+      [](const OnceStatement& s) {
+        return fmt::format("once {} if {} {}", NameOf(s.scope, kScopeNames), ToText(s.condition),
+                           BracesText(s.body));
+      },
+      [](const LogStatement& s) {
+        return fmt::format("log {} {} {}", NameOf(s.reduction, kReductionNames), s.name.text,
+                           ToText(s.value));
+      },
+      [](const RequireStatement& s) {
+        return fmt::format("require {} '{}'", ToText(s.condition), s.reason);
+      },
   };
   return std::visit(visitor, statement.node);
 }
@@ -115,6 +136,24 @@ std::string ToText(const Block& block) {
     text += ToText(statement);
   }
   return text;
+}
+
+std::string ToText(const TestStatement& statement) {
+  const Overload visitor = {
+      [](const GivenStatement& s) {
+        return fmt::format("given {} = {}", ToText(s.target), ToText(s.value));
+      },
+      [](const FireStatement& s) {
+        std::string text = "fire";
+        for (const FiredEvent& fired : s.events) {
+          text += fmt::format(" {}*{}", fired.times, NameOf(fired.event, kEventNames));
+        }
+        return text;
+      },
+      [](const ExpectStatement& s) { return fmt::format("expect {}", ToText(s.condition)); },
+      [](const ExpectEndStatement& s) { return fmt::format("expect {}", ToText(s.end)); },
+  };
+  return std::visit(visitor, statement.node);
 }
 
 SyntaxTree ParseTask(const std::string& text) {

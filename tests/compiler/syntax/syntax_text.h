@@ -14,6 +14,8 @@ std::string ToText(const TypeExpression& type);
 // One statement: "let x 3", "reward rate fall (- 4)", "if a {...} else {...}".
 std::string ToText(const Statement& statement);
 std::string ToText(const Block& block);
+// "given (at contact head) = true", "fire 100*end_of_time_step", "expect end failure 'fell'"
+std::string ToText(const TestStatement& statement);
 
 // Parse what must be well-formed; else the test fails and the messages are shown.
 SyntaxTree ParseTask(const std::string& text);

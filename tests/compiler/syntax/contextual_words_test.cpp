@@ -1,0 +1,58 @@
+// Words that are keywords only where a statement or declaration begins.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/compiler/syntax/syntax_text.h"
+
+namespace compiler {
+namespace {
+
+const char* const kWords[] = {"fn",   "import", "extends", "override", "allow",   "test",  "given",
+                              "fire", "expect", "once",    "log",      "require", "return"};
+
+class ContextualWord : public testing::TestWithParam<const char*> {};
+
+TEST_P(ContextualWord, IsANameElsewhere) {
+  const std::string word = GetParam();
+  EXPECT_EQ(ToText(ParseBlock(word + " = 1")), word + " = 1");
+  EXPECT_EQ(ToText(ParseBlock(word + " += " + word)), word + " += " + word);
+  EXPECT_EQ(ToText(ParseBlock(word + "[2] = a " + word + ".x = " + word)),
+            "(at " + word + " 2) = a; " + word + " .x = " + word);
+  EXPECT_EQ(ToText(ParseBlock("let " + word + " = (" + word + "\n * a)")),
+            "let " + word + " (* " + word + " a)");
+  EXPECT_EQ(ToText(ParseBlock("reward rate " + word + " = 1 reward " + word + " = 2")),
+            "reward rate " + word + " 1; reward " + word + " 2");
+  EXPECT_EQ(ToText(ParseBlock("log max " + word + " = 1 log " + word + " = 2")),
+            "log max " + word + " 1; log last " + word + " 2");
+  EXPECT_EQ(ToText(ParseBlock("if " + word + " { for " + word + " in " + word + " { } }")),
+            "if " + word + " {for " + word + " in " + word + " {}}");
+}
+
+TEST_P(ContextualWord, IsANameInDeclarations) {
+  const std::string word = GetParam();
+  const SyntaxTree tree =
+      ParseTask("task " + word + " for " + word + "\nstart " + word + "\nsensor " + word + "." +
+                word + ": real\nparam " + word + ": real = 1\nmemory " + word + ": real = " + word +
+                "\nmetric max " + word + " = " + word + "\nfn " + word + "(" + word +
+                ": real) -> real = " + word + "\ntest \"a\" { given " + word + " = 1 expect " +
+                word + " == 1 }\n");
+  EXPECT_EQ(tree.task->text, word);
+  EXPECT_EQ(tree.declarations.size(), 7u);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ContextualWord, testing::ValuesIn(kWords),
+                         [](const auto& word) { return std::string(word.param); });
+
+TEST(ContextualWords, BeginStatementsBehindOthers) {
+  EXPECT_EQ(ToText(ParseBlock("n = a log b = n require n < 3 once per run if a { log c = 1 }")),
+            "n = a; log last b n; require (< n 3) ''; once run if a {log last c 1}");
+}
+
+TEST(ContextualWords, LogIsAlsoAFunction) {
+  EXPECT_EQ(ParseExpression("log(x) + log(y)"), "(+ (log x) (log y))");
+  EXPECT_EQ(ToText(ParseBlock("log log = log(x)")), "log last log (log x)");
+}
+
+}  // namespace
+}  // namespace compiler
