@@ -46,9 +46,10 @@ const std::map<std::string, Folders> kMayInclude = {
      {"plugins/robot", "plugins/seal", "runtime/learning", "runtime/module", "runtime/simulation",
       "runtime/task"}},
     {"runtime/report", {"runtime/module", "runtime/run"}},
+    {"runtime/workers", {"runtime/module", "runtime/run"}},
     {"runtime/trainer",
      {"plugins/robot", "plugins/text", "runtime/agent", "runtime/module", "runtime/report",
-      "runtime/run", "runtime/simulation", "runtime/task"}},
+      "runtime/run", "runtime/simulation", "runtime/task", "runtime/workers"}},
 };
 
 bool IsSource(const std::filesystem::path& file) {

@@ -34,6 +34,7 @@ int RunTrainer(int argc, char** argv) {
   AddResumeCommand(app, status);
   AddShowCommand(app, status);
   AddReportCommand(app, status);
+  AddAgentCommand(app, status);
   app.set_version_flag("--version", "trainer " TASKC_VERSION, "print the version and leave");
   for (CLI::App* command : app.get_subcommands({})) {
     command->set_version_flag("--version", "trainer " TASKC_VERSION, "print the version and leave");

@@ -8,6 +8,7 @@
 #include "runtime/run/run_files.h"
 #include "runtime/trainer/call_error.h"
 #include "runtime/trainer/commands.h"
+#include "runtime/trainer/many_runs.h"
 #include "runtime/trainer/run_session.h"
 
 namespace runtime {
@@ -16,6 +17,7 @@ namespace {
 struct ResumeOptions {
   std::filesystem::path folder;
   std::optional<int64_t> episodes;
+  int jobs = 0;
   OutputOptions output;
 };
 
@@ -35,7 +37,7 @@ bool PlanEpisodes(const ResumeOptions& options, RunDatabase& database, RunRecord
   return done < run.episodes_planned;
 }
 
-int Resume(const ResumeOptions& options) {
+int ResumeOne(const ResumeOptions& options) {
   RunDatabase database = RunDatabase::Open(options.folder);
   RunRecord run = database.ReadRun();
   const RunState run_state = database.ReadState();
@@ -65,17 +67,36 @@ int Resume(const ResumeOptions& options) {
   return RunSession(options.folder, network, run, database, style);
 }
 
+// In a folder of runs the new number of episodes is set first, for all of them.
+int ResumeMany(const ResumeOptions& options, const std::vector<std::filesystem::path>& runs) {
+  if (options.episodes) {
+    for (const std::filesystem::path& folder : runs) {
+      RunDatabase database = RunDatabase::Open(folder);
+      RunRecord run = database.ReadRun();
+      PlanEpisodes(options, database, run);
+    }
+  }
+  return TrainRuns(options.folder, options.jobs, options.output);
+}
+
+int Resume(const ResumeOptions& options) {
+  const std::vector<std::filesystem::path> runs = FindRuns(options.folder);
+  const bool is_one = runs.empty() || RunDatabase::Exists(options.folder);
+  return is_one ? ResumeOne(options) : ResumeMany(options, runs);
+}
+
 }  // namespace
 
 void AddResumeCommand(CLI::App& app, int& status) {
   const auto options = std::make_shared<ResumeOptions>();
   CLI::App* command =
-      app.add_subcommand("resume", "Goes on with a run from its last checkpoint, bit for bit.");
-  command->add_option("DIR", options->folder, "folder of the run")->required();
+      app.add_subcommand("resume", "Goes on with a run, or all runs of a folder, bit for bit.");
+  command->add_option("DIR", options->folder, "folder of the run, or of many")->required();
   command
       ->add_option("--episodes", options->episodes,
                    "how many episodes the run is to have in all; otherwise as planned")
       ->check(CLI::Range(int64_t{1}, int64_t{1'000'000'000}));
+  AddJobsOption(*command, options->jobs);
   options->output.AddTo(*command);
   command->callback([options, &status] { status = Resume(*options); });
 }

@@ -1,160 +1,111 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-
-#include "plugins/robot/robot_description.h"
-#include "runtime/module/suggestion.h"
 #include "runtime/run/body_json.h"
-#include "runtime/run/module_types.h"
 #include "runtime/run/run_database.h"
 #include "runtime/run/run_files.h"
 #include "runtime/run/task_record.h"
-#include "runtime/simulation/profile.h"
-#include "runtime/task/plugin.h"
-#include "runtime/trainer/agent_layers.h"
-#include "runtime/trainer/build_task.h"
-#include "runtime/trainer/call_error.h"
 #include "runtime/trainer/commands.h"
+#include "runtime/trainer/many_runs.h"
 #include "runtime/trainer/run_session.h"
-#include "runtime/trainer/scratch_folder.h"
+#include "runtime/trainer/task_setup.h"
 
 namespace runtime {
 namespace {
 
 struct TrainOptions {
-  std::filesystem::path task;
+  TaskOptions task;
   int64_t episodes = 1000;
   uint64_t seed = 0;
-  std::string profile;
+  int64_t runs = 1;
+  int jobs = 0;  // 0: one for each core
   std::filesystem::path out;
-  std::filesystem::path agent;
-  std::string robot;
   int64_t record_every = 50;
   double checkpoint_seconds = 60;
-  std::vector<std::string> settings;
   OutputOptions output;
 };
 
-void CheckTaskFile(const std::filesystem::path& task) {
-  if (task.extension() != ".task" && task.extension() != ".so") {
-    throw CallError(fmt::format(
-        "{}: a task is a .task file, or a .so file that taskc has built from one", task.string()));
-  }
-  if (std::filesystem::exists(task)) return;
-  std::vector<std::string> neighbours;
-  const std::filesystem::path folder = task.has_parent_path() ? task.parent_path() : ".";
-  std::error_code error;
-  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
-    if (entry.path().extension() == task.extension()) {
-      neighbours.push_back(entry.path().filename().string());
-    }
-  }
-  std::sort(neighbours.begin(), neighbours.end());
-  throw CallError(
-      fmt::format("{}: there is no such file{}", task.string(),
-                  neighbours.empty() ? "" : Suggestion(task.filename().string(), neighbours)));
-}
-
-// Runs without an end would never reach their second episode.
-void CheckHasEnd(const taskc_plugin& plugin) {
-  if (plugin.end_count > 0) return;
-  throw UserError(
-      fmt::format("{}: no episode of task `{}` ever ends; add a limit, for example "
-                  "`if time > 20 s {{ truncate_episode \"time is up\" }}` in `on end_of_time_step`",
-                  plugin.sources[0].file, plugin.name));
-}
-
-std::string RobotName(const TrainOptions& options, const taskc_plugin& plugin) {
-  const std::string name = options.robot.empty() ? plugin.robot : options.robot;
-  if (name.empty()) {
-    throw CallError(fmt::format(
-        "task `{}` is for no robot in particular; name one, for example `--robot humanoid`",
-        plugin.name));
-  }
-  return name;
-}
-
-AgentLayers LayersOf(const TrainOptions& options, const taskc_plugin& plugin,
-                     const std::filesystem::path& robot_file) {
-  AgentLayers layers{robot_file, plugin.start_pose, options.task, options.agent, options.settings};
-  if (!options.profile.empty()) {
-    layers.settings.insert(layers.settings.begin(), "environment.profile=" + options.profile);
-  }
-  return layers;
-}
-
-int TrainPlugin(const TrainOptions& options, const std::filesystem::path& plugin_file) {
+RunRecord RecordOf(const TrainOptions& options, const TaskSetup& setup, uint64_t seed) {
   RunRecord run;
-  const Plugin plugin(plugin_file);
-  CheckHasEnd(plugin.table());
-  DescribeTask(plugin.table(), run);
-  const std::filesystem::path robot_file =
-      robot::FindRobotFile(RobotName(options, plugin.table()), robot::DefaultRobotFolders());
-  const robot::RobotDescription robot = robot::ReadRobot(robot_file);
-
-  ModuleTypes types;
-  RegisterModuleTypes(types);
-  const Agent agent = LayersOf(options, plugin.table(), robot_file).Merge();
-  Network network = BuildNetwork(agent, types, Context{&robot, plugin_file, options.seed});
-
-  run.robot = robot.name;
-  run.robot_description = ReadText(robot_file);
-  run.body = BodyJson(robot);
-  run.agent = ToToml(Resolved(agent, network));
-  run.profile = std::get<std::string>(network.Find("environment").Get("profile"));
+  DescribeTask(setup.plugin.table(), run);
+  run.robot = setup.robot.name;
+  run.robot_description = ReadText(setup.robot_file);
+  run.body = BodyJson(setup.robot);
+  run.agent = ToToml(setup.agent);
+  run.profile = std::get<std::string>(setup.network.Find("environment").Get("profile"));
   run.version = TASKC_VERSION;
-  run.seed = options.seed;
+  run.seed = seed;
   run.episodes_planned = options.episodes;
   run.record_every = options.record_every;
   run.checkpoint_seconds = options.checkpoint_seconds;
+  return run;
+}
+
+int TrainOne(const TrainOptions& options, const std::filesystem::path& plugin) {
+  TaskSetup setup(options.task, plugin, options.seed);
+  RunRecord run = RecordOf(options, setup, options.seed);
   std::filesystem::path folder = options.out;
   if (folder.empty()) {
     folder = std::filesystem::path("runs") /
              fmt::format("{}-{}-seed{}", run.task, run.profile, run.seed);
   }
   RunDatabase::CheckIsFree(folder);
-  network.Start();  // the last that can be wrong: only now the folder is made
-
-  run.plugin = KeepPlugin(plugin_file, folder);
+  setup.network.Start();  // the last that can be wrong: only now the folder is made
+  run.plugin = KeepPlugin(plugin, folder);
   RunDatabase database = RunDatabase::Create(folder, run);
-  return RunSession(folder, network, run, database, options.output.style());
+  return RunSession(folder, setup.network, run, database, options.output.style());
+}
+
+// Makes all runs before the first one starts, so that they go on with the same task and agent
+// whatever becomes of the files; each is then trained as if it were resumed.
+int TrainMany(const TrainOptions& options, const std::filesystem::path& plugin) {
+  TaskSetup setup(options.task, plugin, options.seed);
+  RunRecord run = RecordOf(options, setup, options.seed);
+  std::filesystem::path folder = options.out;
+  if (folder.empty()) {
+    folder = std::filesystem::path("runs") / fmt::format("{}-{}", run.task, run.profile);
+  }
+  setup.network.Start();
+  std::vector<std::filesystem::path> folders;
+  for (int64_t i = 0; i < options.runs; ++i) {
+    folders.push_back(folder / fmt::format("seed{}", options.seed + static_cast<uint64_t>(i)));
+    RunDatabase::CheckIsFree(folders.back());
+  }
+  for (const std::filesystem::path& each : folders) {
+    run.plugin = KeepPlugin(plugin, each);
+    RunDatabase::Create(each, run).SetState(RunState::kInterrupted);
+    ++run.seed;
+  }
+  return TrainRuns(folder, options.jobs, options.output);
 }
 
 int Train(const TrainOptions& options) {
-  CheckTaskFile(options.task);
-  if (options.task.extension() == ".so") return TrainPlugin(options, options.task);
-  const ScratchFolder scratch;
-  const std::filesystem::path plugin = scratch.path() / "task.so";
-  if (!BuildTask(options.task, plugin)) return kFailed;  // the compiler has said why
-  return TrainPlugin(options, plugin);
+  const BuiltTask task(options.task.task);
+  if (!task.plugin()) return kFailed;
+  return options.runs == 1 ? TrainOne(options, *task.plugin()) : TrainMany(options, *task.plugin());
 }
 
 }  // namespace
 
 void AddTrainCommand(CLI::App& app, int& status) {
-  std::vector<std::string> profiles;
-  for (const Profile& profile : kProfiles) profiles.emplace_back(profile.name);
   const auto options = std::make_shared<TrainOptions>();
-  CLI::App* command = app.add_subcommand("train", "Starts a run: trains a robot in a task.");
-  command->add_option("TASK", options->task, "a .task file, or a .so that taskc built from one")
-      ->required();
+  CLI::App* command =
+      app.add_subcommand("train", "Starts a run, or many: trains a robot in a task.");
+  options->task.AddTo(*command);
   command->add_option("--episodes", options->episodes, "how many episodes to train")
       ->check(CLI::Range(int64_t{1}, int64_t{1'000'000'000}))
       ->capture_default_str();
-  command->add_option("--seed", options->seed, "seed of all chance; equal seeds give equal runs")
+  command
+      ->add_option("--seed", options->seed,
+                   "seed of all chance, of many runs the first one's; equal seeds give equal runs")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
-  command
-      ->add_option("--profile", options->profile,
-                   "how to simulate: `paper` faithfully, `fast` with longer steps")
-      ->check(CLI::IsMember(profiles));
+  command->add_option("--runs", options->runs, "how many runs to train, each with a seed of its own")
+      ->check(CLI::Range(int64_t{1}, int64_t{10'000}))
+      ->capture_default_str();
+  AddJobsOption(*command, options->jobs);
   command->add_option("--out", options->out,
-                      "folder of the run; otherwise runs/TASK-PROFILE-seedSEED");
-  command
-      ->add_option("--agent", options->agent, "agent file that changes the robot's default agent")
-      ->check(CLI::ExistingFile);
-  command->add_option("--robot", options->robot,
-                      "robot, for a task that is for none in particular");
+                      "folder of the run; otherwise runs/TASK-PROFILE-seedSEED. Of many runs the "
+                      "folder of their folders; otherwise runs/TASK-PROFILE");
   command
       ->add_option("--record-every", options->record_every,
                    "record every N-th episode besides the best ones; 0: only these")
@@ -165,10 +116,6 @@ void AddTrainCommand(CLI::App& app, int& status) {
                    "seconds between two checkpoints, at least")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
-  command
-      ->add_option("--set", options->settings,
-                   "change a parameter, MODULE.PARAMETER=VALUE; may be repeated")
-      ->allow_extra_args(false);
   options->output.AddTo(*command);
   command->callback([options, &status] { status = Train(*options); });
 }

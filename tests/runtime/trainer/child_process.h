@@ -29,6 +29,7 @@ class ChildProcess {
   bool WaitForLines(int lines);
   bool WaitForError(const std::string& text);
   void Send(int signal);
+  pid_t process() const { return process_; }
   ProgramResult Wait();
 
  private:

@@ -1,0 +1,69 @@
+#include "runtime/trainer/many_runs.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <thread>
+
+#include "runtime/run/run_database.h"
+#include "runtime/run/stop_request.h"
+#include "runtime/trainer/commands.h"
+#include "runtime/workers/run_table.h"
+#include "runtime/workers/supervisor.h"
+
+namespace runtime {
+namespace {
+
+RunTablePrinter::Style StyleOf(const OutputOptions& output) {
+  if (output.json) return RunTablePrinter::Style::kJson;
+  return output.quiet ? RunTablePrinter::Style::kQuiet : RunTablePrinter::Style::kText;
+}
+
+// Shorter names first among those of equal beginnings: seed2 before seed10.
+bool ComesBefore(const std::filesystem::path& a, const std::filesystem::path& b) {
+  const std::string first = a.filename().string();
+  const std::string second = b.filename().string();
+  const auto stem = [](const std::string& name) {
+    return name.substr(0, name.find_last_not_of("0123456789") + 1);
+  };
+  if (stem(first) != stem(second)) return stem(first) < stem(second);
+  return std::pair(first.size(), first) < std::pair(second.size(), second);
+}
+
+}  // namespace
+
+std::vector<std::filesystem::path> FindRuns(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> runs;
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+    if (entry.is_directory(error) && RunDatabase::Exists(entry.path())) {
+      runs.push_back(entry.path());
+    }
+  }
+  std::ranges::sort(runs, ComesBefore);
+  return runs;
+}
+
+void AddJobsOption(CLI::App& command, int& jobs) {
+  command
+      .add_option("--jobs", jobs, "how many runs to train at a time; otherwise one on each core")
+      ->check(CLI::Range(1, 1024));
+}
+
+int TrainRuns(const std::filesystem::path& folder, int jobs, const OutputOptions& output) {
+  if (jobs == 0) jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  RunTablePrinter printer(StyleOf(output), jobs, stdout, stderr);
+  Supervisor supervisor(FindRuns(folder), jobs, printer);
+  printer.Follow(supervisor.runs());
+  const StopRequest stop;
+  const bool are_all_finished = supervisor.Run(stop);
+  printer.Finish();
+  if (are_all_finished) return kSuccess;
+  if (stop.signal() == 0) return kFailed;
+  if (output.style() == ProgressStyle::kText) {
+    fmt::print("stopped; `trainer resume {}` goes on\n", folder.string());
+  }
+  return kStoppedBySignal + stop.signal();
+}
+
+}  // namespace runtime

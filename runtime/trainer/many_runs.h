@@ -1,0 +1,22 @@
+// Folders of many runs.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <vector>
+
+#include "runtime/trainer/run_session.h"
+
+namespace runtime {
+
+// The runs in the folders of `folder`, in the order of their names with numbers taken as numbers.
+std::vector<std::filesystem::path> FindRuns(const std::filesystem::path& folder);
+
+// --jobs; 0 stands for as many as there are cores.
+void AddJobsOption(CLI::App& command, int& jobs);
+
+// Trains all runs in `folder` to their end, from their last checkpoints, `jobs` at a time; returns
+// the exit status.
+int TrainRuns(const std::filesystem::path& folder, int jobs, const OutputOptions& output);
+
+}  // namespace runtime

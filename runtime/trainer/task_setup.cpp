@@ -1,0 +1,118 @@
+#include "runtime/trainer/task_setup.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "runtime/module/context.h"
+#include "runtime/module/suggestion.h"
+#include "runtime/run/module_types.h"
+#include "runtime/simulation/profile.h"
+#include "runtime/trainer/agent_layers.h"
+#include "runtime/trainer/build_task.h"
+#include "runtime/trainer/call_error.h"
+
+namespace runtime {
+namespace {
+
+void CheckTaskFile(const std::filesystem::path& task) {
+  if (task.extension() != ".task" && task.extension() != ".so") {
+    throw CallError(fmt::format(
+        "{}: a task is a .task file, or a .so file that taskc has built from one", task.string()));
+  }
+  if (std::filesystem::exists(task)) return;
+  std::vector<std::string> neighbours;
+  const std::filesystem::path folder = task.has_parent_path() ? task.parent_path() : ".";
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+    if (entry.path().extension() == task.extension()) {
+      neighbours.push_back(entry.path().filename().string());
+    }
+  }
+  std::sort(neighbours.begin(), neighbours.end());
+  throw CallError(
+      fmt::format("{}: there is no such file{}", task.string(),
+                  neighbours.empty() ? "" : Suggestion(task.filename().string(), neighbours)));
+}
+
+// Runs without an end would never reach their second episode.
+void CheckHasEnd(const taskc_plugin& plugin) {
+  if (plugin.end_count > 0) return;
+  throw UserError(
+      fmt::format("{}: no episode of task `{}` ever ends; add a limit, for example "
+                  "`if time > 20 s {{ truncate_episode \"time is up\" }}` in `on end_of_time_step`",
+                  plugin.sources[0].file, plugin.name));
+}
+
+std::string RobotName(const TaskOptions& options, const taskc_plugin& plugin) {
+  const std::string name = options.robot.empty() ? plugin.robot : options.robot;
+  if (name.empty()) {
+    throw CallError(fmt::format(
+        "task `{}` is for no robot in particular; name one, for example `--robot humanoid`",
+        plugin.name));
+  }
+  return name;
+}
+
+AgentLayers LayersOf(const TaskOptions& options, const taskc_plugin& plugin,
+                     const std::filesystem::path& robot_file) {
+  AgentLayers layers{robot_file, plugin.start_pose, options.task, options.agent, options.settings};
+  if (!options.profile.empty()) {
+    layers.settings.insert(layers.settings.begin(), "environment.profile=" + options.profile);
+  }
+  return layers;
+}
+
+const Plugin& Checked(const Plugin& plugin) {
+  CheckHasEnd(plugin.table());
+  return plugin;
+}
+
+Network Build(const Agent& agent, const Context& context) {
+  ModuleTypes types;
+  RegisterModuleTypes(types);
+  return BuildNetwork(agent, types, context);
+}
+
+}  // namespace
+
+void TaskOptions::AddTo(CLI::App& command) {
+  std::vector<std::string> profiles;
+  for (const Profile& each : kProfiles) profiles.emplace_back(each.name);
+  command.add_option("TASK", task, "a .task file, or a .so that taskc built from one")->required();
+  command
+      .add_option("--profile", profile,
+                  "how to simulate: `paper` faithfully, `fast` with longer steps")
+      ->check(CLI::IsMember(profiles));
+  command.add_option("--agent", agent, "agent file that changes the robot's default agent")
+      ->check(CLI::ExistingFile);
+  command.add_option("--robot", robot, "robot, for a task that is for none in particular");
+  command
+      .add_option("--set", settings,
+                  "change a parameter, MODULE.PARAMETER=VALUE; may be repeated")
+      ->allow_extra_args(false);
+}
+
+BuiltTask::BuiltTask(const std::filesystem::path& task) {
+  CheckTaskFile(task);
+  if (task.extension() == ".so") {
+    plugin_ = task;
+    return;
+  }
+  scratch_.emplace();
+  const std::filesystem::path built = scratch_->path() / "task.so";
+  if (BuildTask(task, built)) plugin_ = built;
+}
+
+TaskSetup::TaskSetup(const TaskOptions& options, const std::filesystem::path& file, uint64_t seed)
+    : plugin_file(file),
+      plugin(file),
+      robot_file(robot::FindRobotFile(RobotName(options, Checked(plugin).table()),
+                                      robot::DefaultRobotFolders())),
+      robot(robot::ReadRobot(robot_file)),
+      agent(LayersOf(options, plugin.table(), robot_file).Merge()),
+      network(Build(agent, Context{&robot, plugin_file, seed})) {
+  agent = Resolved(agent, network);
+}
+
+}  // namespace runtime

@@ -1,0 +1,57 @@
+// From a task's file and what the user says about it to a network that is ready to start.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "plugins/robot/robot_description.h"
+#include "runtime/agent/agent.h"
+#include "runtime/module/network.h"
+#include "runtime/task/plugin.h"
+#include "runtime/trainer/scratch_folder.h"
+
+namespace runtime {
+
+struct TaskOptions {
+  std::filesystem::path task;  // .task or .so
+  std::string profile;
+  std::filesystem::path agent;
+  std::string robot;
+  std::vector<std::string> settings;
+
+  void AddTo(CLI::App& command);
+};
+
+// The plugin of a task, built for as long as this object lives if it is not a plugin already.
+class BuiltTask {
+ public:
+  // Throws CallError where there is no such task, UserError where it cannot be built.
+  explicit BuiltTask(const std::filesystem::path& task);
+
+  // Nothing where the task has errors: the compiler has said which.
+  const std::optional<std::filesystem::path>& plugin() const { return plugin_; }
+
+ private:
+  std::optional<ScratchFolder> scratch_;
+  std::optional<std::filesystem::path> plugin_;
+};
+
+struct TaskSetup {
+  // Throws UserError or CallError for whatever does not exist or does not fit.
+  TaskSetup(const TaskOptions& options, const std::filesystem::path& plugin_file, uint64_t seed);
+  TaskSetup(const TaskSetup&) = delete;
+  TaskSetup& operator=(const TaskSetup&) = delete;
+
+  std::filesystem::path plugin_file;
+  Plugin plugin;
+  std::filesystem::path robot_file;
+  robot::RobotDescription robot;
+  Agent agent;  // resolved
+  Network network;
+};
+
+}  // namespace runtime

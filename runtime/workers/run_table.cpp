@@ -1,0 +1,157 @@
+#include "runtime/workers/run_table.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "runtime/run/progress.h"
+
+namespace runtime {
+namespace {
+
+std::string_view NameOf(RunProgressState state) {
+  switch (state) {
+    case RunProgressState::kWaiting:
+      return "waiting";
+    case RunProgressState::kRunning:
+      return "running";
+    case RunProgressState::kFinished:
+      return "finished";
+    case RunProgressState::kStopped:
+      return "stopped";
+    case RunProgressState::kFailed:
+      break;
+  }
+  return "failed";
+}
+
+std::string ReturnText(const RunProgress& run, double value) {
+  return run.episodes == 0 || !std::isfinite(value) ? "-" : fmt::format("{:.2f}", value);
+}
+
+int64_t EpisodesLeft(const RunProgress& run) {
+  const bool is_over =
+      run.state == RunProgressState::kFinished || run.state == RunProgressState::kFailed;
+  return is_over ? 0 : std::max<int64_t>(run.episodes_planned - run.episodes, 0);
+}
+
+// Seconds of one episode, from those of all runs that this program has seen; 0: none yet.
+double SecondsPerEpisode(const std::vector<RunProgress>& runs) {
+  double seconds = 0;
+  int64_t episodes = 0;
+  for (const RunProgress& run : runs) {
+    seconds += run.wall_seconds;
+    episodes += run.episodes_here;
+  }
+  return episodes == 0 ? 0 : seconds / static_cast<double>(episodes);
+}
+
+std::string TimeLeft(const RunProgress& run) {
+  if (run.state != RunProgressState::kRunning || run.episodes_here == 0) return "";
+  return DurationText(run.wall_seconds / static_cast<double>(run.episodes_here) *
+                      static_cast<double>(EpisodesLeft(run)));
+}
+
+std::string Summary(const std::vector<RunProgress>& runs, int jobs) {
+  std::string text;
+  for (const auto state : {RunProgressState::kRunning, RunProgressState::kFinished,
+                           RunProgressState::kWaiting, RunProgressState::kStopped,
+                           RunProgressState::kFailed}) {
+    const auto count = std::ranges::count(runs, state, &RunProgress::state);
+    if (count > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, NameOf(state));
+  }
+  int64_t done = 0;
+  int64_t planned = 0;
+  int64_t left = 0;
+  for (const RunProgress& run : runs) {
+    done += run.episodes;
+    planned += run.episodes_planned;
+    left += EpisodesLeft(run);
+  }
+  text += fmt::format("   {}/{} episodes", done, planned);
+  const double seconds = SecondsPerEpisode(runs);
+  if (seconds > 0 && left > 0) {
+    text += fmt::format("   {} left", DurationText(seconds * static_cast<double>(left) / jobs));
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string RunTable(const std::vector<RunProgress>& runs, int jobs) {
+  size_t width = 8;
+  for (const RunProgress& run : runs) width = std::max(width, run.name.size());
+  std::string text = fmt::format("{:<{}}  {:<8}  {:>11}  {:>9}  {:>9}  {:>8}\n", "run", width,
+                                 "state", "episodes", "last", "best", "left");
+  for (const RunProgress& run : runs) {
+    std::string line = fmt::format(
+        "{:<{}}  {:<8}  {:>11}  {:>9}  {:>9}  {:>8}", run.name, width, NameOf(run.state),
+        fmt::format("{}/{}", run.episodes, run.episodes_planned), ReturnText(run, run.last_return),
+        ReturnText(run, run.best_return), TimeLeft(run));
+    line.erase(line.find_last_not_of(' ') + 1);
+    text += line + "\n";
+  }
+  return text + Summary(runs, jobs) + "\n";
+}
+
+RunTablePrinter::RunTablePrinter(Style style, int jobs, std::FILE* output, std::FILE* warnings)
+    : style_(style),
+      jobs_(jobs),
+      output_(output),
+      warnings_(warnings),
+      is_live_(style == Style::kText && isatty(fileno(output)) != 0) {}
+
+void RunTablePrinter::Follow(const std::vector<RunProgress>& runs) {
+  runs_ = &runs;
+  Refresh(true);
+}
+
+void RunTablePrinter::Finish() {
+  if (style_ != Style::kText) return;
+  Erase();
+  fmt::print(output_, "{}", RunTable(*runs_, jobs_));
+  std::fflush(output_);
+}
+
+void RunTablePrinter::OnEpisode(const RunProgress& run, std::string_view json) {
+  if (style_ == Style::kJson) {
+    // The worker's object with one more member in front.
+    fmt::print(output_, "{{\"run\":\"{}\",{}\n", run.name, json.substr(1));
+    std::fflush(output_);
+    return;
+  }
+  Refresh(false);
+}
+
+void RunTablePrinter::OnMessage(const RunProgress& run, std::string_view text) {
+  Erase();
+  fmt::print(warnings_, "{}: {}\n", run.name, text);
+  std::fflush(warnings_);
+  Refresh(true);
+}
+
+void RunTablePrinter::Refresh(bool at_once) {
+  if (style_ != Style::kText) return;
+  const auto now = std::chrono::steady_clock::now();
+  const auto between = is_live_ ? std::chrono::milliseconds(200) : std::chrono::seconds(30);
+  if (now - last_ < between && !(at_once && is_live_)) return;
+  last_ = now;
+  if (!is_live_) {
+    fmt::print(output_, "{}\n", Summary(*runs_, jobs_));
+  } else {
+    Erase();
+    const std::string table = RunTable(*runs_, jobs_);
+    fmt::print(output_, "{}", table);
+    lines_shown_ = static_cast<int>(std::ranges::count(table, '\n'));
+  }
+  std::fflush(output_);
+}
+
+void RunTablePrinter::Erase() {
+  if (lines_shown_ > 0) fmt::print(output_, "\x1b[{}A\r\x1b[J", lines_shown_);
+  lines_shown_ = 0;
+}
+
+}  // namespace runtime

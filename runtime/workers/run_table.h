@@ -1,0 +1,52 @@
+// Many runs at a glance.
+#pragma once
+
+#include <chrono>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "runtime/workers/supervisor.h"
+
+namespace runtime {
+
+// One line for each run and one for all of them, without colours:
+//
+//   run      state      episodes      last      best     left
+//   seed-1   running    340/1000     12.25     27.61    10:12
+//   ...
+//   2 running, 1 finished, 12 waiting   1340/15000 episodes   3:12:40 left
+//
+// `jobs`: how many run at a time, for the time left.
+std::string RunTable(const std::vector<RunProgress>& runs, int jobs);
+
+// Shows the table on a terminal, always up to date; elsewhere one line for each run that ends and
+// one for all every half minute. With JSON, each worker's lines with the name of the run.
+class RunTablePrinter : public SupervisorListener {
+ public:
+  enum class Style { kText, kJson, kQuiet };
+  RunTablePrinter(Style style, int jobs, std::FILE* output, std::FILE* warnings);
+
+  // `runs` are those of the supervisor, and live as long as this.
+  void Follow(const std::vector<RunProgress>& runs);
+  // The table as it is at the end.
+  void Finish();
+
+  void OnEpisode(const RunProgress& run, std::string_view json) override;
+  void OnMessage(const RunProgress& run, std::string_view text) override;
+
+ private:
+  void Refresh(bool at_once);
+  void Erase();
+
+  const Style style_;
+  const int jobs_;
+  std::FILE* output_;
+  std::FILE* warnings_;
+  const bool is_live_;
+  const std::vector<RunProgress>* runs_ = nullptr;
+  int lines_shown_ = 0;
+  std::chrono::steady_clock::time_point last_ = {};
+};
+
+}  // namespace runtime

@@ -1,0 +1,155 @@
+#include "runtime/workers/supervisor.h"
+
+#include <fmt/format.h>
+#include <poll.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <cmath>
+#include <csignal>
+#include <cstring>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "runtime/module/user_error.h"
+#include "runtime/run/run_database.h"
+
+namespace runtime {
+
+struct Supervisor::Job {
+  RunProgress& run;
+  Worker worker;
+  int64_t episodes_before = 0;  // when this worker began
+
+  explicit Job(RunProgress& progress)
+      : run(progress), worker(progress.folder), episodes_before(progress.episodes) {}
+};
+
+namespace {
+
+RunProgress ProgressOf(const std::filesystem::path& folder) {
+  RunProgress run{folder, folder.filename().string()};
+  const RunDatabase database = RunDatabase::OpenToRead(folder);
+  run.episodes_planned = database.ReadRun().episodes_planned;
+  run.best_return = -std::numeric_limits<double>::infinity();
+  if (const auto checkpoint = database.ReadCheckpoint()) run.episodes = checkpoint->episode;
+  for (const EpisodeRecord& episode : database.ReadEpisodes()) {
+    run.last_return = episode.episode_return;
+    run.best_return = std::max(run.best_return, episode.episode_return);
+  }
+  if (run.episodes >= run.episodes_planned) run.state = RunProgressState::kFinished;
+  return run;
+}
+
+std::string WhyItEnded(int status) {
+  if (WIFSIGNALED(status)) {
+    return fmt::format("signal {} ({})", WTERMSIG(status), strsignal(WTERMSIG(status)));
+  }
+  return fmt::format("exit status {}", WEXITSTATUS(status));
+}
+
+}  // namespace
+
+Supervisor::Supervisor(const std::vector<std::filesystem::path>& runs, int jobs,
+                       SupervisorListener& listener)
+    : jobs_(static_cast<size_t>(std::max(jobs, 1))), listener_(listener) {
+  for (const std::filesystem::path& run : runs) runs_.push_back(ProgressOf(run));
+}
+
+Supervisor::~Supervisor() = default;
+
+bool Supervisor::Run(const StopRequest& stop) {
+  StartWorkers();
+  while (!running_.empty()) {
+    Wait();
+    if (stop.signal() != 0 && !is_stopping_) StopWorkers(stop.signal());
+    if (!is_stopping_) StartWorkers();
+  }
+  return std::ranges::all_of(
+      runs_, [](const RunProgress& run) { return run.state == RunProgressState::kFinished; });
+}
+
+void Supervisor::StartWorkers() {
+  for (RunProgress& run : runs_) {
+    if (running_.size() >= jobs_) return;
+    if (run.state != RunProgressState::kWaiting) continue;
+    run.state = RunProgressState::kRunning;
+    running_.push_back(std::make_unique<Job>(run));
+  }
+}
+
+void Supervisor::Wait() {
+  constexpr int kLookAtStop = 200;  // ms: how soon Ctrl-C is noticed where nothing is printed
+  std::vector<pollfd> waits;
+  for (const auto& job : running_) {
+    waits.push_back({job->worker.output().descriptor(), POLLIN, 0});
+    waits.push_back({job->worker.errors().descriptor(), POLLIN, 0});
+  }
+  if (poll(waits.data(), waits.size(), kLookAtStop) <= 0) return;
+  for (size_t i = 0; i < running_.size(); ++i) {
+    ReadFrom(*running_[i], waits[2 * i].revents, waits[2 * i + 1].revents);
+  }
+  std::erase_if(running_, [&](const auto& job) {
+    if (!job->worker.is_silent()) return false;
+    OnEnd(*job);
+    return true;
+  });
+}
+
+void Supervisor::ReadFrom(Job& job, short output_events, short error_events) {
+  if (output_events != 0) {
+    job.worker.output().Read([&](std::string_view line) { OnLine(job, line); });
+  }
+  if (error_events != 0) {
+    job.worker.errors().Read([&](std::string_view line) {
+      job.run.failure = line;
+      listener_.OnMessage(job.run, line);
+    });
+  }
+}
+
+void Supervisor::OnLine(Job& job, std::string_view line) {
+  const auto json = nlohmann::json::parse(line, nullptr, false);
+  if (!json.is_object() || !json.contains("episode")) return;  // cut off by a crash
+  RunProgress& run = job.run;
+  run.episodes = json["episode"].get<int64_t>();
+  run.last_return = json["return"].is_number() ? json["return"].get<double>()
+                                               : std::numeric_limits<double>::quiet_NaN();
+  run.best_return = std::fmax(run.best_return, run.last_return);
+  run.wall_seconds += json["wall_seconds"].get<double>();
+  ++run.episodes_here;
+  listener_.OnEpisode(run, line);
+}
+
+void Supervisor::OnEnd(Job& job) {
+  RunProgress& run = job.run;
+  const int status = job.worker.WaitStatus();
+  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) {
+    run.state = RunProgressState::kFinished;
+    return;
+  }
+  if (is_stopping_) {
+    run.state = RunProgressState::kStopped;
+    return;
+  }
+  // A worker that says what is wrong would say it again.
+  const bool is_told = WIFEXITED(status) && WEXITSTATUS(status) < 128;
+  const bool is_fruitless = run.episodes <= job.episodes_before;
+  run.restarts = is_fruitless ? run.restarts + 1 : 1;
+  if (is_told || run.restarts >= kMaxFruitlessStarts) {
+    run.state = RunProgressState::kFailed;
+    if (!is_told) run.failure = fmt::format("its worker ended by {}", WhyItEnded(status));
+    listener_.OnMessage(run, fmt::format("given up: {}", run.failure));
+    return;
+  }
+  run.state = RunProgressState::kWaiting;
+  listener_.OnMessage(run, fmt::format("its worker ended by {}; it goes on from its last checkpoint",
+                                       WhyItEnded(status)));
+}
+
+void Supervisor::StopWorkers(int signal) {
+  is_stopping_ = true;
+  for (const auto& job : running_) job->worker.Send(signal);
+}
+
+}  // namespace runtime

@@ -1,0 +1,43 @@
+#include <nlohmann/json.hpp>
+
+#include "tests/runtime/trainer/trainer_test.h"
+
+namespace runtime {
+namespace {
+
+using testing::ContainsRegex;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+class AgentShowTest : public TrainerTest {
+ protected:
+  ProgramResult Show(std::vector<std::string> more) const {
+    std::vector<std::string> words = {"agent", "show", TaskFile("leaning")};
+    words.insert(words.end(), more.begin(), more.end());
+    return Trainer(words);
+  }
+};
+
+TEST_F(AgentShowTest, SaysWhereEverythingComesFrom) {
+  const ProgramResult result = Show({"--set", "learner.temperature=2"});
+  ASSERT_EQ(result.exit_status, 0) << result.errors;
+  EXPECT_THAT(result.output, ContainsRegex("temperature = 2.0 +# --set learner.temperature=2\n"));
+  EXPECT_THAT(result.output, ContainsRegex("discount = 0.9 +# .*agent.toml:[0-9]+:1\n"));
+  EXPECT_THAT(result.output, ContainsRegex("net_seed = [0-9]+ +# default\n"));
+}
+
+TEST_F(AgentShowTest, DrawsTheNetwork) {
+  EXPECT_THAT(Show({"--format", "dot"}).output, StartsWith("digraph agent {"));
+  EXPECT_THAT(Show({"--format", "text"}).output, HasSubstr("  reward -> learner.reward  (real)\n"));
+  const auto json = nlohmann::json::parse(Show({"--format", "json"}).output);
+  EXPECT_EQ(json["modules"].size(), 6u);
+}
+
+TEST_F(AgentShowTest, MistakeInASettingNamesTheSetting) {
+  const ProgramResult result = Show({"--set", "learner.temperature=[1"});
+  EXPECT_EQ(result.exit_status, 2);
+  EXPECT_THAT(result.errors, HasSubstr("--set learner.temperature=[1: "));
+}
+
+}  // namespace
+}  // namespace runtime
