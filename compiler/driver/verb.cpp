@@ -23,6 +23,10 @@ const std::vector<Verb> kVerbs = {
      "taskc fmt --check *.task   # lists those that would change\n"
      "taskc fmt - <crawling.task # prints the result",
      DeclareFmt},
+    {"doc", "Write a task's page: equations, sensors, params, bounds",
+     "taskc doc crawling.task                     # as Markdown\n"
+     "taskc doc crawling.task -o crawling.html    # one file, with the equations set",
+     DeclareDoc},
     {"explain", "Explain an error or a warning",
      "taskc explain E0203   # what it means, with examples\n"
      "taskc explain         # all codes with their titles",

@@ -30,6 +30,7 @@ extern const std::vector<Verb> kVerbs;
 
 Action DeclareBuild(CLI::App& app, Session& session);
 Action DeclareCheck(CLI::App& app, Session& session);
+Action DeclareDoc(CLI::App& app, Session& session);
 Action DeclareEmit(CLI::App& app, Session& session);
 Action DeclareFmt(CLI::App& app, Session& session);
 Action DeclareExplain(CLI::App& app, Session& session);

@@ -1,0 +1,49 @@
+// The equations of a task: what is paid, when an episode ends, how memory changes.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "compiler/document/latex.h"
+#include "compiler/syntax/syntax_tree.h"
+
+namespace compiler {
+
+// left = right, or left <- right.
+struct Equation {
+  std::string left;
+  std::string right;
+};
+
+// A statement that is not a sum: it happens under a condition.
+struct ConditionalEquation {
+  Equation equation;      // of an end or a requirement: empty
+  std::string condition;  // in words and formulas; empty: always
+};
+
+struct ConditionalEnd {
+  EndKind kind;
+  std::string reason;
+  std::string condition;  // empty: always
+};
+
+struct EventEquations {
+  EventKind event;
+  std::string event_name;
+  std::string doc;
+  std::vector<Equation> terms;  // of the rewards, in the order of their first statements
+  Formula total;                // the sum of all terms
+  std::vector<Equation> locals;
+  std::vector<ConditionalEquation> memory;
+  std::vector<ConditionalEquation> logs;
+  std::vector<ConditionalEquation> requirements;  // left: the reason; right: the condition
+  std::vector<ConditionalEnd> ends;
+};
+
+EventEquations EquationsOf(const EventDeclaration& event);
+
+// Its lets are listed behind its value.
+std::vector<Equation> EquationsOf(const FunctionDeclaration& function);
+
+}  // namespace compiler

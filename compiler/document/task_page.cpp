@@ -1,0 +1,398 @@
+#include "compiler/document/task_page.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "compiler/bounds/bounds.h"
+#include "compiler/document/equations.h"
+#include "plugins/robot/sensors.h"
+
+namespace compiler {
+namespace {
+
+// Without a place to break the line.
+std::string UnitText(const Unit& unit) {
+  std::string text = ToString(unit);
+  for (size_t at; (at = text.find(' ')) != std::string::npos;) text.replace(at, 1, "\u00a0");
+  return text;
+}
+
+std::string WithUnit(const std::string& text, const Unit& unit) {
+  const std::string name = UnitText(unit);
+  return name.empty() ? text : text + "\u00a0" + name;
+}
+
+std::string ToText(double value) {
+  if (std::isinf(value)) return value < 0 ? "-∞" : "∞";
+  // -0 is no news to anybody.
+  return fmt::format("{:.6g}", value == 0 ? 0.0 : value);
+}
+
+std::string RangeText(double low, double high, const Unit& unit) {
+  if (std::isinf(low) && std::isinf(high)) return "";
+  return WithUnit(ToText(low) + " .. " + ToText(high), unit);
+}
+
+const char* NameOf(Reduction reduction) {
+  switch (reduction) {
+    case Reduction::kLast:
+      return "last";
+    case Reduction::kSum:
+      return "sum";
+    case Reduction::kMax:
+      return "max";
+    case Reduction::kMin:
+      return "min";
+    case Reduction::kMean:
+      return "mean";
+  }
+  return "";
+}
+
+const char* NameOf(MemoryScope scope) {
+  switch (scope) {
+    case MemoryScope::kPerRun:
+      return "run";
+    case MemoryScope::kPerEpisode:
+      return "episode";
+    case MemoryScope::kPerAction:
+      return "action";
+  }
+  return "";
+}
+
+const char* NameOf(EndKind kind) {
+  switch (kind) {
+    case EndKind::kSuccess:
+      return "success";
+    case EndKind::kFailure:
+      return "failure";
+    case EndKind::kTruncated:
+      return "truncated";
+  }
+  return "";
+}
+
+// "the end of a time step" for `end_of_time_step`.
+std::string InWords(std::string event) {
+  std::ranges::replace(event, '_', ' ');
+  const size_t of = event.find(" of ") + 4;
+  const bool has_vowel = event[of] == 'e' || event[of] == 'a';
+  return "the " + event.insert(of, has_vowel ? "an " : "a ");
+}
+
+// A formula as a cell; empty where there is none.
+Text MathOrNothing(const std::string& latex) { return latex.empty() ? Text{} : Math(latex); }
+
+// The declarations of one kind, in the order of the file.
+template <typename Node>
+std::vector<const Node*> All(const SyntaxTree& tree) {
+  std::vector<const Node*> nodes;
+  for (const Declaration& declaration : tree.declarations) {
+    if (const auto* node = std::get_if<Node>(&declaration.node)) nodes.push_back(node);
+  }
+  return nodes;
+}
+
+class PageWriter {
+ public:
+  explicit PageWriter(const Analysis& analysis)
+      : analysis_(analysis), task_(*analysis.task), tree_(*analysis.tree) {}
+
+  Page Write() {
+    page_.title = task_.name;
+    Introduction();
+    for (const EventDeclaration* event : All<EventDeclaration>(tree_)) Rewards(EquationsOf(*event));
+    Bounds();
+    Ends();
+    Requirements();
+    Metrics();
+    Params();
+    Memory();
+    Logs();
+    Functions();
+    Sensors();
+    Tests();
+    return std::move(page_);
+  }
+
+ private:
+  void Introduction() {
+    std::istringstream lines(task_.doc);
+    std::string paragraph;
+    const auto flush = [&] {
+      if (!paragraph.empty()) page_.blocks.push_back(Paragraph{FromDoc(paragraph)});
+      paragraph.clear();
+    };
+    for (std::string line; std::getline(lines, line);) {
+      if (line.empty()) {
+        flush();
+      } else {
+        paragraph += (paragraph.empty() ? "" : " ") + line;
+      }
+    }
+    flush();
+    Text facts;
+    if (task_.robot.empty()) {
+      facts = Plain("For any host that supplies the sensors below.");
+    } else {
+      facts = {{Piece::kPlain, "Robot: "}, {Piece::kCode, task_.robot}};
+      if (!task_.start_pose.empty()) {
+        facts.push_back({Piece::kPlain, ", which starts in the pose "});
+        facts.push_back({Piece::kCode, task_.start_pose});
+      }
+      facts.push_back({Piece::kPlain, "."});
+    }
+    page_.blocks.push_back(Paragraph{facts});
+  }
+
+  void Rewards(const EventEquations& event) {
+    const std::string when = InWords(event.event_name);
+    if (!event.terms.empty()) {
+      AddHeading("Reward at " + when);
+      if (!event.doc.empty()) page_.blocks.push_back(Paragraph{FromDoc(event.doc)});
+      page_.blocks.push_back(RewardFormulas(event));
+    }
+    if (!event.locals.empty()) {
+      if (event.terms.empty()) AddHeading("Values at " + when);
+      page_.blocks.push_back(Paragraph{Plain("where")});
+      AddFormulas(event.locals);
+    }
+    Signs(event);
+  }
+
+  static Formulas RewardFormulas(const EventEquations& event) {
+    if (event.terms.size() == 1) return {{{"r", "=", event.terms[0].right}}};
+    Formulas formulas{{{"r", "=", event.total.text}}};
+    for (const Equation& term : event.terms) formulas.lines.push_back({term.left, "=", term.right});
+    return formulas;
+  }
+
+  // Says what the signs of the formulas above mean.
+  void Signs(const EventEquations& event) {
+    const auto contains = [&](std::string_view sign) {
+      return std::ranges::any_of(event.terms, [&](const Equation& term) {
+        return term.right.find(sign) != std::string::npos;
+      });
+    };
+    if (!contains("\\Delta t")) return;
+    Text text = Math("\\Delta t");
+    text.push_back({Piece::kPlain, " is the length of the time step."});
+    page_.blocks.push_back(Paragraph{std::move(text)});
+  }
+
+  void Bounds() {
+    if (task_.terms.empty()) return;
+    const TaskBounds bounds = ComputeBounds(task_);
+    Table table{{"term", "per second", "each time", "meaning"}, {}};
+    for (size_t i = 0; i < task_.terms.size(); ++i) {
+      const TermBounds& term = bounds.terms[i];
+      table.rows.push_back({Code(task_.terms[i].name), IntervalText(term.rate),
+                            IntervalText(term.payment), FromDoc(task_.terms[i].doc)});
+    }
+    page_.blocks.push_back(
+        Paragraph{Plain("Within these bounds, whatever happens, from the ranges of the sensors "
+                        "and params:")});
+    AddTable(std::move(table));
+  }
+
+  static Text IntervalText(const std::optional<Interval>& interval) {
+    if (!interval) return {};
+    return Plain(ToText(interval->low) + " .. " + ToText(interval->high));
+  }
+
+  void Ends() {
+    Table table{{"end", "why", "when", "event"}, {}};
+    for (const EventDeclaration* event : All<EventDeclaration>(tree_)) {
+      for (const ConditionalEnd& end : EquationsOf(*event).ends) {
+        table.rows.push_back({Plain(NameOf(end.kind)), Plain(end.reason),
+                              end.condition.empty() ? Plain("always") : Math(end.condition),
+                              Code(event->name.text)});
+      }
+    }
+    if (table.rows.empty()) return;
+    AddHeading("An episode ends");
+    AddTable(std::move(table));
+  }
+
+  void Requirements() {
+    Table table{{"must hold", "reason", "where"}, {}};
+    for (const EventDeclaration* event : All<EventDeclaration>(tree_)) {
+      for (const ConditionalEquation& requirement : EquationsOf(*event).requirements) {
+        table.rows.push_back({Math(requirement.equation.right), Plain(requirement.equation.left),
+                              MathOrNothing(requirement.condition)});
+      }
+    }
+    if (table.rows.empty()) return;
+    AddHeading("Required");
+    AddTable(std::move(table));
+  }
+
+  void Metrics() {
+    Table table{{"metric", "of an episode", "value", "meaning"}, {}};
+    for (const MetricDeclaration* metric : All<MetricDeclaration>(tree_)) {
+      table.rows.push_back({Code(metric->name.text), Plain(NameOf(metric->reduction)),
+                            Math(ToFormula(metric->value).text), FromDoc(metric->doc)});
+    }
+    if (table.rows.empty()) return;
+    AddHeading("Metrics");
+    AddTable(std::move(table));
+  }
+
+  void Params() {
+    if (task_.params.empty()) return;
+    AddHeading("Params");
+    Table table{{"param", "type", "default", "range", "meaning"}, {}};
+    for (const CheckedParam& param : task_.params) {
+      const bool is_bool = param.type.scalar == Scalar::kBool;
+      std::string initial = is_bool ? (param.initial != 0 ? "true" : "false")
+                                    : WithUnit(ToText(param.initial), param.unit);
+      table.rows.push_back(
+          {Code(param.name), Code(ToString(param.type)), Plain(initial),
+           is_bool ? Text{} : Plain(RangeText(param.minimum, param.maximum, param.unit)),
+           FromDoc(param.doc)});
+    }
+    AddTable(std::move(table));
+  }
+
+  void Memory() {
+    Table table{{"memory", "type", "begins as", "for each", "meaning"}, {}};
+    for (const MemoryDeclaration* memory : All<MemoryDeclaration>(tree_)) {
+      table.rows.push_back({Code(memory->name.text), Code(TypeOf(memory->name.text)),
+                            Math(ToFormula(memory->initial).text), Plain(NameOf(memory->scope)),
+                            FromDoc(memory->doc)});
+    }
+    if (table.rows.empty()) return;
+    AddHeading("Memory");
+    AddTable(std::move(table));
+    Table changes{{"becomes", "when", "event"}, {}};
+    for (const EventDeclaration* event : All<EventDeclaration>(tree_)) {
+      for (const ConditionalEquation& change : EquationsOf(*event).memory) {
+        changes.rows.push_back(
+            {Math(change.equation.left + " \\leftarrow " + change.equation.right),
+             change.condition.empty() ? Plain("always") : Math(change.condition),
+             Code(event->name.text)});
+      }
+    }
+    if (!changes.rows.empty()) AddTable(std::move(changes));
+  }
+
+  std::string TypeOf(const std::string& memory) const {
+    const auto found = std::ranges::find(task_.memory, memory, &CheckedMemory::name);
+    if (found == task_.memory.end()) return "";
+    const std::string unit = ToString(found->unit);
+    return ToString(found->type) + (unit.empty() ? "" : " [" + unit + "]");
+  }
+
+  void Logs() {
+    Table table{{"log", "of an episode", "value", "when"}, {}};
+    for (const EventDeclaration* event : All<EventDeclaration>(tree_)) {
+      for (const ConditionalEquation& log : EquationsOf(*event).logs) {
+        table.rows.push_back({Math(log.equation.left), Plain(ReductionOf(log.equation.left)),
+                              Math(log.equation.right), MathOrNothing(log.condition)});
+      }
+    }
+    if (table.rows.empty()) return;
+    AddHeading("Logs");
+    AddTable(std::move(table));
+  }
+
+  std::string ReductionOf(const std::string& latex) const {
+    for (const CheckedLogValue& log : task_.logs) {
+      if (NameToLatex(log.name) == latex) return NameOf(log.reduction);
+    }
+    return "";
+  }
+
+  void Functions() {
+    const auto functions = All<FunctionDeclaration>(tree_);
+    const auto is_used = [&](const FunctionDeclaration* function) {
+      return std::ranges::find(task_.functions, function->name.text, &CheckedFunction::name) !=
+             task_.functions.end();
+    };
+    if (std::ranges::none_of(functions, is_used)) return;
+    AddHeading("Functions");
+    for (const FunctionDeclaration* function : functions) {
+      if (!is_used(function)) continue;
+      if (!function->doc.empty()) page_.blocks.push_back(Paragraph{FromDoc(function->doc)});
+      AddFormulas(EquationsOf(*function));
+    }
+  }
+
+  void Sensors() {
+    if (task_.sensors.empty()) return;
+    AddHeading("Sensors");
+    Table table{{"sensor", "type", "unit", "range", "meaning"}, {}};
+    for (const CheckedSensor& sensor : task_.sensors) {
+      table.rows.push_back({Code(sensor.name), Code(ToString(sensor.type)),
+                            Plain(UnitText(sensor.unit)), Plain(RangeOf(sensor)),
+                            FromDoc(MeaningOf(sensor.name))});
+    }
+    AddTable(std::move(table));
+  }
+
+  // The widest of its elements'.
+  static std::string RangeOf(const CheckedSensor& sensor) {
+    if (sensor.minimum.empty() || sensor.type.scalar == Scalar::kBool) return "";
+    return RangeText(std::ranges::min(sensor.minimum), std::ranges::max(sensor.maximum),
+                     sensor.unit);
+  }
+
+  std::string MeaningOf(const std::string& sensor) const {
+    if (!task_.robot.empty()) {
+      for (const robot::SensorDescription& description : robot::Sensors()) {
+        if (description.name == sensor) return std::string(description.doc);
+      }
+    }
+    for (const SensorDeclaration* declaration : All<SensorDeclaration>(tree_)) {
+      if (declaration->name.text == sensor) return declaration->doc;
+    }
+    return "";
+  }
+
+  void Tests() {
+    const auto tests = All<TestDeclaration>(tree_);
+    if (tests.empty()) return;
+    AddHeading("Tests");
+    List list;
+    for (const TestDeclaration* test : tests) list.items.push_back(Plain(test->name));
+    page_.blocks.push_back(std::move(list));
+  }
+
+  void AddHeading(std::string text) { page_.blocks.push_back(Heading{2, Plain(std::move(text))}); }
+
+  void AddFormulas(const std::vector<Equation>& equations) {
+    Formulas formulas;
+    for (const Equation& equation : equations) {
+      formulas.lines.push_back({equation.left, "=", equation.right});
+    }
+    page_.blocks.push_back(std::move(formulas));
+  }
+
+  // Columns in which nothing stands are left out.
+  void AddTable(Table table) {
+    for (size_t column = table.header.size(); column-- > 0;) {
+      const auto is_blank = [&](const std::vector<Text>& row) {
+        return std::ranges::all_of(row[column], [](const Piece& p) { return p.text.empty(); });
+      };
+      if (!std::ranges::all_of(table.rows, is_blank)) continue;
+      table.header.erase(table.header.begin() + static_cast<std::ptrdiff_t>(column));
+      for (auto& row : table.rows) row.erase(row.begin() + static_cast<std::ptrdiff_t>(column));
+    }
+    page_.blocks.push_back(std::move(table));
+  }
+
+  const Analysis& analysis_;
+  const CheckedTask& task_;
+  const SyntaxTree& tree_;
+  Page page_;
+};
+
+}  // namespace
+
+Page PageOf(const Analysis& analysis) { return PageWriter(analysis).Write(); }
+
+}  // namespace compiler

@@ -1,0 +1,49 @@
+// taskc doc FILE.task
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "compiler/build/file_io.h"
+#include "compiler/build/share_folder.h"
+#include "compiler/document/task_page.h"
+#include "compiler/driver/verb.h"
+
+namespace compiler {
+namespace {
+
+struct Options {
+  std::string task;
+  std::filesystem::path output;  // empty: Markdown on the standard output
+};
+
+ExitStatus Document(const Options& options, Session& session) {
+  const std::filesystem::path kind = options.output.extension();
+  if (!options.output.empty() && kind != ".md" && kind != ".html") {
+    throw CallError(
+        fmt::format("cannot write `{}`: a page is a .md or a .html file", options.output.string()));
+  }
+  const Analysis analysis = session.Analyze(options.task);
+  if (!analysis.task) return ExitStatus::kWrongTask;
+  const Page page = PageOf(analysis);
+  if (options.output.empty()) {
+    fmt::print("{}", ToMarkdown(page));
+  } else if (kind == ".md") {
+    ReplaceFile(options.output, ToMarkdown(page));
+  } else {
+    ReplaceFile(options.output, ToHtml(page, ReadShareFile("document/template.html")));
+  }
+  return ExitStatus::kOk;
+}
+
+}  // namespace
+
+Action DeclareDoc(CLI::App& app, Session& session) {
+  auto options = std::make_shared<Options>();
+  AddTask(app, options->task);
+  AddOutput(app, options->output, "FILE.md|FILE.html",
+            "the page; without, it is printed as Markdown");
+  AddRobots(app, session);
+  return [options](Session& call) { return Document(*options, call); };
+}
+
+}  // namespace compiler
