@@ -77,7 +77,9 @@ newDefault : PARAM name '=' expression range? ;
 // ---- Tests --------------------------------------------------------------------------------------
 
 // test "a fall is paid once" { ... }
-test : TEST STRING '{' (allow | testStatement)* '}' ;
+test : TEST STRING testBlock ;
+
+testBlock : '{' (allow | testStatement)* '}' ;
 
 testStatement : ( given | fire | expect ) LINE_END? ;
 

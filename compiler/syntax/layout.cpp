@@ -59,6 +59,7 @@ bool BeginsStatementBehind(TokenType last) {
 
 // What follows makes a name of the word: `log = 3`, `test: real`, `log(x)`; not `require (a)`.
 bool IsNameBefore(TokenType word, TokenType next) {
+  if (word == TaskParser::FN && next == TaskParser::LEFT_PARENTHESIS) return false;
   const bool takes_expression =
       word == TaskParser::REQUIRE || word == TaskParser::EXPECT || word == TaskParser::RETURN;
   const bool begins_expression = next == TaskParser::LEFT_PARENTHESIS || next == TaskParser::MINUS;
@@ -81,14 +82,14 @@ TokenList Layout::Run(antlr4::TokenSource& lexer) {
     auto& common = static_cast<antlr4::CommonToken&>(*token);
     if (!RepairToken(common, report_)) continue;
     token.release();
-    Add(std::unique_ptr<antlr4::CommonToken>(&common), next != nullptr ? next->getType() : 0);
+    Add(std::unique_ptr<antlr4::CommonToken>(&common), next.get());
     if (next == nullptr) break;
   }
   return std::move(result_);
 }
 
-void Layout::Add(std::unique_ptr<antlr4::CommonToken> token, TokenType next) {
-  ClassifyWord(*token, next);
+void Layout::Add(std::unique_ptr<antlr4::CommonToken> token, const antlr4::Token* next) {
+  ClassifyWord(*token, next != nullptr ? next->getType() : 0);
   const TokenType type = token->getType();
   const bool is_first_in_line = last_ == nullptr || token->getLine() != last_->getLine();
   if (last_ != nullptr && (is_first_in_line || type == antlr4::Token::EOF)) BeginLine(*token);
@@ -97,7 +98,8 @@ void Layout::Add(std::unique_ptr<antlr4::CommonToken> token, TokenType next) {
   if (begins_block) EndExpression(*token);
   if (IsClosing(type) && !Close(*token)) return;
   if (IsOpening(type)) Open(*token);
-  ExpectBlock(*token);
+  if (!ExpectBlock(*token, next == nullptr || next->getLine() != token->getLine())) return;
+  RejectForeignLoop(*token);
   CountNesting(*token);
   if (type == TaskParser::ALLOW) allow_line_ = token->getLine();
   if (!doc_.empty() && token->getLine() != allow_line_) {
@@ -124,7 +126,7 @@ bool Layout::CanBeginStatement(const antlr4::CommonToken& token) const {
   return is_first_in_line && !IsInBrackets() && !ExpectsOperand(last);
 }
 
-void Layout::ExpectBlock(const antlr4::CommonToken& token) {
+bool Layout::ExpectBlock(const antlr4::CommonToken& token, bool ends_line) {
   const TokenType type = token.getType();
   const bool begins_statement = last_ == nullptr || token.getLine() != last_->getLine() ||
                                 BeginsStatementBehind(last_->getType());
@@ -137,7 +139,26 @@ void Layout::ExpectBlock(const antlr4::CommonToken& token) {
   } else if (block_head_ != 0 && EndsOperand(last_->getType()) && IsBlockContent(type)) {
     block_head_ = 0;  // `if a reward b = 1`
     braceless_line_ = token.getLine();
+  } else if (block_head_ != 0 && type == TaskParser::COLON && !IsInBrackets()) {
+    Diagnostic diagnostic =
+        MakeDiagnostic(code::kUnexpectedToken, SpanOf(token), "expected `{`, found `:`");
+    diagnostic.help = "blocks stand in braces";
+    report_.AddUnlessFaulty(std::move(diagnostic));
+    return !ends_line;  // else the end of the line opens the block
   }
+  return true;
+}
+
+// `for (i = 0; i < 3; i++)`: the signs in the rest of the line would only add to the confusion.
+void Layout::RejectForeignLoop(const antlr4::CommonToken& token) {
+  const bool is_in_loop = token.getType() == TaskParser::LEFT_PARENTHESIS && last_ != nullptr &&
+                          last_->getType() == TaskParser::FOR;
+  if (!is_in_loop) return;
+  Diagnostic diagnostic =
+      MakeDiagnostic(code::kForeignSyntax, SpanOf(token), "a loop has no parentheses");
+  diagnostic.help = "it goes through a set: `for i in 0..3 { ... }`";
+  report_.Add(std::move(diagnostic));
+  report_.IgnoreLine(SpanOf(token));
 }
 
 // An empty token behind the last one.
@@ -188,6 +209,7 @@ void Layout::BeginLine(const antlr4::CommonToken& next) {
     RejectBrokenLine(next);
   } else {
     AddSynthetic(TaskParser::LINE_END);
+    block_head_ = 0;
   }
 }
 

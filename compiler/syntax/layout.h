@@ -37,8 +37,8 @@ class Layout {
     bool is_synthetic = false;  // its opening brace is missing
   };
 
-  // `next`: the type of the token that follows.
-  void Add(std::unique_ptr<antlr4::CommonToken> token, TokenType next);
+  // `next`: the token that follows; null at the end.
+  void Add(std::unique_ptr<antlr4::CommonToken> token, const antlr4::Token* next);
   // Makes a name of a word that is no keyword in its place.
   void ClassifyWord(antlr4::CommonToken& token, TokenType next);
   bool CanBeginStatement(const antlr4::CommonToken& token) const;
@@ -50,8 +50,9 @@ class Layout {
 
   // `next` is the first token of its line.
   void BeginLine(const antlr4::CommonToken& next);
-  // Notes where a block must follow.
-  void ExpectBlock(const antlr4::CommonToken& token);
+  // Notes where a block must follow. Returns false if the token is to be left out: `if a:`.
+  bool ExpectBlock(const antlr4::CommonToken& token, bool ends_line);
+  void RejectForeignLoop(const antlr4::CommonToken& token);
   // Where `if`, `for`, `on` ... has no brace by the end of its line.
   void OpenMissingBlock();
   std::string MissingBlockHead() const;

@@ -19,7 +19,30 @@ bool IsFirstInLine(antlr4::TokenStream& tokens) {
 // A rule that loops over statements in braces.
 bool IsBlock(size_t rule) {
   return rule == TaskParser::RuleBlock || rule == TaskParser::RuleBody ||
-         rule == TaskParser::RuleTest;
+         rule == TaskParser::RuleTestBlock;
+}
+
+// What parses the block of the declaration that begins with `first`; nothing if it has none.
+std::function<void()> BlockParserOf(antlr4::Parser& parser, const antlr4::Token& first) {
+  auto& generated = static_cast<TaskParser&>(parser);
+  TokenType head = first.getType();
+  if (head == TaskParser::OVERRIDE) {
+    head = parser.getTokenStream()->get(first.getTokenIndex() + 1)->getType();
+  }
+  switch (head) {
+    case TaskParser::ON:
+      return [&generated] { generated.block(); };
+    case TaskParser::FN:
+      return [&generated] { generated.body(); };
+    case TaskParser::TEST:
+      return [&generated] { generated.testBlock(); };
+    default:
+      return nullptr;
+  }
+}
+
+std::function<void()> StatementsParser(antlr4::Parser& parser) {
+  return [&parser] { static_cast<TaskParser&>(parser).block(); };
 }
 
 }  // namespace
@@ -29,21 +52,26 @@ antlr4::Token* SyntaxErrors::recoverInline(antlr4::Parser* parser) {
 }
 
 void SyntaxErrors::recover(antlr4::Parser* parser, std::exception_ptr error) {
+  is_recovering_ = false;
   switch (parser->getContext()->getRuleIndex()) {
     case TaskParser::RuleHeader:
+      Skip(*parser, false, nullptr);
+      break;
     case TaskParser::RuleDeclaration:
-      Skip(*parser, false);
+      Skip(*parser, false, BlockParserOf(*parser, *parser->getContext()->getStart()));
+      break;
+    case TaskParser::RuleStatement:
+      Skip(*parser, true, StatementsParser(*parser));
       break;
     case TaskParser::RuleAllow:
-    case TaskParser::RuleStatement:
     case TaskParser::RuleBodyStatement:
     case TaskParser::RuleTestStatement:
-      Skip(*parser, true);
+      Skip(*parser, true, nullptr);
       break;
     default:
+      is_recovering_ = true;  // until a rule above has recovered
       std::rethrow_exception(error);
   }
-  is_recovering_ = false;
 }
 
 void SyntaxErrors::sync(antlr4::Parser* parser) {
@@ -55,7 +83,8 @@ void SyntaxErrors::sync(antlr4::Parser* parser) {
   while (!expected.contains(tokens.LA(1)) && tokens.LA(1) != antlr4::Token::EOF) {
     Report(*parser, *tokens.LT(1));
     parser->consume();
-    Skip(*parser, IsBlock(rule));
+    Skip(*parser, IsBlock(rule),
+         rule == TaskParser::RuleBlock ? StatementsParser(*parser) : nullptr);
   }
 }
 
@@ -69,17 +98,22 @@ void SyntaxErrors::Report(antlr4::Parser& parser, antlr4::Token& found) {
   report_.AddUnlessFaulty(DescribeSyntaxError(parser, found));
 }
 
-void SyntaxErrors::Skip(antlr4::Parser& parser, bool is_in_block) {
+void SyntaxErrors::Skip(antlr4::Parser& parser, bool is_in_block, const BlockParser& parse_block) {
   antlr4::TokenStream& tokens = *parser.getTokenStream();
   int depth = 0;
   for (TokenType type = tokens.LA(1); type != antlr4::Token::EOF; type = tokens.LA(1)) {
     if (depth == 0) {
       if (is_in_block && type == TaskParser::RIGHT_BRACE) return;
-      const bool begins_next = is_in_block ? IsStatementKeyword(type) : IsDeclarationKeyword(type);
+      const bool begins_next = is_in_block ? IsStatementKeyword(type) && type != TaskParser::ELSE
+                                           : IsDeclarationKeyword(type);
       if (begins_next && IsFirstInLine(tokens)) return;
     }
+    if (type == TaskParser::LEFT_BRACE && depth == 0 && parse_block) {
+      parse_block();
+      continue;
+    }
     if (type == TaskParser::LEFT_BRACE) ++depth;
-    if (type == TaskParser::RIGHT_BRACE) --depth;
+    if (type == TaskParser::RIGHT_BRACE && depth > 0) --depth;
     parser.consume();
     if (depth == 0 && type == TaskParser::LINE_END) return;
   }

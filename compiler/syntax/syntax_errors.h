@@ -4,6 +4,8 @@
 
 #include <antlr4-runtime.h>
 
+#include <functional>
+
 #include "compiler/syntax/syntax_report.h"
 #include "compiler/syntax/token_classes.h"
 
@@ -26,8 +28,10 @@ class SyntaxErrors : public antlr4::ANTLRErrorStrategy {
 
  private:
   void Report(antlr4::Parser& parser, antlr4::Token& found);
-  // To the end of the statement or declaration, or before a word that must begin another.
-  void Skip(antlr4::Parser& parser, bool is_in_block);
+  // To the end of the statement or declaration, or before a word that must begin another. Errors in
+  // its block, which `parse_block` would parse, are found nevertheless.
+  using BlockParser = std::function<void()>;
+  void Skip(antlr4::Parser& parser, bool is_in_block, const BlockParser& parse_block);
 
   SyntaxReport& report_;
   bool is_recovering_ = false;

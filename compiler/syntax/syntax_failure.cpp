@@ -22,6 +22,25 @@ bool Failure::is_behind_last() const {
   return !is_complete && last->getLine() != found.getLine();
 }
 
+namespace {
+
+// The first token since a line's end or a brace.
+const antlr4::Token* StatementBefore(antlr4::TokenStream& tokens, size_t index) {
+  while (index > 0) {
+    switch (tokens.get(index - 1)->getType()) {
+      case TaskParser::LINE_END:
+      case TaskParser::LEFT_BRACE:
+      case TaskParser::RIGHT_BRACE:
+        return tokens.get(index);
+      default:
+        --index;
+    }
+  }
+  return tokens.size() > 0 ? tokens.get(0) : nullptr;
+}
+
+}  // namespace
+
 Failure MakeFailure(antlr4::Parser& parser, antlr4::Token& found) {
   antlr4::TokenStream& tokens = *parser.getTokenStream();
   const size_t index = found.getTokenIndex();
@@ -36,6 +55,7 @@ Failure MakeFailure(antlr4::Parser& parser, antlr4::Token& found) {
           index + 1 < tokens.size() ? tokens.get(index + 1) : nullptr,
           begin,
           begin_index >= 1 ? tokens.get(begin_index - 1) : nullptr,
+          StatementBefore(tokens, index),
           context->getRuleIndex(),
           parent != nullptr ? parent->getRuleIndex() : size_t{TaskParser::RuleFile}};
 }
@@ -49,7 +69,9 @@ std::string FoundText(const Failure& failure) {
     case TaskParser::STRING:
       return "a text";
     default:
-      return fmt::format("`{}`", failure.found.getText());
+      // Braces that the layout has added are empty.
+      return failure.found.getText().empty() ? "the end of the line"
+                                             : fmt::format("`{}`", failure.found.getText());
   }
 }
 

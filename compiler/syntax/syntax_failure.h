@@ -18,12 +18,15 @@ struct Failure {
   const antlr4::Token* next;
   const antlr4::Token* begin;  // the first of the rule that fails, and the one before that
   const antlr4::Token* before_begin;
-  size_t rule;  // the grammar's rule that fails, and the one it is part of
+  const antlr4::Token* statement;  // the first token of the statement or declaration, or null
+  size_t rule;                     // the grammar's rule that fails, and the one it is part of
   size_t parent_rule;
 
   TokenType type() const { return found.getType(); }
   TokenType last_type() const { return last != nullptr ? last->getType() : 0; }
   TokenType next_type() const { return next != nullptr ? next->getType() : 0; }
+  TokenType statement_type() const { return statement != nullptr ? statement->getType() : 0; }
+  bool expects(TokenType type) const { return parser.getExpectedTokens().contains(type); }
   bool is_at_line_start() const;
   // Nothing visible stands there, or what stands there is in a later line than the mistake.
   bool is_behind_last() const;

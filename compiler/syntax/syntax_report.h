@@ -18,7 +18,7 @@ class SyntaxReport {
       : source_(source), diagnostics_(diagnostics) {}
 
   void Add(Diagnostic diagnostic) {
-    if (error_count_ == kMostErrors) return;
+    if (error_count_ == kMostErrors || IsIgnored(diagnostic.span)) return;
     ++error_count_;
     MarkFaulty(diagnostic.span);
     diagnostics_.Add(std::move(diagnostic));
@@ -29,6 +29,8 @@ class SyntaxReport {
   }
   // For an error that is covered by one in another line.
   void MarkFaulty(Span span) { faulty_lines_.insert(source_.PositionOf(span.begin).line); }
+  // No further errors are added in that line.
+  void IgnoreLine(Span span) { ignored_lines_.insert(source_.PositionOf(span.begin).line); }
   bool IsFaulty(Span span) const {
     return faulty_lines_.contains(source_.PositionOf(span.begin).line);
   }
@@ -36,9 +38,14 @@ class SyntaxReport {
   const SourceFile& source() const { return source_; }
 
  private:
+  bool IsIgnored(Span span) const {
+    return ignored_lines_.contains(source_.PositionOf(span.begin).line);
+  }
+
   const SourceFile& source_;
   Diagnostics& diagnostics_;
   std::set<uint32_t> faulty_lines_;
+  std::set<uint32_t> ignored_lines_;
   size_t error_count_ = 0;
 };
 

@@ -23,9 +23,9 @@ constexpr uint32_t kMostTimes = 1'000'000;
 TestDeclaration TestBuilder::Build(TaskParser::TestContext& context) {
   TestDeclaration test;
   antlr4::Token& name = *context.STRING()->getSymbol();
-  test.name = BuildText(name, report_);
+  test.name = BuildNeededText(name, "a test needs a name", report_);
   test.name_span = SpanOf(name);
-  for (antlr4::tree::ParseTree* child : context.children) {
+  for (antlr4::tree::ParseTree* child : context.testBlock()->children) {
     if (auto* allow = dynamic_cast<TaskParser::AllowContext*>(child)) {
       allowances_.Add(*allow);
     } else if (auto* statement = dynamic_cast<TaskParser::TestStatementContext*>(child)) {

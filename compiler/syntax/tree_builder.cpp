@@ -76,7 +76,7 @@ class TreeBuilder {
     tree_.doc = DocOf(context);
     tree_.task = BuildName(*context.name(0));
     if (context.base != nullptr) {
-      tree_.base = BaseTask{BuildText(*context.base, report_), SpanOf(*context.base)};
+      tree_.base = BaseTask{BuildPath(*context.base), SpanOf(*context.base)};
     }
     if (context.robot != nullptr) tree_.robot = BuildName(*context.robot);
   }
@@ -227,7 +227,11 @@ class TreeBuilder {
 
   ImportDeclaration Import(TaskParser::ImportedContext& context) {
     antlr4::Token& path = *context.STRING()->getSymbol();
-    return {BuildText(path, report_), SpanOf(path)};
+    return {BuildPath(path), SpanOf(path)};
+  }
+
+  std::string BuildPath(antlr4::Token& token) {
+    return BuildNeededText(token, "here the name of a file is needed", report_);
   }
 
   FunctionDeclaration Function(TaskParser::FunctionContext& context) {

@@ -86,6 +86,16 @@ std::string BuildText(antlr4::Token& token, SyntaxReport& report) {
   return text;
 }
 
+std::string BuildNeededText(antlr4::Token& token, const char* need, SyntaxReport& report) {
+  std::string text = BuildText(token, report);
+  if (text.empty()) {
+    Diagnostic diagnostic = MakeDiagnostic(code::kEmptyText, SpanOf(token), need);
+    diagnostic.help = "write it between the quotes";
+    report.AddUnlessFaulty(std::move(diagnostic));
+  }
+  return text;
+}
+
 TypeExpression BuildType(TaskParser::TypeContext& context) {
   TypeExpression type{BuildName(*context.name(0)), std::nullopt, {}};
   type.span = type.name.span;

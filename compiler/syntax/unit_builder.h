@@ -16,6 +16,8 @@ Identifier BuildName(antlr4::Token& token);
 Identifier BuildName(antlr4::ParserRuleContext& context);
 // A text without its quotes; `\"` and `\\` stand for the signs themselves.
 std::string BuildText(antlr4::Token& token, SyntaxReport& report);
+// One that must not be empty; `need` says so.
+std::string BuildNeededText(antlr4::Token& token, const char* need, SyntaxReport& report);
 
 TypeExpression BuildType(grammar::TaskParser::TypeContext& context);
 // The unit that stands behind a type.

@@ -25,6 +25,7 @@ std::vector<std::string> Seeds() {
   for (const auto& path : golden::FilesIn(SOURCE_DIR "/tasks", "", ".task")) {
     seeds.push_back(golden::ReadFile(path));
   }
+  seeds.push_back(golden::ReadFile(SOURCE_DIR "/tests/compiler/syntax/every_construct.task"));
   const std::filesystem::path messages = SOURCE_DIR "/tests/compiler/syntax/messages";
   for (const auto& path : golden::FilesIn(messages, "fail_", ".task")) {
     seeds.push_back(golden::ReadFile(path));
@@ -87,6 +88,22 @@ class Mutator {
                                                      "\xf0\x9f\x98\x80",
                                                      " end_episode ",
                                                      " in ",
+                                                     " for ",
+                                                     " for l in {",
+                                                     " once per action if ",
+                                                     " log ",
+                                                     " require ",
+                                                     "\nfn f(x: real) -> real {",
+                                                     " return ",
+                                                     "->",
+                                                     "\nimport \"a.task\"\n",
+                                                     " extends ",
+                                                     "\noverride ",
+                                                     "\ntest \"a\" {",
+                                                     " given ",
+                                                     " fire ",
+                                                     " expect ",
+                                                     "\nallow W0706\n",
                                                      " per ",
                                                      ",",
                                                      ":",

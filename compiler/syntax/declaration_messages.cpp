@@ -1,0 +1,211 @@
+// Messages about the header and declarations.
+#include <TaskParser.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "compiler/syntax/descriptions.h"
+#include "compiler/syntax/token_classes.h"
+
+namespace compiler {
+namespace {
+
+using grammar::TaskParser;
+
+struct ForeignWord {
+  std::string_view text;
+  std::string_view help;
+};
+constexpr std::string_view kFunctionHelp =
+    "a function is declared by `fn half(x: real) -> real = 0.5 * x`";
+constexpr std::string_view kImportHelp = "write `import \"NAME.task\"`";
+constexpr std::string_view kValueHelp =
+    "a value that can be turned is a `param`, one that the task changes a `memory`";
+constexpr std::array<ForeignWord, 13> kForeignWords = {{
+    {"def", kFunctionHelp},
+    {"func", kFunctionHelp},
+    {"function", kFunctionHelp},
+    {"fun", kFunctionHelp},
+    {"include", kImportHelp},
+    {"use", kImportHelp},
+    {"using", kImportHelp},
+    {"from", kImportHelp},
+    {"var", kValueHelp},
+    {"const", kValueHelp},
+    {"state", kValueHelp},
+    {"when", "events are declared by `on EVENT { ... }`"},
+    {"event", "events are declared by `on EVENT { ... }`"},
+}};
+
+constexpr const char* kHeaderHelp =
+    "a file begins with the task's name and its robot: `task crawling for humanoid`";
+
+std::string HelpForDeclaration(const std::string& word) {
+  for (const ForeignWord& foreign : kForeignWords) {
+    if (foreign.text == word) return std::string(foreign.help);
+  }
+  const std::vector<std::string> keywords = DeclarationKeywords();
+  const std::string guess = DidYouMean(word, keywords);
+  return guess.empty() ? fmt::format("declarations begin with {}", fmt::join(keywords, ", "))
+                       : guess;
+}
+
+std::string PlaceOfStatement(TokenType type) {
+  switch (type) {
+    case TaskParser::GIVEN:
+    case TaskParser::FIRE:
+    case TaskParser::EXPECT:
+      return "inside a test";
+    case TaskParser::RETURN:
+      return "inside a function";
+    default:
+      return "inside an event";
+  }
+}
+
+std::string HelpForStatement(TokenType type) {
+  switch (type) {
+    case TaskParser::GIVEN:
+    case TaskParser::FIRE:
+    case TaskParser::EXPECT:
+      return "tests are declared by `test \"...\" { ... }`";
+    case TaskParser::RETURN:
+      return std::string(kFunctionHelp);
+    default:
+      return "events are declared by `on EVENT { ... }`";
+  }
+}
+
+}  // namespace
+
+Description MissingHeader(const Failure& failure) {
+  if (failure.rule != TaskParser::RuleFile || failure.last != nullptr) return std::nullopt;
+  const std::string word = failure.found.getText();
+  std::vector<std::string> keywords = DeclarationKeywords();
+  keywords.insert(keywords.begin(), Spelling(TaskParser::TASK));
+  const std::string guess = DidYouMean(word, keywords);
+  const bool is_other = !guess.empty() && guess != DidYouMean(word, {keywords.front()});
+  if (is_other) return std::nullopt;
+  return WithHelp(MakeDiagnostic(code::kMissingHeader, SpanOf(failure.found),
+                                 fmt::format("expected `task NAME`, found {}", FoundText(failure))),
+                  kHeaderHelp);
+}
+
+Description BadHeader(const Failure& failure) {
+  if (failure.statement_type() != TaskParser::TASK) return std::nullopt;
+  // `task crawling on humanoid`
+  const bool is_event = failure.rule == TaskParser::RuleBlock &&
+                        failure.parent_rule == TaskParser::RuleEvent &&
+                        failure.before_last->getType() == TaskParser::ON;
+  if (is_event) {
+    return WithHelp(MakeDiagnostic(code::kUnexpectedToken, SpanOf(*failure.before_last),
+                                   "expected `for` or the end of the line, found `on`"),
+                    fmt::format("the robot is named by `for {}`", failure.last->getText()));
+  }
+  if (failure.rule != TaskParser::RuleFile || failure.is_at_line_start()) return std::nullopt;
+  if (failure.type() == TaskParser::EXTENDS) {
+    return WithHelp(Expected(failure, "the end of the line"), "`extends` stands before `for`");
+  }
+  const bool has_robot = failure.before_last->getType() == TaskParser::FOR;
+  if (has_robot) return Expected(failure, "the end of the line");
+  Diagnostic diagnostic = Expected(failure, "`for`, `extends` or the end of the line");
+  if (failure.next_type() == TaskParser::STRING) {
+    diagnostic.help = fmt::format("did you mean `extends {}`?", failure.next->getText());
+  } else if (failure.next_type() == TaskParser::NAME) {
+    diagnostic.help = fmt::format("the robot is named by `for {}`", failure.next->getText());
+  }
+  return diagnostic;
+}
+
+Description BadFunction(const Failure& failure) {
+  std::string what;
+  if (failure.rule == TaskParser::RuleParameter) {
+    what = "`:` and a type";
+  } else if (failure.rule == TaskParser::RuleFunction) {
+    if (failure.expects(TaskParser::ARROW)) what = "`->` and the type of the result";
+    if (failure.expects(TaskParser::LEFT_PARENTHESIS)) what = "`(`";
+    if (failure.expects(TaskParser::ASSIGN)) what = "`=` or `{`";
+  }
+  if (what.empty()) return std::nullopt;
+  return WithHelp(Expected(failure, what), std::string(kFunctionHelp));
+}
+
+Description BadOverride(const Failure& failure) {
+  if (failure.rule == TaskParser::RuleNewDefault && failure.type() == TaskParser::COLON) {
+    return WithHelp(MakeDiagnostic(code::kBadOverride, SpanOf(failure.found),
+                                   "a param keeps the type and the unit that it has"),
+                    fmt::format("write `override param {} = ...`", failure.last->getText()));
+  }
+  if (failure.rule != TaskParser::RuleChange || failure.last_type() != TaskParser::OVERRIDE) {
+    return std::nullopt;
+  }
+  const std::string word = failure.found.getText();
+  if (IsReserved(failure.type())) {
+    return WithHelp(MakeDiagnostic(code::kBadOverride, SpanOf(failure.found),
+                                   fmt::format("`{}` cannot be overridden", word)),
+                    "only `start`, `param`, `metric`, `reward`, `on` and `fn` can");
+  }
+  Diagnostic diagnostic = Expected(failure, "`start`, `param`, `metric`, `reward`, `on` or `fn`");
+  if (failure.type() != TaskParser::NAME) return diagnostic;
+  diagnostic.help = DidYouMean(word, {"start", "param", "metric", "reward", "on", "fn"});
+  if (failure.next_type() == TaskParser::ASSIGN) {
+    diagnostic.help = fmt::format("say what it is: `override param {} = ...`", word);
+  }
+  return diagnostic;
+}
+
+// `import shaping`, `extends forward_rolling`, `test falls`
+Description BadPath(const Failure& failure) {
+  switch (failure.last_type()) {
+    case TaskParser::IMPORT:
+    case TaskParser::EXTENDS:
+      break;
+    case TaskParser::TEST:
+      return WithHelp(Expected(failure, "the test's name in double quotes"),
+                      "for example `test \"a fall is paid once\" { ... }`");
+    default:
+      return std::nullopt;
+  }
+  Diagnostic diagnostic = Expected(failure, "a file in double quotes");
+  const std::string name = failure.type() == TaskParser::NAME ? failure.found.getText() : "NAME";
+  diagnostic.help = fmt::format("write `{} \"{}.task\"`", failure.last->getText(), name);
+  return diagnostic;
+}
+
+Description BadAllow(const Failure& failure) {
+  if (failure.rule != TaskParser::RuleAllow) return std::nullopt;
+  if (failure.last_type() == TaskParser::NAME) {
+    return Expected(failure, "`,` or the end of the line");
+  }
+  return WithHelp(Expected(failure, "the code of a warning"), "for example `allow W0706`");
+}
+
+// In the loop over the declarations of the file.
+Description BadDeclaration(const Failure& failure) {
+  if (failure.rule != TaskParser::RuleFile) return std::nullopt;
+  if (!failure.is_at_line_start() && failure.last_type() != TaskParser::RIGHT_BRACE) {
+    return Expected(failure, "the end of the line");
+  }
+  const std::string word = failure.found.getText();
+  if (failure.type() == TaskParser::EXTENDS) {
+    return WithHelp(MakeDiagnostic(code::kUnknownDeclaration, SpanOf(failure.found),
+                                   "`extends` stands only in the header"),
+                    "write `task NAME extends \"BASE.task\"`");
+  }
+  if (IsStatementKeyword(failure.type()) || failure.type() == TaskParser::REWARD) {
+    return WithHelp(
+        MakeDiagnostic(code::kUnknownDeclaration, SpanOf(failure.found),
+                       fmt::format("`{}` stands only {}", word, PlaceOfStatement(failure.type()))),
+        HelpForStatement(failure.type()));
+  }
+  return WithHelp(
+      MakeDiagnostic(code::kUnknownDeclaration, SpanOf(failure.found),
+                     fmt::format("expected a declaration, found {}", FoundText(failure))),
+      HelpForDeclaration(word));
+}
+
+}  // namespace compiler

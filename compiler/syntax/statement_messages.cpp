@@ -1,0 +1,261 @@
+// Messages about statements: of events, tests and functions.
+#include <TaskParser.h>
+#include <fmt/format.h>
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "compiler/syntax/descriptions.h"
+#include "compiler/syntax/token_classes.h"
+#include "compiler/syntax/words.h"
+#include "plugins/text/nearest_name.h"
+
+namespace compiler {
+namespace {
+
+using grammar::TaskParser;
+
+// Words of other languages, and what is written here.
+struct ForeignWord {
+  std::string_view text;
+  std::string_view help;
+};
+constexpr std::string_view kLoopHelp =
+    "a loop goes through a set: `for i in 0..3 { ... }`; what repeats in time stands in an event";
+constexpr std::string_view kBranchHelp = "write `if ... { ... } else if ... { ... }`";
+constexpr std::string_view kLocalHelp =
+    "a local value is `let x = ...`; what changes is a `memory`, declared outside of events";
+constexpr std::string_view kLogHelp = "write `log NAME = ...` to record a value as a curve";
+constexpr std::string_view kBreakHelp =
+    "a loop goes through its whole set: put what is skipped into an `if`";
+constexpr std::array<ForeignWord, 28> kForeignWords = {{
+    {"while", kLoopHelp},    {"loop", kLoopHelp},
+    {"repeat", kLoopHelp},   {"do", kLoopHelp},
+    {"until", kLoopHelp},    {"foreach", kLoopHelp},
+    {"break", kBreakHelp},   {"continue", kBreakHelp},
+    {"switch", kBranchHelp}, {"match", kBranchHelp},
+    {"case", kBranchHelp},   {"elif", kBranchHelp},
+    {"elsif", kBranchHelp},  {"elseif", kBranchHelp},
+    {"var", kLocalHelp},     {"val", kLocalHelp},
+    {"const", kLocalHelp},   {"auto", kLocalHelp},
+    {"local", kLocalHelp},   {"real", kLocalHelp},
+    {"float", kLocalHelp},   {"double", kLocalHelp},
+    {"int", kLocalHelp},     {"bool", kLocalHelp},
+    {"print", kLogHelp},     {"printf", kLogHelp},
+    {"echo", kLogHelp},      {"assert", "write `require CONDITION`"},
+}};
+
+std::string HelpForForeign(const std::string& word) {
+  for (const ForeignWord& foreign : kForeignWords) {
+    if (foreign.text == word) return std::string(foreign.help);
+  }
+  return "";
+}
+
+Diagnostic Misplaced(const Failure& failure, const std::string& where, std::string help) {
+  return WithHelp(MakeDiagnostic(code::kUnknownStatement, SpanOf(failure.found),
+                                 fmt::format("{} {}", FoundText(failure), where)),
+                  std::move(help));
+}
+
+Diagnostic StrayElse(const Failure& failure) {
+  const auto& children = failure.parser.getContext()->children;
+  auto* before = dynamic_cast<TaskParser::StatementContext*>(children.back());
+  const bool is_once = before != nullptr && before->once() != nullptr;
+  return WithHelp(MakeDiagnostic(code::kUnknownStatement, SpanOf(failure.found),
+                                 is_once ? "`once` has no `else`" : "this `else` has no `if`"),
+                  "`else` follows the closing brace of an `if`");
+}
+
+// In the loop over the statements of a block, behind what could be the end of one.
+Diagnostic BadEndOfStatement(const Failure& failure) {
+  if (failure.statement_type() == TaskParser::FIRE) {
+    Diagnostic diagnostic = Expected(failure, "`,` or the end of the line");
+    if (failure.type() == TaskParser::TIMES) {
+      diagnostic.help = "how often comes first: `100 * end_of_time_step`";
+    }
+    return diagnostic;
+  }
+  Diagnostic diagnostic = Expected(failure, "an operator or the end of the line");
+  const bool is_condition = failure.statement_type() == TaskParser::REQUIRE ||
+                            failure.statement_type() == TaskParser::EXPECT ||
+                            failure.statement_type() == TaskParser::RETURN;
+  if (is_condition && failure.type() == TaskParser::ASSIGN) {
+    diagnostic.help = "to compare, write `==`";
+  }
+  return diagnostic;
+}
+
+// `log speed base.velocity`: `speed` is no reduction, so it is the name.
+bool IsNameInsteadOfKind(const Failure& failure) {
+  if (failure.before_last == failure.begin) return false;
+  std::vector<std::string> kinds = {"rate"};
+  if (failure.rule == TaskParser::RuleLog) {
+    kinds.clear();
+    for (const auto& word : kReductionNames) kinds.emplace_back(word.text);
+  }
+  return !text::NearestName(failure.before_last->getText(), kinds);
+}
+
+bool GoesOn(const Failure& failure) {
+  return !failure.is_at_line_start() && EndsOperand(failure.last_type()) &&
+         failure.last_type() != TaskParser::RIGHT_BRACE;
+}
+
+}  // namespace
+
+Description BadCondition(const Failure& failure) {
+  const bool has_head = failure.parent_rule == TaskParser::RuleBranches ||
+                        failure.parent_rule == TaskParser::RuleLoop ||
+                        failure.parent_rule == TaskParser::RuleOnce;
+  const bool is_behind_head = failure.rule == TaskParser::RuleBlock && has_head &&
+                              failure.expects(TaskParser::LEFT_BRACE);
+  if (!is_behind_head || !EndsOperand(failure.last_type())) return std::nullopt;
+  Diagnostic diagnostic = Expected(failure, "an operator or `{`");
+  if (failure.type() == TaskParser::ASSIGN) diagnostic.help = "to compare, write `==`";
+  return diagnostic;
+}
+
+Description BadLoop(const Failure& failure) {
+  const bool is_variable =
+      failure.rule == TaskParser::RuleName && failure.parent_rule == TaskParser::RuleLoop;
+  if (failure.rule != TaskParser::RuleLoop && !is_variable) return std::nullopt;
+  return WithHelp(Expected(failure, is_variable ? "a name" : "`in`"),
+                  "a loop goes through a set: `for i in 0..3 { ... }`");
+}
+
+Description BadOnce(const Failure& failure) {
+  if (failure.rule != TaskParser::RuleOnce) return std::nullopt;
+  std::string what = "`if`";
+  if (failure.last_type() == TaskParser::ONCE) what = "`per`";
+  if (failure.last_type() == TaskParser::PER) what = "`action`, `episode` or `run`";
+  return WithHelp(Expected(failure, what), "write `once per action if CONDITION { ... }`");
+}
+
+// `reward fall -4`, `log speed 3`: what is found lies behind the place at which the grammar stands.
+Description MissingEquals(const Failure& failure) {
+  if (failure.rule == TaskParser::RuleGiven && EndsOperand(failure.last_type())) {
+    if (!IsComparison(failure.type()) && !IsAssignment(failure.type())) {
+      return ExpectedBehindLast(failure, "`=`");
+    }
+    return WithHelp(Expected(failure, "`=`"), "`given` sets a value, for the test to begin with");
+  }
+  const bool is_term =
+      failure.rule == TaskParser::RuleReward || failure.rule == TaskParser::RuleLog;
+  if (!is_term || failure.last_type() != TaskParser::NAME) return std::nullopt;
+  if (!IsNameInsteadOfKind(failure)) return ExpectedBehindLast(failure, "`=`");
+  const uint32_t place = SpanOf(*failure.before_last).end;
+  return MakeDiagnostic(code::kUnexpectedToken, {place, place},
+                        fmt::format("expected `=`, found `{}`", failure.last->getText()));
+}
+
+Description BadReward(const Failure& failure) {
+  if (failure.rule != TaskParser::RuleStatement || failure.last_type() != TaskParser::REWARD) {
+    return std::nullopt;
+  }
+  return Expected(failure, "the name of a term, or `+=`");
+}
+
+Description BadFire(const Failure& failure) {
+  if (failure.rule != TaskParser::RuleFired && failure.rule != TaskParser::RuleFire) {
+    return std::nullopt;
+  }
+  if (failure.last_type() == TaskParser::NUMBER) return ExpectedBehindLast(failure, "`*`");
+  return WithHelp(Expected(failure, "an event"), "for example `fire 100 * end_of_time_step`");
+}
+
+// What could begin an assignment but is followed by something else.
+Description UnknownStatement(const Failure& failure) {
+  if (failure.rule != TaskParser::RuleAssignment || failure.begin == nullptr) return std::nullopt;
+  const antlr4::Token& begin = *failure.begin;
+  const std::string name = begin.getText();
+  const bool is_in_line =
+      failure.before_begin != nullptr && failure.before_begin->getLine() == begin.getLine();
+  const TokenType before = is_in_line ? failure.before_begin->getType() : 0;
+  if (before == TaskParser::NUMBER) return UnknownUnit(begin);
+  if (EndsOperand(before) && before != TaskParser::RIGHT_BRACE) {
+    return MakeDiagnostic(
+        code::kUnexpectedToken, SpanOf(begin),
+        fmt::format("expected an operator or the end of the line, found `{}`", name));
+  }
+  if (failure.last != &begin) return ExpectedBehindLast(failure, "`=`");
+  if (failure.type() == TaskParser::COLON) {
+    return WithHelp(Expected(failure, "`=`"),
+                    fmt::format("a local value is `let {} = ...`, without a type", name));
+  }
+  std::string help = HelpForForeign(name);
+  if (help.empty() && failure.type() == TaskParser::LEFT_PARENTHESIS) {
+    return WithHelp(MakeDiagnostic(code::kUnknownStatement, SpanOf(begin),
+                                   fmt::format("the value of `{}` is not used", name)),
+                    fmt::format("name it, `let x = {}(...)`, or assign it to a memory", name));
+  }
+  std::vector<std::string> keywords = StatementKeywords();
+  keywords.push_back(Spelling(TaskParser::ELSE));
+  if (help.empty()) help = DidYouMean(name, keywords);
+  if (help.empty()) help = fmt::format("a memory is set by `{} = ...`", name);
+  return WithHelp(MakeDiagnostic(code::kUnknownStatement, SpanOf(begin),
+                                 fmt::format("there is no statement `{}`", name)),
+                  help);
+}
+
+// In the loop over the statements of a block.
+Description BadStatement(const Failure& failure) {
+  if (failure.rule != TaskParser::RuleBlock || !failure.expects(TaskParser::LET)) {
+    return std::nullopt;
+  }
+  switch (failure.type()) {
+    case TaskParser::ELSE:
+      return StrayElse(failure);
+    case TaskParser::GIVEN:
+    case TaskParser::FIRE:
+    case TaskParser::EXPECT:
+      return Misplaced(failure, "stands only in a test",
+                       "tests are declared by `test \"...\" { ... }`");
+    case TaskParser::RETURN:
+      return Misplaced(failure, "stands only in a function",
+                       "an event runs to its end: put what is skipped into an `if`");
+    default:
+      break;
+  }
+  if (IsDeclarationKeyword(failure.type())) {
+    return Misplaced(failure, "does not stand inside an event", "move it out of the braces");
+  }
+  if (GoesOn(failure)) return BadEndOfStatement(failure);
+  return Expected(failure, "a statement or `}`");
+}
+
+Description BadTestStatement(const Failure& failure) {
+  if (failure.rule != TaskParser::RuleTestBlock || !failure.expects(TaskParser::GIVEN)) {
+    return std::nullopt;
+  }
+  if (GoesOn(failure) && failure.type() != TaskParser::NAME) return BadEndOfStatement(failure);
+  const std::string help = "a test holds `given`, `fire` and `expect`";
+  if (IsReserved(failure.type())) return Misplaced(failure, "does not stand in a test", help);
+  if (failure.type() != TaskParser::NAME) return Expected(failure, "a statement or `}`");
+  const std::string guess = DidYouMean(
+      failure.found.getText(),
+      {Spelling(TaskParser::GIVEN), Spelling(TaskParser::FIRE), Spelling(TaskParser::EXPECT)});
+  if (guess.empty() && GoesOn(failure)) return BadEndOfStatement(failure);
+  return WithHelp(Expected(failure, "a statement of a test"), guess.empty() ? help : guess);
+}
+
+Description BadBodyStatement(const Failure& failure) {
+  if (failure.rule != TaskParser::RuleBody || !failure.expects(TaskParser::LET)) {
+    return std::nullopt;
+  }
+  const bool is_reserved = IsReserved(failure.type());
+  if (GoesOn(failure) && !is_reserved) return BadEndOfStatement(failure);
+  const std::string help = "a function is `let`s and one `return`, and changes nothing";
+  const std::string guess = DidYouMean(failure.found.getText(),
+                                       {Spelling(TaskParser::LET), Spelling(TaskParser::RETURN)});
+  return WithHelp(
+      MakeDiagnostic(code::kBadFunctionBody, SpanOf(failure.found),
+                     is_reserved
+                         ? fmt::format("{} does not stand in a function", FoundText(failure))
+                         : fmt::format("expected `let` or `return`, found {}", FoundText(failure))),
+      guess.empty() || is_reserved ? help : guess);
+}
+
+}  // namespace compiler
