@@ -6,6 +6,11 @@
 namespace compiler {
 
 const std::vector<Verb> kVerbs = {
+    {"new", "Begin a task",
+     "taskc new walking --for humanoid   # walking.task, with the robot's sensors and links "
+     "listed\n"
+     "taskc new balancing                # a task that brings its own sensors",
+     DeclareNew},
     {"build", "Build a task into a plugin",
      "taskc build crawling.task                  # into the cache; prints where the plugin is\n"
      "taskc build crawling.task -o crawling.so   # into a file",
@@ -31,6 +36,11 @@ const std::vector<Verb> kVerbs = {
      "taskc explain E0203   # what it means, with examples\n"
      "taskc explain         # all codes with their titles",
      DeclareExplain},
+    {"completion", "Print what a shell needs to complete taskc's command line",
+     "taskc completion bash >>~/.bashrc\n"
+     "taskc completion zsh >>~/.zshrc       # behind the line with compinit\n"
+     "taskc completion fish >~/.config/fish/completions/taskc.fish",
+     DeclareCompletion},
 };
 
 void AddTask(CLI::App& app, std::string& task) {
@@ -51,9 +61,9 @@ void AddRobots(CLI::App& app, Session& session) {
       ->type_name("DIR");
 }
 
-void AddChoice(CLI::App& app, const std::string& option, std::string& value,
-               const std::vector<std::string>& words, const std::string& description) {
-  app.add_option(option, value, description)
+CLI::Option* AddChoice(CLI::App& app, const std::string& option, std::string& value,
+                       const std::vector<std::string>& words, const std::string& description) {
+  return app.add_option(option, value, description)
       ->type_name(fmt::format("{}", fmt::join(words, "|")))
       ->check(CLI::IsMember(words).description(""));
 }

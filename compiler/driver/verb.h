@@ -30,10 +30,12 @@ extern const std::vector<Verb> kVerbs;
 
 Action DeclareBuild(CLI::App& app, Session& session);
 Action DeclareCheck(CLI::App& app, Session& session);
+Action DeclareCompletion(CLI::App& app, Session& session);
 Action DeclareDoc(CLI::App& app, Session& session);
 Action DeclareEmit(CLI::App& app, Session& session);
 Action DeclareFmt(CLI::App& app, Session& session);
 Action DeclareExplain(CLI::App& app, Session& session);
+Action DeclareNew(CLI::App& app, Session& session);
 
 // ---- Options that several verbs have ------------------------------------------------------------
 
@@ -44,8 +46,8 @@ void AddOutput(CLI::App& app, std::filesystem::path& output, const std::string& 
                const std::string& description);
 void AddRobots(CLI::App& app, Session& session);
 // An option whose value is one of a few words.
-void AddChoice(CLI::App& app, const std::string& option, std::string& value,
-               const std::vector<std::string>& words, const std::string& description);
+CLI::Option* AddChoice(CLI::App& app, const std::string& option, std::string& value,
+                       const std::vector<std::string>& words, const std::string& description);
 // In which form, and in which colours, what is wrong is reported.
 void AddReport(CLI::App& app, Session& session);
 

@@ -52,7 +52,7 @@ TEST(CommandLine, ExplainsEachVerb) {
 
 TEST(CommandLine, RefusesWhatItDoesNotUnderstand) {
   TaskcProcess taskc;
-  ExpectRefusal(taskc.Run(""), "expected a command: build, check, emit");
+  ExpectRefusal(taskc.Run(""), "expected a command: new, build, check");
   ExpectRefusal(taskc.Run("biuld x.task"), "no command `biuld`; did you mean `taskc build`?");
   ExpectRefusal(taskc.Run("build"), "FILE.task");
   ExpectRefusal(taskc.Run("build a.task b.task"), "b.task");

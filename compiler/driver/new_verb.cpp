@@ -1,0 +1,70 @@
+// taskc new NAME
+#include <fmt/format.h>
+
+#include <memory>
+#include <optional>
+
+#include "compiler/analyze/find_robot.h"
+#include "compiler/build/file_io.h"
+#include "compiler/driver/task_skeleton.h"
+#include "compiler/driver/verb.h"
+#include "compiler/syntax/parse.h"
+
+namespace compiler {
+namespace {
+
+struct Options {
+  std::string name;
+  std::string robot;  // empty: none
+};
+
+// Throws CallError where a task cannot be called that.
+void CheckName(const std::string& name) {
+  const SourceFile header(name, "task " + name + "\n");
+  Diagnostics diagnostics;
+  const auto tree = Parse(header, diagnostics);
+  if (tree && tree->task && tree->task->text == name && !tree->robot && !tree->base) return;
+  throw CallError(fmt::format(
+      "a task cannot be called `{}`: a name has letters, digits and `_`, begins with no digit, and "
+      "is no word of the language",
+      name));
+}
+
+robot::RobotDescription GetRobot(const std::string& name, const std::filesystem::path& file,
+                                 const Session& session) {
+  Diagnostics diagnostics;
+  auto robot = FindRobot({name, {}}, file, session.robots, diagnostics);
+  if (robot) return std::move(*robot);
+  const Diagnostic& mistake = diagnostics.list().front();
+  throw CallError(mistake.message + (mistake.help.empty() ? "" : "; " + mistake.help));
+}
+
+ExitStatus New(const Options& options, Session& session) {
+  std::filesystem::path file = options.name;
+  if (file.extension() != ".task") file += ".task";
+  const std::string name = file.stem();
+  CheckName(name);
+  std::optional<robot::RobotDescription> robot;
+  if (!options.robot.empty()) robot = GetRobot(options.robot, file, session);
+  if (std::filesystem::exists(std::filesystem::symlink_status(file))) {
+    throw CallError(fmt::format("`{}` is there already", file.string()));
+  }
+  ReplaceFile(file, TaskSkeleton(name, robot ? &*robot : nullptr));
+  fmt::print("{}\n", file.string());
+  return ExitStatus::kOk;
+}
+
+}  // namespace
+
+Action DeclareNew(CLI::App& app, Session& session) {
+  auto options = std::make_shared<Options>();
+  app.add_option("NAME", options->name, "of the task; the file is NAME.task")
+      ->required()
+      ->type_name("");
+  app.add_option("--for", options->robot, "the robot; without, the task brings its own sensors")
+      ->type_name("ROBOT");
+  AddRobots(app, session);
+  return [options](Session& call) { return New(*options, call); };
+}
+
+}  // namespace compiler
