@@ -21,6 +21,7 @@
 #include "compiler/build/plugin_cache.h"
 #include "compiler/check/check.h"
 #include "compiler/emit/emit.h"
+#include "compiler/source/file_reader.h"
 #include "compiler/syntax/parse.h"
 
 namespace compiler {
@@ -32,10 +33,10 @@ constexpr const char* kRobot = SOURCE_DIR "/plugins/humanoid/robot.toml";
 // ---- Phases ---------------------------------------------------------------------------------
 
 void Parse(benchmark::State& state) {
-  SourceFile source = SourceFile::Read(kTask);
+  Sources sources(kTask, MustReadFromDisk(kTask));
   for (auto _ : state) {
     Diagnostics diagnostics;
-    benchmark::DoNotOptimize(Parse(source, diagnostics));
+    benchmark::DoNotOptimize(Parse(sources.main(), diagnostics));
   }
 }
 BENCHMARK(Parse)->Unit(benchmark::kMicrosecond);
@@ -46,29 +47,29 @@ void ReadRobot(benchmark::State& state) {
 BENCHMARK(ReadRobot)->Unit(benchmark::kMicrosecond);
 
 void Check(benchmark::State& state) {
-  SourceFile source = SourceFile::Read(kTask);
+  Sources sources(kTask, MustReadFromDisk(kTask));
   robot::RobotDescription robot = robot::ReadRobot(kRobot);
   Diagnostics diagnostics;
-  SyntaxTree tree = Parse(source, diagnostics).value();
-  for (auto _ : state) benchmark::DoNotOptimize(Check(tree, source, &robot, diagnostics));
+  SyntaxTree tree = Parse(sources.main(), diagnostics).value();
+  for (auto _ : state) benchmark::DoNotOptimize(Check(tree, &robot, diagnostics));
 }
 BENCHMARK(Check)->Unit(benchmark::kMicrosecond);
 
 std::string EmitTask() {
-  SourceFile source = SourceFile::Read(kTask);
+  Sources sources(kTask, MustReadFromDisk(kTask));
   robot::RobotDescription robot = robot::ReadRobot(kRobot);
   Diagnostics diagnostics;
-  SyntaxTree tree = Parse(source, diagnostics).value();
-  return Emit(Check(tree, source, &robot, diagnostics).value(), source);
+  SyntaxTree tree = Parse(sources.main(), diagnostics).value();
+  return Emit(Check(tree, &robot, diagnostics).value(), sources);
 }
 
 void Emit(benchmark::State& state) {
-  SourceFile source = SourceFile::Read(kTask);
+  Sources sources(kTask, MustReadFromDisk(kTask));
   robot::RobotDescription robot = robot::ReadRobot(kRobot);
   Diagnostics diagnostics;
-  SyntaxTree tree = Parse(source, diagnostics).value();
-  CheckedTask task = Check(tree, source, &robot, diagnostics).value();
-  for (auto _ : state) benchmark::DoNotOptimize(Emit(task, source));
+  SyntaxTree tree = Parse(sources.main(), diagnostics).value();
+  CheckedTask task = Check(tree, &robot, diagnostics).value();
+  for (auto _ : state) benchmark::DoNotOptimize(Emit(task, sources));
 }
 BENCHMARK(Emit)->Unit(benchmark::kMicrosecond);
 

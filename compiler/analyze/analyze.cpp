@@ -19,30 +19,22 @@ bool GetRobot(Analysis& analysis, const std::filesystem::path& file,
 std::string TextOf(const std::filesystem::path& file, const FileReader& read) {
   std::optional<std::string> text = read(file);
   // Read again for the reason why it cannot be read.
-  return text ? std::move(*text) : SourceFile::Read(file.string()).text();
+  return text ? std::move(*text) : MustReadFromDisk(file);
 }
 
 }  // namespace
 
-std::optional<std::string> ReadFromDisk(const std::filesystem::path& file) {
-  try {
-    return SourceFile::Read(file.string()).text();
-  } catch (const CallError&) {
-    return std::nullopt;
-  }
-}
-
 Analysis Analyze(const std::filesystem::path& file, const FileReader& read,
                  const std::filesystem::path& robots) {
-  Analysis analysis{.source = SourceFile(file.string(), TextOf(file, read)),
+  Analysis analysis{.sources = Sources(file.string(), TextOf(file, read)),
                     .tree = {},
                     .robot = {},
                     .diagnostics = {},
                     .task = {}};
-  analysis.tree = Parse(analysis.source, analysis.diagnostics);
+  analysis.tree = Parse(analysis.sources.main(), analysis.diagnostics);
   if (!analysis.tree || !GetRobot(analysis, file, robots)) return analysis;
-  analysis.task = Check(*analysis.tree, analysis.source,
-                        analysis.robot ? &*analysis.robot : nullptr, analysis.diagnostics);
+  analysis.task =
+      Check(*analysis.tree, analysis.robot ? &*analysis.robot : nullptr, analysis.diagnostics);
   return analysis;
 }
 

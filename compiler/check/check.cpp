@@ -10,8 +10,8 @@
 
 namespace compiler {
 
-std::optional<CheckedTask> Check(const SyntaxTree& tree, const SourceFile& source,
-                                 const robot::RobotDescription* robot, Diagnostics& diagnostics) {
+std::optional<CheckedTask> Check(const SyntaxTree& tree, const robot::RobotDescription* robot,
+                                 Diagnostics& diagnostics) {
   assert(tree.robot.has_value() == (robot != nullptr));
   TaskScope scope{.has_robot = robot != nullptr,
                   .enumerations = EnumerationsOf(robot),
@@ -31,7 +31,7 @@ std::optional<CheckedTask> Check(const SyntaxTree& tree, const SourceFile& sourc
   CheckParams(tree, scope, task);
   CheckMemory(tree, scope, task);
   CheckMetrics(tree, scope, task);
-  CheckEvents(tree, source, scope, task);
+  CheckEvents(tree, scope, task);
   if (diagnostics.has_errors()) return std::nullopt;
 
   task.sensors = scope.sensors.list();

@@ -13,7 +13,7 @@ namespace compiler {
 // Checks names, types, shapes, index ranges and units. `robot` is the description of the robot that
 // the task names, or null if it names none. All mistakes go to `diagnostics`; returns nothing if
 // any of them was an error.
-std::optional<CheckedTask> Check(const SyntaxTree& tree, const SourceFile& source,
-                                 const robot::RobotDescription* robot, Diagnostics& diagnostics);
+std::optional<CheckedTask> Check(const SyntaxTree& tree, const robot::RobotDescription* robot,
+                                 Diagnostics& diagnostics);
 
 }  // namespace compiler

@@ -121,13 +121,13 @@ struct BuiltinCall {
   std::vector<CheckedExpressionPtr> arguments;
 };
 struct FunctionCall {
-  uint32_t function = 0;  // index into CheckedTask::functions
+  uint32_t function = 0;                        // index into CheckedTask::functions
   std::vector<CheckedExpressionPtr> arguments;  // of the types that the function declares
 };
 // What only a test's `expect` reads; see docs/language.md.
 struct TestRead {
   enum Kind {
-    kTotal,  // what reward term `index` has paid since the test began
+    kTotal,   // what reward term `index` has paid since the test began
     kMetric,  // metric `index`, measured now
     kLog,     // the last value of log `index`; NaN before the first
     kReward,  // what the last callback has paid
@@ -242,7 +242,6 @@ struct CheckedMemory {
 struct CheckedTerm {
   std::string name;
   std::string doc;
-  uint32_t line = 0;
   Span span{};  // of its first statement
 };
 struct CheckedMetric {
@@ -257,18 +256,15 @@ struct CheckedLogValue {
   std::string doc;
   Unit unit;  // of its first statement; all have the same
   Reduction reduction;
-  uint32_t line = 0;
   Span span{};
 };
 struct CheckedEndReason {
   EndKind kind;
   std::string reason;
-  uint32_t line = 0;
   Span span{};
 };
 struct CheckedRequirement {
   std::string reason;  // the condition's own text where none is given
-  uint32_t line = 0;
   Span span{};
 };
 struct Local {
@@ -288,7 +284,7 @@ struct CheckedEvent {
 struct CheckedFunction {
   std::string name;
   std::string doc;
-  Span span{};                   // of its name
+  Span span{};  // of its name
   std::vector<Local> arguments;
   std::vector<Local> locals;
   std::vector<CheckedLet> lets;  // in their order

@@ -27,11 +27,9 @@ void CollectLets(const Block& block, TaskScope& scope) {
 // The block of one event.
 class EventChecker {
  public:
-  EventChecker(const EventDeclaration& declaration, const SourceFile& source, TaskScope& scope,
-               CheckedTask& task)
+  EventChecker(const EventDeclaration& declaration, TaskScope& scope, CheckedTask& task)
       : place_{Place::kEvent, declaration.event},
         event_name_(declaration.name.text),
-        source_(source),
         scope_(scope),
         task_(task),
         event_(task.events[static_cast<size_t>(declaration.event)]) {}
@@ -123,7 +121,7 @@ class EventChecker {
       return;
     }
     const auto index = static_cast<uint32_t>(task_.ends.size());
-    task_.ends.push_back({end.kind, end.reason, LineOf(span), span});
+    task_.ends.push_back({end.kind, end.reason, span});
     block.push_back({span, CheckedEnd{index}});
   }
 
@@ -131,15 +129,12 @@ class EventChecker {
   uint32_t TermOf(const std::string& name, Span span) {
     const auto found = std::ranges::find(task_.terms, name, &CheckedTerm::name);
     if (found != task_.terms.end()) return static_cast<uint32_t>(found - task_.terms.begin());
-    task_.terms.push_back({name, "", LineOf(span), span});
+    task_.terms.push_back({name, "", span});
     return static_cast<uint32_t>(task_.terms.size() - 1);
   }
 
-  uint32_t LineOf(Span span) const { return source_.PositionOf(span.begin).line; }
-
   const Place place_;
   const std::string& event_name_;
-  const SourceFile& source_;
   TaskScope& scope_;
   CheckedTask& task_;
   CheckedEvent& event_;
@@ -147,8 +142,7 @@ class EventChecker {
 
 }  // namespace
 
-void CheckEvents(const SyntaxTree& tree, const SourceFile& source, TaskScope& scope,
-                 CheckedTask& task) {
+void CheckEvents(const SyntaxTree& tree, TaskScope& scope, CheckedTask& task) {
   for (const Declaration& declaration : tree.declarations) {
     const auto* block = std::get_if<EventDeclaration>(&declaration.node);
     if (block == nullptr) continue;
@@ -161,7 +155,7 @@ void CheckEvents(const SyntaxTree& tree, const SourceFile& source, TaskScope& sc
     }
     scope.lets.clear();
     CollectLets(block->body, scope);
-    CheckedBlock body = EventChecker(*block, source, scope, task).Check(block->body);
+    CheckedBlock body = EventChecker(*block, scope, task).Check(block->body);
     if (event.is_declared) continue;
     event.is_declared = true;
     event.span = block->name.span;

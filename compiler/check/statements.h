@@ -7,9 +7,7 @@
 
 namespace compiler {
 
-// Checks every `on EVENT { ... }`; adds events, reward terms and ends to the task. `source` gives
-// the lines of terms and ends.
-void CheckEvents(const SyntaxTree& tree, const SourceFile& source, TaskScope& scope,
-                 CheckedTask& task);
+// Checks every `on EVENT { ... }`; adds events, reward terms and ends to the task.
+void CheckEvents(const SyntaxTree& tree, TaskScope& scope, CheckedTask& task);
 
 }  // namespace compiler

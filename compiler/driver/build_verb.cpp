@@ -23,7 +23,7 @@ ExitStatus Build(const Options& options, Session& session) {
   std::filesystem::path cache = options.cache.empty() ? DefaultCacheFolder() : options.cache;
   try {
     BuildResult built =
-        BuildPlugin(analysis.task->name, Emit(*analysis.task, analysis.source), cache);
+        BuildPlugin(analysis.task->name, Emit(*analysis.task, analysis.sources), cache);
     if (options.output.empty()) {
       session.Say(built.plugin.string() + "\n");
     } else {
@@ -31,7 +31,8 @@ ExitStatus Build(const Options& options, Session& session) {
     }
     session.Result()["plugin"] = (options.output.empty() ? built.plugin : options.output).string();
   } catch (const InternalError& error) {
-    WriteWholeFile(error.evidence() / (analysis.task->name + ".task"), analysis.source.text());
+    WriteWholeFile(error.evidence() / (analysis.task->name + ".task"),
+                   analysis.sources.main().text());
     throw;
   }
   return ExitStatus::kOk;

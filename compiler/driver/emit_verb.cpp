@@ -18,7 +18,7 @@ struct Options {
 ExitStatus EmitOne(const Options& options, Session& session) {
   Analysis analysis = session.Analyze(options.task);
   if (!analysis.task) return ExitStatus::kWrongTask;
-  std::string cpp = Emit(*analysis.task, analysis.source);
+  std::string cpp = Emit(*analysis.task, analysis.sources);
   if (options.output.empty()) {
     fmt::print("{}", cpp);
   } else {

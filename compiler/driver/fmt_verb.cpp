@@ -6,6 +6,7 @@
 #include "compiler/build/file_io.h"
 #include "compiler/driver/verb.h"
 #include "compiler/format/format.h"
+#include "compiler/source/file_reader.h"
 
 namespace compiler {
 namespace {
@@ -24,12 +25,12 @@ void Rewrite(const std::filesystem::path& file, const std::string& text) {
 }
 
 ExitStatus FormatFile(const std::string& file, bool check, Session& session) {
-  const SourceFile source = SourceFile::Read(file);
+  const Sources sources(file, MustReadFromDisk(file));
   Diagnostics diagnostics;
-  const auto formatted = Format(source, diagnostics);
-  session.Report(source, diagnostics);
+  const auto formatted = Format(sources.main(), diagnostics);
+  session.Report(sources, diagnostics);
   if (!formatted) return ExitStatus::kWrongTask;
-  const bool is_changed = *formatted != source.text();
+  const bool is_changed = *formatted != sources.main().text();
   session.Result()["changed"] = is_changed;
   if (!is_changed) return ExitStatus::kOk;
   if (check) {
@@ -41,15 +42,15 @@ ExitStatus FormatFile(const std::string& file, bool check, Session& session) {
 }
 
 ExitStatus FormatStandardInput(bool check, Session& session) {
-  const SourceFile source("<stdin>", {std::istreambuf_iterator<char>(std::cin), {}});
+  const Sources sources("<stdin>", {std::istreambuf_iterator<char>(std::cin), {}});
   Diagnostics diagnostics;
-  const auto formatted = Format(source, diagnostics);
-  session.Report(source, diagnostics);
+  const auto formatted = Format(sources.main(), diagnostics);
+  session.Report(sources, diagnostics);
   if (!formatted) return ExitStatus::kWrongTask;
-  session.Result()["changed"] = *formatted != source.text();
+  session.Result()["changed"] = *formatted != sources.main().text();
   session.Result()["text"] = *formatted;
   if (!check) session.Say(*formatted);
-  return check && *formatted != source.text() ? ExitStatus::kWrongTask : ExitStatus::kOk;
+  return check && *formatted != sources.main().text() ? ExitStatus::kWrongTask : ExitStatus::kOk;
 }
 
 // A file that cannot be read or written does not keep the others from being formatted.

@@ -34,16 +34,16 @@ std::string Counts(size_t errors, size_t warnings) {
 
 Analysis Session::Analyze(const std::string& file) {
   Analysis analysis = compiler::Analyze(file, ReadFromDisk, robots);
-  Report(analysis.source, analysis.diagnostics);
+  Report(analysis.sources, analysis.diagnostics);
   if (analysis.task) Result()["name"] = analysis.task->name;
   return analysis;
 }
 
-void Session::Report(const SourceFile& source, const Diagnostics& diagnostics) {
-  report_.Add(source, diagnostics);
-  report_.tasks.push_back({{"file", source.path()}, {"ok", !diagnostics.has_errors()}});
+void Session::Report(const Sources& sources, const Diagnostics& diagnostics) {
+  report_.Add(sources, diagnostics);
+  report_.tasks.push_back({{"file", sources.main().path()}, {"ok", !diagnostics.has_errors()}});
   if (is_for_a_person()) {
-    fmt::print(stderr, "{}", Render(source, diagnostics, WantsColor(color)));
+    fmt::print(stderr, "{}", Render(sources, diagnostics, WantsColor(color)));
   }
 }
 

@@ -29,8 +29,8 @@ class Session {
   // On the standard output, for a person only: other programs get `Result`.
   void Say(std::string_view text) const;
 
-  // Reports what is wrong with a file, where a verb analyzes it by itself.
-  void Report(const SourceFile& source, const Diagnostics& diagnostics);
+  // Reports what is wrong with the files of a task, where a verb analyzes it by itself.
+  void Report(const Sources& sources, const Diagnostics& diagnostics);
 
   // What became of the task reported last: a JSON object to which the verb adds.
   Json& Result();

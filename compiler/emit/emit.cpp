@@ -11,9 +11,9 @@ namespace {
 
 constexpr int kEventCount = TASKC_EVENT_COUNT;
 
-void EmitFunctions(const CheckedTask& task, const SourceFile& source, const PluginNames& names,
+void EmitFunctions(const CheckedTask& task, const Sources& sources, const PluginNames& names,
                    TextWriter& writer, HelperSet& helpers) {
-  FunctionEmitter functions(task, source, names, writer, helpers);
+  FunctionEmitter functions(task, sources, names, writer, helpers);
   functions.EmitInitialize();
   for (int event = 0; event < kEventCount; ++event) {
     auto kind = static_cast<EventKind>(event);
@@ -34,26 +34,26 @@ void EmitHelpers(const HelperSet& helpers, bool of_library, TextWriter& writer) 
 
 }  // namespace
 
-std::string Emit(const CheckedTask& task, const SourceFile& source) {
+std::string Emit(const CheckedTask& task, const Sources& sources) {
   PluginNames names(task);
   std::string own_path = task.name + ".cpp";
 
   // Which helpers there are is known only once the functions are written; where the functions stand
   // in the text, only once the helpers are. So the functions are written twice.
   HelperSet helpers;
-  TextWriter rehearsal(source.path(), own_path);
-  EmitFunctions(task, source, names, rehearsal, helpers);
+  TextWriter rehearsal(own_path);
+  EmitFunctions(task, sources, names, rehearsal, helpers);
 
-  TextWriter writer(source.path(), own_path);
+  TextWriter writer(own_path);
   writer.Line(fmt::format("// Made from the task `{}` by taskc {}.", task.name, TASKC_VERSION));
   writer.Line("#include <taskc/plugin.h>");
   EmitHelpers(helpers, true, writer);
   writer.BlankLine();
   writer.Line("namespace {");
-  EmitTables(task, source, names, writer);
+  EmitTables(task, sources, names, writer);
   EmitHelpers(helpers, false, writer);
-  EmitFunctions(task, source, names, writer, helpers);
-  EmitEntry(task, source, writer);
+  EmitFunctions(task, sources, names, writer, helpers);
+  EmitEntry(task, sources, writer);
   writer.BlankLine();
   writer.Line("}  // namespace");
   writer.BlankLine();

@@ -57,9 +57,9 @@ bool HasFunction(const CheckedTask& task, EventKind event) {
   return false;
 }
 
-FunctionEmitter::FunctionEmitter(const CheckedTask& task, const SourceFile& source,
+FunctionEmitter::FunctionEmitter(const CheckedTask& task, const Sources& sources,
                                  const PluginNames& names, TextWriter& writer, HelperSet& helpers)
-    : task_(task), source_(source), names_(names), writer_(writer), helpers_(helpers) {}
+    : task_(task), sources_(sources), names_(names), writer_(writer), helpers_(helpers) {}
 
 // ---- Functions ------------------------------------------------------------------------------
 
@@ -93,8 +93,8 @@ void FunctionEmitter::EmitEvent(EventKind kind) {
   End();
 }
 
-uint32_t FunctionEmitter::FirstLineOfMemory() const {
-  return task_.memory.empty() ? 1 : LineOf(task_.memory.front().span);
+SourceLine FunctionEmitter::FirstLineOfMemory() const {
+  return LineOf(task_.memory.empty() ? Span{} : task_.memory.front().span);
 }
 
 void FunctionEmitter::EmitMeasure() {
@@ -102,7 +102,7 @@ void FunctionEmitter::EmitMeasure() {
   for (const CheckedMetric& metric : task_.metrics) used.Add(metric.value);
   Begin("measure", LineOf(task_.metrics.front().value.span), used, {});
   for (uint32_t i = 0; i < task_.metrics.size(); ++i) {
-    uint32_t line = LineOf(task_.metrics[i].value.span);
+    SourceLine line = LineOf(task_.metrics[i].value.span);
     CppText value = expressions_->EmitScalar(task_.metrics[i].value);
     WriteLines(expressions_->TakeParts(), line);
     writer_.Line(fmt::format("frame->metrics[{}] = {};", i, value.text), line);
@@ -110,7 +110,7 @@ void FunctionEmitter::EmitMeasure() {
   End();
 }
 
-void FunctionEmitter::Begin(std::string_view name, uint32_t line, const UsedValues& used,
+void FunctionEmitter::Begin(std::string_view name, SourceLine line, const UsedValues& used,
                             const std::vector<Local>& locals) {
   function_ = {.names = names_.taken, .values = {}};
   writer_.LeaveSource();
@@ -124,7 +124,7 @@ void FunctionEmitter::Begin(std::string_view name, uint32_t line, const UsedValu
   expressions_.emplace(function_.values, function_.names, helpers_);
 }
 
-void FunctionEmitter::EmitPrologue(const UsedValues& used, uint32_t line) {
+void FunctionEmitter::EmitPrologue(const UsedValues& used, SourceLine line) {
   ValueNames& values = function_.values;
   for (uint32_t i = 0; i < task_.sensors.size(); ++i) {
     values.sensors.emplace_back();
@@ -160,12 +160,12 @@ void FunctionEmitter::End() {
 
 void FunctionEmitter::EmitBlock(const CheckedBlock& block) {
   for (const CheckedStatement& statement : block) {
-    uint32_t line = LineOf(statement.span);
+    SourceLine line = LineOf(statement.span);
     std::visit([&](const auto& node) { Emit(node, line); }, statement.node);
   }
 }
 
-void FunctionEmitter::Emit(const CheckedLet& let, uint32_t line) {
+void FunctionEmitter::Emit(const CheckedLet& let, SourceLine line) {
   const std::string& name = function_.values.locals[let.local];
   const Type& type = let.value.type;
   std::vector<std::string> definition;
@@ -179,7 +179,7 @@ void FunctionEmitter::Emit(const CheckedLet& let, uint32_t line) {
   WriteLines(definition, line);
 }
 
-void FunctionEmitter::Emit(const CheckedAssign& assign, uint32_t line) {
+void FunctionEmitter::Emit(const CheckedAssign& assign, SourceLine line) {
   uint32_t count = task_.memory[assign.memory].type.size();
   // `v = v.yx`: all elements of the new value are computed from the old one.
   bool is_entangled = count > 1 && Reads(assign.value, assign.memory);
@@ -190,11 +190,11 @@ void FunctionEmitter::Emit(const CheckedAssign& assign, uint32_t line) {
   EmitStore(assign.memory, AssignSymbol(assign.op), elements, line);
 }
 
-void FunctionEmitter::Emit(const CheckedIf& node, uint32_t line) {
+void FunctionEmitter::Emit(const CheckedIf& node, SourceLine line) {
   int nested = 0;  // conditions that need lines before them: an `if` inside the `else`
   for (size_t i = 0; i < node.branches.size(); ++i) {
     const CheckedIfBranch& branch = node.branches[i];
-    uint32_t branch_line = i == 0 ? line : LineOf(branch.condition.span);
+    SourceLine branch_line = i == 0 ? line : LineOf(branch.condition.span);
     std::string condition = expressions_->EmitScalar(branch.condition).text;
     std::vector<std::string> parts = expressions_->TakeParts();
     if (i > 0 && !parts.empty()) {
@@ -222,7 +222,7 @@ void FunctionEmitter::Emit(const CheckedIf& node, uint32_t line) {
   }
 }
 
-void FunctionEmitter::Emit(const CheckedReward& reward, uint32_t line) {
+void FunctionEmitter::Emit(const CheckedReward& reward, SourceLine line) {
   CppText value = expressions_->EmitScalar(reward.value);
   WriteLines(expressions_->TakeParts(), line);
   if (reward.is_rate) {
@@ -233,19 +233,19 @@ void FunctionEmitter::Emit(const CheckedReward& reward, uint32_t line) {
                line);
 }
 
-void FunctionEmitter::Emit(const CheckedEnd& end, uint32_t line) {
+void FunctionEmitter::Emit(const CheckedEnd& end, SourceLine line) {
   writer_.Line(fmt::format("{}(frame, {});", helpers_.Use(Helper::kEnd), end.end), line);
 }
 
 void FunctionEmitter::EmitReset(const CheckedMemory& memory, uint32_t index) {
-  uint32_t line = LineOf(memory.span);
+  SourceLine line = LineOf(memory.span);
   std::vector<CppText> elements = expressions_->EmitElements(memory.initial, memory.type.size());
   WriteLines(expressions_->TakeParts(), line);
   EmitStore(index, "=", elements, line);
 }
 
 void FunctionEmitter::EmitStore(uint32_t memory, std::string_view op,
-                                const std::vector<CppText>& elements, uint32_t line) {
+                                const std::vector<CppText>& elements, SourceLine line) {
   const std::string& name = function_.values.memory[memory];
   const Type& type = task_.memory[memory].type;
   if (type.shape == Shape::kScalar) {
@@ -265,7 +265,7 @@ void FunctionEmitter::EmitStore(uint32_t memory, std::string_view op,
   writer_.Line(fmt::format("{}", fmt::join(stores, " ")), line);
 }
 
-void FunctionEmitter::WriteLines(const std::vector<std::string>& lines, uint32_t line) {
+void FunctionEmitter::WriteLines(const std::vector<std::string>& lines, SourceLine line) {
   for (const std::string& text : lines) writer_.Line(text, line);
 }
 

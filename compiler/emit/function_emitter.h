@@ -10,7 +10,7 @@
 #include "compiler/emit/expression_emitter.h"
 #include "compiler/emit/text_writer.h"
 #include "compiler/emit/used_values.h"
-#include "compiler/source/source_file.h"
+#include "compiler/source/sources.h"
 
 namespace compiler {
 
@@ -29,7 +29,7 @@ bool HasFunction(const CheckedTask& task, EventKind event);
 class FunctionEmitter {
  public:
   // Refers to its arguments, which must outlive it.
-  FunctionEmitter(const CheckedTask& task, const SourceFile& source, const PluginNames& names,
+  FunctionEmitter(const CheckedTask& task, const Sources& sources, const PluginNames& names,
                   TextWriter& writer, HelperSet& helpers);
 
   void EmitInitialize();
@@ -43,31 +43,33 @@ class FunctionEmitter {
     ValueNames values;
   };
 
-  void Begin(std::string_view name, uint32_t line, const UsedValues& used,
+  void Begin(std::string_view name, SourceLine line, const UsedValues& used,
              const std::vector<Local>& locals);
-  void EmitPrologue(const UsedValues& used, uint32_t line);
+  void EmitPrologue(const UsedValues& used, SourceLine line);
   void End();
 
   void EmitBlock(const CheckedBlock& block);
-  void Emit(const CheckedLet& let, uint32_t line);
-  void Emit(const CheckedAssign& assign, uint32_t line);
-  void Emit(const CheckedIf& node, uint32_t line);
-  void Emit(const CheckedReward& reward, uint32_t line);
-  void Emit(const CheckedEnd& end, uint32_t line);
-  void Emit(const CheckedFor&, uint32_t) {}
-  void Emit(const CheckedLog&, uint32_t) {}
-  void Emit(const CheckedRequire&, uint32_t) {}
+  void Emit(const CheckedLet& let, SourceLine line);
+  void Emit(const CheckedAssign& assign, SourceLine line);
+  void Emit(const CheckedIf& node, SourceLine line);
+  void Emit(const CheckedReward& reward, SourceLine line);
+  void Emit(const CheckedEnd& end, SourceLine line);
+  void Emit(const CheckedFor&, SourceLine) {}
+  void Emit(const CheckedLog&, SourceLine) {}
+  void Emit(const CheckedRequire&, SourceLine) {}
   void EmitReset(const CheckedMemory& memory, uint32_t index);
   void EmitStore(uint32_t memory, std::string_view op, const std::vector<CppText>& elements,
-                 uint32_t line);
+                 SourceLine line);
   // Lines that stand for one line of the task.
-  void WriteLines(const std::vector<std::string>& lines, uint32_t line);
+  void WriteLines(const std::vector<std::string>& lines, SourceLine line);
   // What a function stands for that the task does not write itself: it only sets memory.
-  uint32_t FirstLineOfMemory() const;
-  uint32_t LineOf(Span span) const { return source_.PositionOf(span.begin).line; }
+  SourceLine FirstLineOfMemory() const;
+  SourceLine LineOf(Span span) const {
+    return {sources_.FileOf(span).path(), sources_.LineOf(span)};
+  }
 
   const CheckedTask& task_;
-  const SourceFile& source_;
+  const Sources& sources_;
   const PluginNames& names_;
   TextWriter& writer_;
   HelperSet& helpers_;

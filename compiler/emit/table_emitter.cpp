@@ -64,8 +64,8 @@ std::string ReductionConstant(Reduction reduction) {
 }
 
 // A `taskc_place`.
-std::string Place(Span span, const SourceFile& source) {
-  return fmt::format("{{0, {}}}", source.PositionOf(span.begin).line);
+std::string Place(Span span, const Sources& sources) {
+  return fmt::format("{{{}, {}}}", sources.IndexOf(span), sources.LineOf(span));
 }
 
 std::string TypeFields(const Type& type) {
@@ -85,9 +85,9 @@ std::string Row(const CheckedParam& param) {
                      RealLiteral(param.minimum), RealLiteral(param.maximum));
 }
 
-std::string Row(const CheckedTerm& term, const SourceFile& source) {
+std::string Row(const CheckedTerm& term, const Sources& sources) {
   return fmt::format("{}, {}, {}", StringLiteral(term.name), StringLiteral(term.doc),
-                     Place(term.span, source));
+                     Place(term.span, sources));
 }
 
 std::string Row(const CheckedMetric& metric) {
@@ -96,19 +96,19 @@ std::string Row(const CheckedMetric& metric) {
                      ReductionConstant(metric.reduction));
 }
 
-std::string Row(const CheckedLogValue& log, const SourceFile& source) {
+std::string Row(const CheckedLogValue& log, const Sources& sources) {
   return fmt::format("{}, {}, {}, {}, {}", StringLiteral(log.name), StringLiteral(log.doc),
                      StringLiteral(ToString(log.unit)), ReductionConstant(log.reduction),
-                     Place(log.span, source));
+                     Place(log.span, sources));
 }
 
-std::string Row(const CheckedEndReason& end, const SourceFile& source) {
+std::string Row(const CheckedEndReason& end, const Sources& sources) {
   return fmt::format("{}, {}, {}", StringLiteral(end.reason), EndConstant(end.kind),
-                     Place(end.span, source));
+                     Place(end.span, sources));
 }
 
-std::string Row(const CheckedRequirement& requirement, const SourceFile& source) {
-  return fmt::format("{}, {}", StringLiteral(requirement.reason), Place(requirement.span, source));
+std::string Row(const CheckedRequirement& requirement, const Sources& sources) {
+  return fmt::format("{}, {}", StringLiteral(requirement.reason), Place(requirement.span, sources));
 }
 
 // `row` gives the fields of an element. C++ has no empty arrays: no elements, no table.
@@ -126,11 +126,13 @@ void EmitTable(std::string_view type, std::string_view name, const std::vector<E
 
 constexpr auto kRow = [](const auto& element) { return Row(element); };
 
-void EmitSources(const SourceFile& source, TextWriter& writer) {
+void EmitSources(const Sources& sources, TextWriter& writer) {
   writer.BlankLine();
   writer.Line("constexpr taskc_source sources_table[] = {");
-  writer.Line(fmt::format("    {{{},", StringLiteral(source.path())));
-  writer.Line(SplitStringLiteral(source.text(), "     ") + "},");
+  for (const SourceFile& source : sources.files()) {
+    writer.Line(fmt::format("    {{{},", StringLiteral(source.path())));
+    writer.Line(SplitStringLiteral(source.text(), "     ") + "},");
+  }
   writer.Line("};");
 }
 
@@ -159,10 +161,10 @@ void EmitTableFields(std::string_view field, size_t count, std::vector<std::stri
   counts.push_back(fmt::format(".{}_count = {}", singular, count));
 }
 
-std::vector<std::string> TableFields(const CheckedTask& task) {
+std::vector<std::string> TableFields(const CheckedTask& task, const Sources& sources) {
   std::vector<std::string> pointers;
   std::vector<std::string> counts;
-  EmitTableFields("sources", 1, pointers, counts);
+  EmitTableFields("sources", sources.files().size(), pointers, counts);
   EmitTableFields("sensors", task.sensors.size(), pointers, counts);
   EmitTableFields("params", task.params.size(), pointers, counts);
   EmitTableFields("memory", task.memory.size(), pointers, counts);
@@ -175,7 +177,14 @@ std::vector<std::string> TableFields(const CheckedTask& task) {
   return pointers;
 }
 
-std::vector<std::string> IdentityFields(const CheckedTask& task, const SourceFile& source) {
+// Of all texts of a task, one behind the other.
+std::string HashOf(const Sources& sources) {
+  std::string text;
+  for (const SourceFile& source : sources.files()) text += source.text();
+  return seal::Sha256(text);
+}
+
+std::vector<std::string> IdentityFields(const CheckedTask& task, const Sources& sources) {
   return {".abi_version = TASKC_ABI_VERSION",
           ".struct_size = sizeof(taskc_plugin)",
           ".compiler = " + StringLiteral("taskc " TASKC_VERSION),
@@ -183,15 +192,15 @@ std::vector<std::string> IdentityFields(const CheckedTask& task, const SourceFil
           ".doc = " + StringLiteral(task.doc),
           ".robot = " + StringLiteral(task.robot),
           ".start_pose = " + StringLiteral(task.start_pose),
-          ".source_hash = " + StringLiteral(seal::Sha256(source.text()))};
+          ".source_hash = " + StringLiteral(HashOf(sources))};
 }
 
 }  // namespace
 
-void EmitTables(const CheckedTask& task, const SourceFile& source, const PluginNames& names,
+void EmitTables(const CheckedTask& task, const Sources& sources, const PluginNames& names,
                 TextWriter& writer) {
-  const auto row = [&](const auto& element) { return Row(element, source); };
-  EmitSources(source, writer);
+  const auto row = [&](const auto& element) { return Row(element, sources); };
+  EmitSources(sources, writer);
   EmitMemoryStruct(task, names, writer);
   EmitTermNumbers(task, names, writer);
   EmitTable("taskc_sensor", "sensors_table", task.sensors, kRow, writer);
@@ -212,9 +221,9 @@ void EmitTables(const CheckedTask& task, const SourceFile& source, const PluginN
   EmitTable("taskc_requirement", "requirements_table", task.requirements, row, writer);
 }
 
-void EmitEntry(const CheckedTask& task, const SourceFile& source, TextWriter& writer) {
-  std::vector<std::string> fields = IdentityFields(task, source);
-  for (std::string& field : TableFields(task)) fields.push_back(std::move(field));
+void EmitEntry(const CheckedTask& task, const Sources& sources, TextWriter& writer) {
+  std::vector<std::string> fields = IdentityFields(task, sources);
+  for (std::string& field : TableFields(task, sources)) fields.push_back(std::move(field));
   fields.push_back(task.memory.empty() ? ".memory_size = 0" : ".memory_size = sizeof(Memory)");
   fields.push_back(".initialize = initialize");
   std::vector<std::string_view> functions;

@@ -5,15 +5,15 @@
 #include "compiler/check/checked_task.h"
 #include "compiler/emit/function_emitter.h"
 #include "compiler/emit/text_writer.h"
-#include "compiler/source/source_file.h"
+#include "compiler/source/sources.h"
 
 namespace compiler {
 
 // The struct `Memory` and the tables of all that the task declares.
-void EmitTables(const CheckedTask& task, const SourceFile& source, const PluginNames& names,
+void EmitTables(const CheckedTask& task, const Sources& sources, const PluginNames& names,
                 TextWriter& writer);
 
 // The description of the whole plugin and the function that returns it.
-void EmitEntry(const CheckedTask& task, const SourceFile& source, TextWriter& writer);
+void EmitEntry(const CheckedTask& task, const Sources& sources, TextWriter& writer);
 
 }  // namespace compiler

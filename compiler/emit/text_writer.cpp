@@ -6,8 +6,7 @@
 
 namespace compiler {
 
-TextWriter::TextWriter(std::string_view source_path, std::string_view own_path)
-    : source_path_(StringLiteral(source_path)), own_path_(StringLiteral(own_path)) {}
+TextWriter::TextWriter(std::string_view own_path) : own_path_(StringLiteral(own_path)) {}
 
 void TextWriter::Line(std::string_view text) {
   while (true) {
@@ -20,27 +19,27 @@ void TextWriter::Line(std::string_view text) {
   }
 }
 
-void TextWriter::Line(std::string_view text, uint32_t source_line) {
-  if (source_line_ == 0) {
-    Append(fmt::format("#line {} {}", source_line, source_path_));
-  } else if (source_line_ != source_line) {
-    Append(fmt::format("#line {}", source_line));
+void TextWriter::Line(std::string_view text, SourceLine source) {
+  if (source_.path != source.path) {
+    Append(fmt::format("#line {} {}", source.line, StringLiteral(source.path)));
+  } else if (source_.line != source.line) {
+    Append(fmt::format("#line {}", source.line));
   }
-  source_line_ = source_line;
+  source_ = source;
   Line(text);
 }
 
 void TextWriter::LeaveSource() {
-  if (source_line_ == 0) return;
+  if (source_ == SourceLine{}) return;
   Append(fmt::format("#line {} {}", physical_line_ + 1, own_path_));
-  source_line_ = 0;
+  source_ = {};
 }
 
 void TextWriter::Append(std::string_view line) {
   text_ += line;
   text_ += '\n';
   ++physical_line_;
-  if (source_line_ != 0 && !line.starts_with("#line")) ++source_line_;
+  if (source_.line != 0 && !line.starts_with("#line")) ++source_.line;
 }
 
 }  // namespace compiler

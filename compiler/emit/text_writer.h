@@ -1,21 +1,29 @@
 // Writes lines of C++ and says, with `#line`, which line of the task each of them stands for.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
 namespace compiler {
 
+// A line of one of the task's files.
+struct SourceLine {
+  std::string_view path;
+  uint32_t line = 0;  // from 1; 0: no line of the task
+
+  bool operator==(const SourceLine&) const = default;
+};
+
 class TextWriter {
  public:
-  // `source_path` is the task's file; `own_path` the name under which a debugger knows the C++
-  // text.
-  TextWriter(std::string_view source_path, std::string_view own_path);
+  // `own_path`: the name under which a debugger knows the C++ text.
+  explicit TextWriter(std::string_view own_path);
 
   // Text of our own: one or more whole lines without the last end of line, indented.
   void Line(std::string_view text);
-  // One line of C++ that stands for line `source_line` of the task.
-  void Line(std::string_view text, uint32_t source_line);
+  // One line of C++ that stands for a line of the task.
+  void Line(std::string_view text, SourceLine source);
   void BlankLine() { Line(""); }
   // What follows stands for nothing in the task.
   void LeaveSource();
@@ -28,13 +36,11 @@ class TextWriter {
  private:
   void Append(std::string_view line);
 
-  std::string source_path_;  // as C++ literals
-  std::string own_path_;
+  std::string own_path_;  // as a C++ literal
   std::string text_;
   size_t indent_ = 0;
   uint32_t physical_line_ = 1;  // of the next line
-  uint32_t source_line_ =
-      0;  // that the C++ compiler takes the next line for; 0: none of the task's
+  SourceLine source_;           // what the C++ compiler takes the next line for
 };
 
 }  // namespace compiler

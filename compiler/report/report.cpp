@@ -2,15 +2,16 @@
 
 namespace compiler {
 
-Place PlaceOf(const SourceFile& source, Span span) {
+Place PlaceOf(const Sources& sources, Span span) {
+  const SourceFile& source = sources.FileOf(span);
   return {source.path(), source.PositionOf(span.begin), source.PositionOf(span.end)};
 }
 
-void RunReport::Add(const SourceFile& source, const Diagnostics& diagnostics) {
+void RunReport::Add(const Sources& sources, const Diagnostics& diagnostics) {
   for (const Diagnostic& diagnostic : diagnostics.list()) {
-    Finding finding{diagnostic, PlaceOf(source, diagnostic.span), {}};
+    Finding finding{diagnostic, PlaceOf(sources, diagnostic.span), {}};
     for (const Label& label : diagnostic.labels) {
-      finding.label_places.push_back(PlaceOf(source, label.span));
+      finding.label_places.push_back(PlaceOf(sources, label.span));
     }
     findings.push_back(std::move(finding));
   }

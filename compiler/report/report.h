@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "compiler/source/diagnostic.h"
-#include "compiler/source/source_file.h"
+#include "compiler/source/sources.h"
 
 namespace compiler {
 
@@ -18,7 +18,7 @@ struct Place {
   Position begin;
   Position end;
 };
-Place PlaceOf(const SourceFile& source, Span span);
+Place PlaceOf(const Sources& sources, Span span);
 
 struct RunReport {
   // A diagnostic whose spans have become places.
@@ -32,7 +32,7 @@ struct RunReport {
   Json tasks = Json::array();         // what became of each; the verbs say what that is
   int exit_status = 0;
 
-  void Add(const SourceFile& source, const Diagnostics& diagnostics);
+  void Add(const Sources& sources, const Diagnostics& diagnostics);
 };
 
 // The format is described in docs/taskc.md.

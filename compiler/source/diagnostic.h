@@ -9,13 +9,13 @@
 #include <vector>
 
 #include "compiler/source/diagnostic_table.h"
-#include "compiler/source/source_file.h"
+#include "compiler/source/sources.h"
 
 namespace compiler {
 
 enum class Severity { kError, kWarning };
 
-// A further place that explains a diagnostic, e.g. "declared here".
+// A further place that explains a diagnostic, e.g. "declared here"; perhaps in another file.
 struct Label {
   Span span;
   std::string text;
@@ -35,7 +35,7 @@ struct Diagnostic {
 // The caller adds note, labels and help where they say something new.
 Diagnostic MakeDiagnostic(std::string_view code, Span span, std::string message);
 
-// Collects the diagnostics of one file.
+// Collects the diagnostics of a task.
 class Diagnostics {
  public:
   // The code must be in the table.
@@ -50,7 +50,7 @@ class Diagnostics {
 };
 
 // The diagnostics as a person reads them: file:line:column, the line, carets, help.
-std::string Render(const SourceFile& source, const Diagnostics& diagnostics, bool color);
+std::string Render(const Sources& sources, const Diagnostics& diagnostics, bool color);
 
 // A mistake in the call rather than in the task: a missing file, an unwritable folder.
 class CallError : public std::exception {

@@ -24,23 +24,30 @@ struct Mark {
   std::string_view text;
 };
 
+// The marked lines of one file; the primary mark comes first in its line.
+struct MarkedFile {
+  const SourceFile* source;
+  Span first;                                   // what was marked first
+  std::map<uint32_t, std::vector<Mark>> marks;  // by line
+};
+
 // Writes one diagnostic.
 class Renderer {
  public:
-  Renderer(const SourceFile& source, const Diagnostic& diagnostic, bool color)
-      : source_(source), diagnostic_(diagnostic), color_(color) {
+  Renderer(const Sources& sources, const Diagnostic& diagnostic, bool color)
+      : sources_(sources), diagnostic_(diagnostic), color_(color) {
     AddMark(diagnostic.span, true, diagnostic.note);
     for (const Label& label : diagnostic.labels) AddMark(label.span, false, label.text);
-    gutter_ = std::to_string(marks_.rbegin()->first).size();
+    for (const MarkedFile& file : files_) {
+      gutter_ = std::max(gutter_, std::to_string(file.marks.rbegin()->first).size());
+    }
   }
 
   std::string Render() {
     Heading();
-    uint32_t previous = 0;
-    for (const auto& [line, marks] : marks_) {
-      if (previous != 0) Between(previous, line);
-      SourceLine(line, marks);
-      previous = line;
+    for (const MarkedFile& file : files_) {
+      FileLine(&file == &files_.front() ? "-->" : ":::", file);
+      SourceLines(file);
     }
     if (!diagnostic_.help.empty()) Help();
     return std::move(out_);
@@ -49,12 +56,22 @@ class Renderer {
  private:
   // A span over several lines is marked in its first line.
   void AddMark(Span span, bool is_primary, std::string_view text) {
-    const uint32_t line = source_.PositionOf(span.begin).line;
-    const uint32_t start = source_.LineStart(line);
-    const auto length = static_cast<uint32_t>(source_.Line(line).size());
+    MarkedFile& file = FileOf(span);
+    const SourceFile& source = *file.source;
+    const uint32_t line = source.PositionOf(span.begin).line;
+    const uint32_t start = source.LineStart(line);
+    const auto length = static_cast<uint32_t>(source.Line(line).size());
     const uint32_t begin = std::min(span.begin - start, length);
     const uint32_t end = std::clamp(span.end > start ? span.end - start : 0, begin, length);
-    marks_[line].push_back({begin, end, is_primary, text});
+    file.marks[line].push_back({begin, end, is_primary, text});
+  }
+
+  // The file of a span among those that are marked already, or as a further one.
+  MarkedFile& FileOf(Span span) {
+    const SourceFile& source = sources_.FileOf(span);
+    const auto found = std::ranges::find(files_, &source, &MarkedFile::source);
+    if (found != files_.end()) return *found;
+    return files_.emplace_back(MarkedFile{&source, span, {}});
   }
 
   std::string_view SeverityColor() const {
@@ -69,9 +86,13 @@ class Renderer {
   void Heading() {
     const bool is_error = diagnostic_.severity == Severity::kError;
     const std::string kind = (is_error ? "error[" : "warning[") + diagnostic_.code + "]";
-    const Position position = source_.PositionOf(diagnostic_.span.begin);
     out_ += Colored(SeverityColor(), kind) + Colored(kBold, ": " + diagnostic_.message) + "\n";
-    out_ += std::string(gutter_, ' ') + Colored(kBlue, "-->") + " " + source_.path() + ":" +
+  }
+
+  // " --> a.task:12:3"
+  void FileLine(std::string_view arrow, const MarkedFile& file) {
+    const Position position = file.source->PositionOf(file.first.begin);
+    out_ += std::string(gutter_, ' ') + Colored(kBlue, arrow) + " " + file.source->path() + ":" +
             std::to_string(position.line) + ":" + std::to_string(position.column) + "\n";
     GutterLine("", "");
   }
@@ -87,18 +108,27 @@ class Renderer {
     out_ += '\n';
   }
 
+  void SourceLines(const MarkedFile& file) {
+    uint32_t previous = 0;
+    for (const auto& [line, marks] : file.marks) {
+      if (previous != 0) Between(*file.source, previous, line);
+      SourceLine(*file.source, line, marks);
+      previous = line;
+    }
+  }
+
   // The lines between two marked ones: left out, but a single one is shown.
-  void Between(uint32_t previous, uint32_t next) {
+  void Between(const SourceFile& source, uint32_t previous, uint32_t next) {
     if (next == previous + 2) {
-      const DisplayedLine line(source_.Line(previous + 1));
+      const DisplayedLine line(source.Line(previous + 1));
       GutterLine(std::to_string(previous + 1), line.PartAround(0).text);
     } else if (next > previous + 2) {
       out_ += Colored(kBlue, "...") + "\n";
     }
   }
 
-  void SourceLine(uint32_t number, const std::vector<Mark>& marks) {
-    const DisplayedLine line(source_.Line(number));
+  void SourceLine(const SourceFile& source, uint32_t number, const std::vector<Mark>& marks) {
+    const DisplayedLine line(source.Line(number));
     const DisplayedLine::Part part = line.PartAround(line.ColumnOf(marks.front().begin));
     GutterLine(std::to_string(number), part.text);
     for (const Mark& mark : marks) MarkLine(line, part, mark);
@@ -126,20 +156,20 @@ class Renderer {
     out_ += "\n";
   }
 
-  const SourceFile& source_;
+  const Sources& sources_;
   const Diagnostic& diagnostic_;
   const bool color_;
-  std::map<uint32_t, std::vector<Mark>> marks_;  // by line; the primary one first in its line
-  size_t gutter_ = 1;                            // width of the line numbers
+  std::vector<MarkedFile> files_;  // that of the diagnostic itself first
+  size_t gutter_ = 1;              // width of the line numbers
   std::string out_;
 };
 
 }  // namespace
 
-std::string Render(const SourceFile& source, const Diagnostics& diagnostics, bool color) {
+std::string Render(const Sources& sources, const Diagnostics& diagnostics, bool color) {
   std::string out;
   for (const Diagnostic& diagnostic : diagnostics.list()) {
-    out += Renderer(source, diagnostic, color).Render() + "\n";
+    out += Renderer(sources, diagnostic, color).Render() + "\n";
   }
   return out;
 }

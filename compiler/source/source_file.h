@@ -8,8 +8,9 @@
 
 namespace compiler {
 
-// A stretch of the source text: byte offsets, the end exclusive. An empty span marks a place
-// between two characters.
+// A stretch of the text of one file: byte offsets, the end exclusive. An empty span marks a place
+// between two characters. The files of a task are counted through, one after the other: see
+// Sources.
 struct Span {
   uint32_t begin = 0;
   uint32_t end = 0;
@@ -33,20 +34,23 @@ class SourceFile {
   // A file that is larger is read no further: the parser refuses it.
   static constexpr uint32_t kMaxSize = 1'000'000;  // bytes
 
-  SourceFile(std::string path, std::string text);
-
-  // Reads a file (at most a little more than kMaxSize of it). Throws compiler::CallError naming the
-  // file and the reason.
-  static SourceFile Read(const std::string& path);
+  // `first_offset`: that of the first byte.
+  SourceFile(std::string path, std::string text, uint32_t first_offset = 0);
 
   const std::string& path() const { return path_; }
   const std::string& text() const { return text_; }
+  uint32_t first_offset() const { return first_offset_; }
+  uint32_t end_offset() const { return first_offset_ + static_cast<uint32_t>(text_.size()); }
+  // The text of a span of this file.
+  std::string_view TextOf(Span span) const {
+    return std::string_view(text_).substr(span.begin - first_offset_, span.end - span.begin);
+  }
 
   // An offset beyond the text means its end; one inside a code point counts as that code point, one
   // inside a line's end as the end of the line.
   Position PositionOf(uint32_t offset) const;
   // The offset at which a line begins.
-  uint32_t LineStart(uint32_t line) const { return line_starts_[line - 1]; }
+  uint32_t LineStart(uint32_t line) const { return first_offset_ + line_starts_[line - 1]; }
   // A line's text without its end ("\n" or "\r\n"); lines count from 1.
   std::string_view Line(uint32_t line) const;
   uint32_t line_count() const { return static_cast<uint32_t>(line_starts_.size()); }
@@ -54,7 +58,8 @@ class SourceFile {
  private:
   std::string path_;
   std::string text_;
-  std::vector<uint32_t> line_starts_;  // never empty
+  uint32_t first_offset_;
+  std::vector<uint32_t> line_starts_;  // within the text; never empty
 };
 
 }  // namespace compiler

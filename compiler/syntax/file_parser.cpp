@@ -15,8 +15,9 @@ using grammar::TaskParser;
 
 bool IsTooLarge(SyntaxReport& report) {
   if (report.source().text().size() <= SourceFile::kMaxSize) return false;
+  const uint32_t begin = report.source().first_offset();
   Diagnostic diagnostic =
-      MakeDiagnostic(code::kFileTooLarge, {0, 0},
+      MakeDiagnostic(code::kFileTooLarge, {begin, begin},
                      fmt::format("the file is larger than {} bytes", SourceFile::kMaxSize));
   diagnostic.help = "is it a task? the largest tasks have a few kilobytes";
   report.Add(std::move(diagnostic));
@@ -26,7 +27,7 @@ bool IsTooLarge(SyntaxReport& report) {
 }  // namespace
 
 FileParser::FileParser(SyntaxReport& report)
-    : report_(report), bytes_(report.source().text()), lexer_(&bytes_) {
+    : report_(report), bytes_(report.source()), lexer_(&bytes_) {
   lexer_.removeErrorListeners();
 }
 

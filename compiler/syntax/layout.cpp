@@ -176,7 +176,7 @@ void Layout::AddSynthetic(TokenType type) {
 void Layout::AddDocumentation(const antlr4::Token& token) {
   if (last_ != nullptr && last_->getLine() == token.getLine()) return;
   const Span span = SpanOf(token);
-  std::string text = report_.source().text().substr(span.begin + 3, span.end - span.begin - 3);
+  std::string text(report_.source().TextOf({span.begin + 3, span.end}));
   if (text.starts_with('/')) return;
   if (text.starts_with(' ')) text.erase(0, 1);
   text.erase(text.find_last_not_of(" \t\f") + 1);

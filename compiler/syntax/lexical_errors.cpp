@@ -62,8 +62,8 @@ std::string Named(char32_t value, std::string_view bytes) {
 // At the first character of the token.
 Diagnostic UnknownCharacter(const antlr4::Token& token, const SourceFile& source) {
   const uint32_t begin = SpanOf(token).begin;
-  const CodePoint point = DecodeUtf8(source.text(), begin);
-  const std::string_view bytes = std::string_view(source.text()).substr(begin, point.length);
+  const CodePoint point = DecodeUtf8(source.TextOf({begin, source.end_offset()}), 0);
+  const std::string_view bytes = source.TextOf({begin, begin + point.length});
   Diagnostic diagnostic = MakeDiagnostic(
       code::kUnknownCharacter, {begin, begin + point.length},
       fmt::format("the character {} has no meaning here", Named(point.value, bytes)));
@@ -128,7 +128,7 @@ bool RejectBlockComment(const antlr4::CommonToken& token, SyntaxReport& report) 
 bool RejectCharacter(const antlr4::CommonToken& token, SyntaxReport& report) {
   const SourceFile& source = report.source();
   // What is no UTF-8 has been reported as that.
-  if (DecodeUtf8(source.text(), SpanOf(token).begin).is_valid) {
+  if (DecodeUtf8(source.TextOf({SpanOf(token).begin, source.end_offset()}), 0).is_valid) {
     report.Add(UnknownCharacter(token, source));
   } else {
     report.MarkFaulty(SpanOf(token));
@@ -139,8 +139,7 @@ bool RejectCharacter(const antlr4::CommonToken& token, SyntaxReport& report) {
 }  // namespace
 
 bool RepairToken(antlr4::CommonToken& token, SyntaxReport& report) {
-  const Span span = SpanOf(token);
-  const std::string text = report.source().text().substr(span.begin, span.end - span.begin);
+  const std::string text(report.source().TextOf(SpanOf(token)));
   switch (token.getType()) {
     case TaskLexer::UNCLOSED_STRING:
       return RepairString(token, report);
@@ -165,8 +164,9 @@ void CheckUtf8(SyntaxReport& report) {
   for (uint32_t i = 0; i < text.size();) {
     const CodePoint point = DecodeUtf8(text, i);
     if (!point.is_valid) {
-      Diagnostic diagnostic =
-          MakeDiagnostic(code::kInvalidUtf8, {i, i + 1}, "this byte is not part of a character");
+      const uint32_t begin = report.source().first_offset() + i;
+      Diagnostic diagnostic = MakeDiagnostic(code::kInvalidUtf8, {begin, begin + 1},
+                                             "this byte is not part of a character");
       diagnostic.help = "save the file in the encoding UTF-8";
       report.Add(std::move(diagnostic));
       return;

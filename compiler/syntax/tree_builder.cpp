@@ -108,7 +108,9 @@ class TreeBuilder {
     return type == TaskParser::FN || type == TaskParser::IMPORT;
   }
 
-  Span WholeFile() const { return {0, static_cast<uint32_t>(report_.source().text().size())}; }
+  Span WholeFile() const {
+    return {report_.source().first_offset(), report_.source().end_offset()};
+  }
 
   // ---- Declarations ----------------------------------------------------------------------------
 

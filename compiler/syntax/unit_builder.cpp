@@ -69,19 +69,20 @@ Identifier BuildName(antlr4::ParserRuleContext& context) {
 
 std::string BuildText(antlr4::Token& token, SyntaxReport& report) {
   const Span span = SpanOf(token);
-  const std::string& source = report.source().text();
+  const std::string_view written = report.source().TextOf(span);
   std::string text;
-  for (uint32_t i = span.begin + 1; i + 1 < span.end; ++i) {
-    if (source[i] == '\\') {
+  for (uint32_t i = 1; i + 1 < written.size(); ++i) {
+    if (written[i] == '\\') {
       ++i;
-      if (source[i] != '"' && source[i] != '\\') {
-        Diagnostic diagnostic = MakeDiagnostic(code::kUnknownEscape, {i - 1, i + 1},
-                                               "there is no such escape sequence");
+      if (written[i] != '"' && written[i] != '\\') {
+        Diagnostic diagnostic =
+            MakeDiagnostic(code::kUnknownEscape, {span.begin + i - 1, span.begin + i + 1},
+                           "there is no such escape sequence");
         diagnostic.help = "a text knows `\\\"` and `\\\\`";
         report.Add(std::move(diagnostic));
       }
     }
-    text += source[i];
+    text += written[i];
   }
   return text;
 }

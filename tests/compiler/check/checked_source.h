@@ -21,17 +21,17 @@ inline const robot::RobotDescription& Humanoid() {
 
 // A task that was parsed and checked, for the humanoid or for no robot.
 struct CheckedSource {
-  explicit CheckedSource(SourceFile file) : source(std::move(file)) {
-    const auto tree = Parse(source, diagnostics);
+  CheckedSource(std::string path, std::string text) : sources(std::move(path), std::move(text)) {
+    const auto tree = Parse(sources.main(), diagnostics);
     if (!tree) return;
     is_parsed = true;
-    task = Check(*tree, source, tree->robot ? &Humanoid() : nullptr, diagnostics);
+    task = Check(*tree, tree->robot ? &Humanoid() : nullptr, diagnostics);
   }
-  explicit CheckedSource(std::string text) : CheckedSource(SourceFile("a.task", std::move(text))) {}
+  explicit CheckedSource(std::string text) : CheckedSource("a.task", std::move(text)) {}
 
-  std::string Messages() const { return Render(source, diagnostics, false); }
+  std::string Messages() const { return Render(sources, diagnostics, false); }
 
-  SourceFile source;
+  Sources sources;
   Diagnostics diagnostics;
   bool is_parsed = false;
   std::optional<CheckedTask> task;

@@ -114,7 +114,7 @@ TEST(Expression, SpansTheWholeText) {
   ASSERT_TRUE(checked.task);
   const auto& body = checked.task->events[static_cast<size_t>(EventKind::kEndOfTimeStep)].body;
   const Span span = std::get<CheckedLet>(body[0].node).value.span;
-  const std::string text = checked.source.text().substr(span.begin, span.end - span.begin);
+  const std::string text(checked.sources.main().TextOf(span));
   EXPECT_NE(text.find("time + 1 s"), std::string::npos) << text;
 }
 

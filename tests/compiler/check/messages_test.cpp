@@ -14,7 +14,7 @@ const std::filesystem::path kFolder = SOURCE_DIR "/tests/compiler/check/messages
 
 // A task of the folder, under a path that does not depend on where the project lies.
 CheckedSource CheckFile(const std::filesystem::path& file) {
-  return CheckedSource(SourceFile(file.filename(), golden::ReadFile(file)));
+  return CheckedSource(file.filename(), golden::ReadFile(file));
 }
 
 void ExpectMessages(const std::filesystem::path& file, const CheckedSource& checked) {

@@ -56,16 +56,16 @@ TEST(Task, HasMemoryOfThreeScopes) {
 }
 
 TEST(Task, HasOneTermForAllStatementsThatPayIt) {
-  const CheckedTask task =
-      CheckTask(TaskText("",
-                         "/// The way ahead.\nreward rate forward = base.velocity.x\nif "
-                         "contact[head] {\n  reward fall = -1\n"
-                         "}\nif contact[body] {\n  reward fall = -2\n}"));
+  const std::string text = TaskText("",
+                                    "/// The way ahead.\nreward rate forward = base.velocity.x\nif "
+                                    "contact[head] {\n  reward fall = -1\n"
+                                    "}\nif contact[body] {\n  reward fall = -2\n}");
+  const CheckedTask task = CheckTask(text);
   ASSERT_EQ(task.terms.size(), 2u);
   EXPECT_EQ(task.terms[0].name, "forward");
   EXPECT_EQ(task.terms[1].name, "fall");
   EXPECT_EQ(task.terms[0].doc, "The way ahead.");
-  EXPECT_EQ(task.terms[1].line, 7u);
+  EXPECT_EQ(task.terms[1].span.begin, text.find("reward fall = -1"));
 }
 
 TEST(Task, PaysAnonymousRewardsToTheTermCalledReward) {
@@ -80,15 +80,15 @@ TEST(Task, PaysAnonymousRewardsToTheTermCalledReward) {
 }
 
 TEST(Task, HasOneEndForEachStatement) {
-  const CheckedTask task =
-      CheckTask(TaskText("",
-                         "if contact[head] { end_episode failure \"falls\" }\n"
-                         "if base.position.x > 1 m { end_episode success \"arrives\" }\n"
-                         "if time > 20 s { truncate_episode \"time is up\" }"));
+  const std::string text = TaskText("",
+                                    "if contact[head] { end_episode failure \"falls\" }\n"
+                                    "if base.position.x > 1 m { end_episode success \"arrives\" }\n"
+                                    "if time > 20 s { truncate_episode \"time is up\" }");
+  const CheckedTask task = CheckTask(text);
   ASSERT_EQ(task.ends.size(), 3u);
   EXPECT_EQ(task.ends[0].kind, EndKind::kFailure);
   EXPECT_EQ(task.ends[0].reason, "falls");
-  EXPECT_EQ(task.ends[0].line, 4u);
+  EXPECT_EQ(task.ends[0].span.begin, text.find("end_episode failure"));
   EXPECT_EQ(task.ends[1].kind, EndKind::kSuccess);
   EXPECT_EQ(task.ends[2].kind, EndKind::kTruncated);
 }

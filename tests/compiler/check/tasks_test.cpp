@@ -1,4 +1,5 @@
 // The tasks that come with the project.
+#include "compiler/source/file_reader.h"
 #include "tests/compiler/check/checked_source.h"
 #include "tests/compiler/golden.h"
 
@@ -7,14 +8,15 @@ namespace {
 
 TEST(ShippedTasks, HaveNeitherErrorsNorWarnings) {
   for (const auto& file : golden::FilesIn(SOURCE_DIR "/tasks", "", ".task")) {
-    const CheckedSource checked(SourceFile::Read(file));
+    const CheckedSource checked(file, MustReadFromDisk(file));
     EXPECT_TRUE(checked.task) << file;
     EXPECT_TRUE(checked.diagnostics.list().empty()) << checked.Messages();
   }
 }
 
 TEST(ShippedTasks, ReadOnlyTheSensorsTheyNeed) {
-  const CheckedSource checked(SourceFile::Read(SOURCE_DIR "/tasks/forward_rolling.task"));
+  const std::string file = SOURCE_DIR "/tasks/forward_rolling.task";
+  const CheckedSource checked(file, MustReadFromDisk(file));
   ASSERT_TRUE(checked.task) << checked.Messages();
   std::vector<std::string> names;
   for (const CheckedSensor& sensor : checked.task->sensors) names.push_back(sensor.name);

@@ -8,9 +8,9 @@
 namespace compiler {
 
 std::string EmitText(const std::string& text, const std::string& path) {
-  CheckedSource checked(SourceFile(path, text));
+  CheckedSource checked(path, text);
   if (!checked.task) throw std::runtime_error(checked.Messages());
-  return Emit(*checked.task, checked.source);
+  return Emit(*checked.task, checked.sources);
 }
 
 }  // namespace compiler

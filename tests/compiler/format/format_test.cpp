@@ -10,10 +10,10 @@ namespace {
 
 // The formatted text of a task that is well-formed.
 std::string Formatted(const std::string& text) {
-  const SourceFile source("a.task", text);
+  const Sources sources("a.task", text);
   Diagnostics diagnostics;
-  const auto formatted = Format(source, diagnostics);
-  EXPECT_TRUE(formatted) << Render(source, diagnostics, false);
+  const auto formatted = Format(sources.main(), diagnostics);
+  EXPECT_TRUE(formatted) << Render(sources, diagnostics, false);
   return formatted.value_or("");
 }
 

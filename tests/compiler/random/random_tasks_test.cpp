@@ -89,8 +89,8 @@ class Library {
 // A task that is built and used in every way.
 struct Subject {
   explicit Subject(std::string task_text)
-      : text(std::move(task_text)), checked(SourceFile("random.task", text)) {
-    if (checked.task) cpp = Emit(*checked.task, checked.source);
+      : text(std::move(task_text)), checked("random.task", text) {
+    if (checked.task) cpp = Emit(*checked.task, checked.sources);
   }
 
   std::string text;

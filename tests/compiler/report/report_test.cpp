@@ -11,7 +11,7 @@ constexpr const char* kGolden = SOURCE_DIR "/tests/compiler/report/golden/";
 
 // An error with everything that a diagnostic can have, and a warning with nothing.
 RunReport SampleReport() {
-  SourceFile source("my tasks/bäd.task", "task bad\nmetric größe = höhe\n");
+  Sources sources("my tasks/bäd.task", "task bad\nmetric größe = höhe\n");
   Diagnostics diagnostics;
   Diagnostic error = MakeDiagnostic(code::kUnknownName, {26, 31}, "there is nothing called `höhe`");
   error.note = "not declared";
@@ -20,7 +20,7 @@ RunReport SampleReport() {
   diagnostics.Add(error);
   diagnostics.Add(MakeDiagnostic(code::kNeverEnds, {5, 8}, "the task never ends"));
   RunReport report;
-  report.Add(source, diagnostics);
+  report.Add(sources, diagnostics);
   report.failures.push_back("cannot read `absent.task`");
   report.tasks.push_back({{"file", "my tasks/bäd.task"}, {"ok", false}});
   report.exit_status = 2;

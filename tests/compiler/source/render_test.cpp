@@ -12,10 +12,10 @@ using testing::HasSubstr;
 using testing::Not;
 
 std::string RenderOne(const std::string& text, Diagnostic diagnostic, bool color = false) {
-  const SourceFile source("a.task", text);
+  const Sources sources("a.task", text);
   Diagnostics diagnostics;
   diagnostics.Add(std::move(diagnostic));
-  return Render(source, diagnostics, color);
+  return Render(sources, diagnostics, color);
 }
 
 Diagnostic Error(Span span) { return MakeDiagnostic(code::kUnexpectedToken, span, "message"); }
@@ -78,6 +78,33 @@ TEST(Render, ASingleLineBetweenIsShown) {
             "2 | b\n"
             "3 | c\n"
             "  | ^\n"
+            "\n");
+}
+
+TEST(Render, EachPlaceShowsItsOwnFile) {
+  Sources sources("a.task", "one\ntwo\n");
+  sources.Add("base.task", "1\n2\n3\n4\n5\n6\n7\n8\n9\nten ten\n");
+  Diagnostic diagnostic = Error({31, 34});
+  diagnostic.note = "here";
+  diagnostic.labels = {{{4, 7}, "the second"}, {{27, 30}, "and there"}, {{0, 3}, "the first"}};
+  diagnostic.help = "write it";
+  Diagnostics diagnostics;
+  diagnostics.Add(diagnostic);
+  EXPECT_EQ(Render(sources, diagnostics, false),
+            "error[E0101]: message\n"
+            "  --> base.task:10:5\n"
+            "   |\n"
+            "10 | ten ten\n"
+            "   |     ^^^ here\n"
+            "   | --- and there\n"
+            "  ::: a.task:2:1\n"
+            "   |\n"
+            " 1 | one\n"
+            "   | --- the first\n"
+            " 2 | two\n"
+            "   | --- the second\n"
+            "   |\n"
+            "   = help: write it\n"
             "\n");
 }
 
@@ -153,7 +180,7 @@ TEST(Render, HelpOverSeveralLinesIsIndented) {
 }
 
 TEST(Render, NothingIsSaidAboutNothing) {
-  EXPECT_EQ(Render(SourceFile("a.task", "x"), Diagnostics(), true), "");
+  EXPECT_EQ(Render(Sources("a.task", "x"), Diagnostics(), true), "");
 }
 
 }  // namespace

@@ -1,13 +1,8 @@
 #include "compiler/source/source_file.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
 #include <string>
-
-#include "compiler/source/diagnostic.h"
 
 namespace compiler {
 namespace {
@@ -67,35 +62,6 @@ TEST(SourceFile, AnEmptyFileHasOneEmptyLine) {
 TEST(SourceFile, CoverSpansBoth) {
   EXPECT_EQ(Cover({3, 5}, {8, 9}), (Span{3, 9}));
   EXPECT_EQ(Cover({8, 9}, {3, 5}), (Span{3, 9}));
-}
-
-TEST(SourceFile, ReadKeepsEveryByte) {
-  const std::string path = testing::TempDir() + "taskc_source_file_test.task";
-  const std::string text("a\r\n\0b\xff", 6);
-  std::ofstream(path, std::ios::binary) << text;
-  const SourceFile file = SourceFile::Read(path);
-  EXPECT_EQ(file.text(), text);
-  EXPECT_EQ(file.path(), path);
-  std::filesystem::remove(path);
-}
-
-TEST(SourceFile, ReadNamesTheFileAndTheReason) {
-  try {
-    SourceFile::Read("/nowhere/crawling.task");
-    FAIL() << "read a file that does not exist";
-  } catch (const CallError& error) {
-    EXPECT_THAT(error.what(), testing::HasSubstr("/nowhere/crawling.task"));
-    EXPECT_THAT(error.what(), testing::HasSubstr("No such file"));
-  }
-}
-
-TEST(SourceFile, ReadRefusesAFolder) {
-  try {
-    SourceFile::Read(testing::TempDir());
-    FAIL() << "read a folder";
-  } catch (const CallError& error) {
-    EXPECT_THAT(error.what(), testing::HasSubstr("folder"));
-  }
 }
 
 }  // namespace

@@ -149,12 +149,13 @@ TEST(Mutations, AreParsedOrExplained) {
   constexpr int kTexts = 600;
   Mutator mutator(Seeds(), 20121);
   for (int i = 0; i < kTexts; ++i) {
-    const SourceFile source("mutated.task", mutator.Next());
+    const Sources sources("mutated.task", mutator.Next());
+    const SourceFile& source = sources.main();
     Diagnostics diagnostics;
     const bool is_parsed = Parse(source, diagnostics).has_value();
     EXPECT_EQ(is_parsed, !diagnostics.has_errors()) << source.text();
     for (const Diagnostic& diagnostic : diagnostics.list()) ExpectUsable(source, diagnostic);
-    EXPECT_EQ(Render(source, diagnostics, false).empty(), is_parsed);
+    EXPECT_EQ(Render(sources, diagnostics, false).empty(), is_parsed);
   }
 }
 

@@ -157,10 +157,10 @@ std::string ToText(const TestStatement& statement) {
 }
 
 SyntaxTree ParseTask(const std::string& text) {
-  const SourceFile source("test.task", text);
+  const Sources sources("test.task", text);
   Diagnostics diagnostics;
-  auto tree = Parse(source, diagnostics);
-  EXPECT_EQ(Render(source, diagnostics, false), "");
+  auto tree = Parse(sources.main(), diagnostics);
+  EXPECT_EQ(Render(sources, diagnostics, false), "");
   if (!tree) {
     ADD_FAILURE() << "not well-formed:\n" << text;
     return {};
@@ -182,12 +182,12 @@ std::string ParseExpression(const std::string& expression) {
 }
 
 std::string Errors(const std::string& text) {
-  const SourceFile source("test.task", text);
+  const Sources sources("test.task", text);
   Diagnostics diagnostics;
-  EXPECT_FALSE(Parse(source, diagnostics).has_value()) << text;
+  EXPECT_FALSE(Parse(sources.main(), diagnostics).has_value()) << text;
   std::string errors;
   for (const Diagnostic& diagnostic : diagnostics.list()) {
-    const Position position = source.PositionOf(diagnostic.span.begin);
+    const Position position = sources.PositionOf(diagnostic.span);
     errors += fmt::format("{} {}:{} {}\n", diagnostic.code, position.line, position.column,
                           diagnostic.message);
   }
