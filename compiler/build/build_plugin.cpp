@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "compiler/build/child_process.h"
+#include "compiler/build/clean_cache.h"
 #include "compiler/build/cxx_compiler.h"
 #include "compiler/build/file_io.h"
 #include "compiler/build/internal_error.h"
@@ -88,7 +89,10 @@ BuildResult BuildPlugin(const std::string& task_name, const std::string& cpp,
   CxxCompiler cxx = FindCxxCompiler();
   std::string key = KeyOf(cpp, cxx);
   fs::path plugin = fs::absolute(cache / fmt::format("{}-{}.so", task_name, key));
-  if (IsIntact(plugin)) return {.plugin = plugin, .from_cache = true};
+  if (IsIntact(plugin)) {
+    NoteUse(plugin);
+    return {.plugin = plugin, .from_cache = true};
+  }
 
   BuildFolder folder(fs::absolute(cache));
   fs::path unsealed = folder.path() / "plugin.so";
@@ -104,6 +108,7 @@ BuildResult BuildPlugin(const std::string& task_name, const std::string& cpp,
             fs::absolute(cache / fmt::format("refused-{}-{}", task_name, key)));
   }
   ReplaceFile(plugin, seal::Seal(std::move(*bytes)));
+  CleanCache(cache);
   return {.plugin = plugin, .from_cache = false};
 }
 
