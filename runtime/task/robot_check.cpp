@@ -14,8 +14,9 @@
 namespace runtime {
 namespace {
 
+// Names the task's own file: the plugin may be one that the trainer has just built somewhere.
 [[noreturn]] void Refuse(const Plugin& plugin, const std::string& reason) {
-  throw UserError(fmt::format("{}: {}", plugin.file().string(), reason));
+  throw UserError(fmt::format("{}: {}", plugin.table().sources[0].file, reason));
 }
 
 const robot::SensorDescription& FindSensor(const Plugin& plugin, const char* name,

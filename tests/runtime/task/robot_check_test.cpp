@@ -22,20 +22,20 @@ TEST(CheckFitsRobot, AcceptsATaskForAnyRobotThatKnowsTheNumberOfLinks) {
 
 TEST(CheckFitsRobot, RefusesATaskForAnotherRobot) {
   EXPECT_EQ(MessageOfCheck("other_robot"),
-            "other_robot.so: the task `test` is for the robot `snake`, and this run has the robot "
+            "test.task: the task `test` is for the robot `snake`, and this run has the robot "
             "`walker`");
 }
 
 TEST(CheckFitsRobot, RefusesAnUnknownSensor) {
   EXPECT_EQ(MessageOfCheck("unknown_sensor"),
-            "unknown_sensor.so: the task reads the sensor `base.velocty`, which the robot `walker` "
+            "test.task: the task reads the sensor `base.velocty`, which the robot `walker` "
             "does not have: did you mean `base.velocity`?");
 }
 
 TEST(CheckFitsRobot, RefusesAnotherType) {
   EXPECT_EQ(
       MessageOfCheck("sensor_of_other_type"),
-      "sensor_of_other_type.so: the task reads the sensor `base.velocity` as `quat [m/s]`, and "
+      "test.task: the task reads the sensor `base.velocity` as `quat [m/s]`, and "
       "the robot `walker` gives `vec3 [m/s]`: correct the task, and build it again with `taskc "
       "build`");
 }
@@ -43,14 +43,14 @@ TEST(CheckFitsRobot, RefusesAnotherType) {
 TEST(CheckFitsRobot, RefusesAnotherUnit) {
   EXPECT_EQ(
       MessageOfCheck("sensor_of_other_unit"),
-      "sensor_of_other_unit.so: the task reads the sensor `base.velocity` as `vec3 [m]`, and the "
+      "test.task: the task reads the sensor `base.velocity` as `vec3 [m]`, and the "
       "robot `walker` gives `vec3 [m/s]`: correct the task, and build it again with `taskc "
       "build`");
 }
 
 TEST(CheckFitsRobot, RefusesABodyWithAnotherNumberOfLinks) {
   EXPECT_EQ(MessageOfCheck("other_body"),
-            "other_body.so: the task was built for another `walker`: its sensor `contact` has 18 "
+            "test.task: the task was built for another `walker`: its sensor `contact` has 18 "
             "elements, this robot's has 3; build it again with `taskc build`");
 }
 

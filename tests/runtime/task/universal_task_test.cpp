@@ -137,7 +137,7 @@ TEST_F(UniversalTaskTest, RefusesToStartWithASensorThatIsNotConnected) {
 TEST_F(UniversalTaskTest, RefusesAPluginForAnotherRobot) {
   context_.task_plugin = PluginFile("other_robot");
   EXPECT_EQ(MessageOf([&] { UniversalTask("other", context_); }),
-            "other_robot.so: the task `test` is for the robot `snake`, and this run has the robot "
+            "test.task: the task `test` is for the robot `snake`, and this run has the robot "
             "`walker`");
 }
 
