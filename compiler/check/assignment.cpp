@@ -8,6 +8,7 @@
 #include "compiler/check/names.h"
 #include "compiler/check/operators.h"
 #include "compiler/check/report.h"
+#include "compiler/check/target.h"
 #include "compiler/check/type.h"
 #include "compiler/check/unit.h"
 
@@ -30,8 +31,8 @@ BinaryOperator OperatorOf(AssignOperator op) {
 }
 
 // The memory that is assigned to, or null after a message. A wrong declaration has had its own.
-const Symbol* FindTarget(const Identifier& target, const TaskScope& scope) {
-  const Symbol* symbol = scope.symbols.Find(target.text);
+const Symbol* FindMemory(const Identifier& target, const TaskScope& scope) {
+  const Symbol* symbol = FindSymbol(target, scope);
   if (symbol == nullptr) {
     if (!scope.sensors.IsRoot(target.text)) {
       ReportUnknownName(target, scope);
@@ -43,17 +44,15 @@ const Symbol* FindTarget(const Identifier& target, const TaskScope& scope) {
   }
   if (!symbol->is_valid) return nullptr;
   if (symbol->kind == SymbolKind::kMemory) return symbol;
-  const bool is_param = symbol->kind == SymbolKind::kParam;
   Report(
       scope.diagnostics, code::kNotAssignable, target.span,
-      fmt::format("`{}` is {} and cannot be set by the task", target.text,
-                  is_param ? "a param" : "the result of a `let`"),
+      fmt::format("`{}` is {} and cannot be set by the task", target.text, WhatIs(symbol->kind)),
       {.help = "declare a `memory` for what changes", .labels = {{symbol->span, "declared here"}}});
   return nullptr;
 }
 
-// `memory op value`, with the types and units that this gives.
-std::optional<CheckedExpression> Combine(const AssignStatement& assign, const Symbol& memory,
+// `target op value`, with the types and units that this gives.
+std::optional<CheckedExpression> Combine(const AssignStatement& assign, CheckedExpression target,
                                          CheckedExpression value, const TaskScope& scope) {
   const bool scales =
       assign.op == AssignOperator::kMultiply || assign.op == AssignOperator::kDivide;
@@ -64,16 +63,16 @@ std::optional<CheckedExpression> Combine(const AssignStatement& assign, const Sy
             .help = "multiply and divide a memory by plain numbers"});
     return std::nullopt;
   }
-  CheckedExpression read{assign.target.span, memory.type, memory.unit, MemoryRead{memory.index}};
-  auto result =
-      CheckBinaryOperator(OperatorOf(assign.op), Cover(assign.target.span, assign.value.span),
-                          {std::move(read)}, {std::move(value), &assign.value}, scope.diagnostics);
-  if (!result || result->type == memory.type) return result;
+  const Type type = target.type;
+  auto result = CheckBinaryOperator(
+      OperatorOf(assign.op), Cover(assign.target.span, assign.value.span), {std::move(target)},
+      {std::move(value), &assign.value}, scope.diagnostics);
+  if (!result || result->type == type) return result;
   const bool is_division = assign.op == AssignOperator::kDivide;
   Report(scope.diagnostics, code::kWrongType, assign.value.span,
-         fmt::format("`{}` is {}", assign.target.name.text, WithArticle(memory.type)),
+         fmt::format("`{}` is {}", assign.target.name.text, WithArticle(type)),
          {.note = fmt::format("the result would be {}", WithArticle(result->type)),
-          .help = is_division && memory.type.scalar == Scalar::kInt
+          .help = is_division && type.scalar == Scalar::kInt
                       ? "a division gives a `real`: declare the memory as `real`"
                       : ""});
   return std::nullopt;
@@ -83,20 +82,27 @@ std::optional<CheckedExpression> Combine(const AssignStatement& assign, const Sy
 
 std::optional<CheckedAssign> CheckAssignment(const AssignStatement& assign, const Place& place,
                                              const TaskScope& scope) {
-  const Symbol* memory = FindTarget(assign.target.name, scope);
+  const Symbol* memory = FindMemory(PathOf(assign.target).front(), scope);
+  std::optional<CheckedExpression> target;
+  if (memory != nullptr)
+    target =
+        SelectTarget({assign.target.span, memory->type, memory->unit, MemoryRead{memory->index}},
+                     assign.target, 1, scope);
   auto value = CheckExpression(assign.value, place, scope);
-  if (memory == nullptr || !value) return std::nullopt;
+  if (!target || !value) return std::nullopt;
+  const std::vector<uint32_t> elements = ElementsOf(*target);
   if (assign.op == AssignOperator::kSet) {
-    auto fitting = ConvertTo({std::move(*value), &assign.value}, memory->type, memory->unit,
-                             fmt::format("`{}`", assign.target.name.text), scope.diagnostics);
+    auto fitting = FitTo({std::move(*value), &assign.value}, *target, assign.target, scope);
     if (!fitting) return std::nullopt;
-    return CheckedAssign{memory->index, {}, assign.op, std::move(*fitting)};
+    return CheckedAssign{memory->index, elements, assign.op, std::move(*fitting)};
   }
-  auto result = Combine(assign, *memory, std::move(*value), scope);
+  const Type type = target->type;
+  auto result = Combine(assign, std::move(*target), std::move(*value), scope);
   if (!result) return std::nullopt;
   CheckedExpression& right = *std::get<CheckedBinary>(result->node).right;
-  if (right.type == memory->type) return CheckedAssign{memory->index, {}, assign.op, std::move(right)};
-  return CheckedAssign{memory->index, {}, AssignOperator::kSet, std::move(*result)};
+  if (right.type == type)
+    return CheckedAssign{memory->index, elements, assign.op, std::move(right)};
+  return CheckedAssign{memory->index, elements, AssignOperator::kSet, std::move(*result)};
 }
 
 }  // namespace compiler

@@ -1,4 +1,4 @@
-// Assignments to memory: `n = e`, `n += e`.
+// Assignments to memory: `n = e`, `n += e`, `place.xy = e`, `touched[feet] = false`.
 #pragma once
 
 #include <optional>
@@ -9,8 +9,8 @@
 
 namespace compiler {
 
-// Reports mistakes and then returns nothing. Where a scalar is combined with a memory that has a
-// shape, as in `v *= 2`, the result is the assignment `v = v * 2`.
+// Reports mistakes and then returns nothing. Where a scalar is combined with several elements, as
+// in `v *= 2`, the result is the assignment `v = v * 2`.
 std::optional<CheckedAssign> CheckAssignment(const AssignStatement& assign, const Place& place,
                                              const TaskScope& scope);
 

@@ -3,9 +3,11 @@
 #include <cassert>
 
 #include "compiler/check/declarations.h"
+#include "compiler/check/functions.h"
 #include "compiler/check/sensor_use.h"
 #include "compiler/check/statements.h"
 #include "compiler/check/task_scope.h"
+#include "compiler/check/test_blocks.h"
 #include "compiler/check/warnings.h"
 
 namespace compiler {
@@ -17,8 +19,14 @@ std::optional<CheckedTask> Check(const SyntaxTree& tree, const robot::RobotDescr
                   .enumerations = EnumerationsOf(robot),
                   .sensors = {},
                   .symbols = {},
-                  .lets = {},
-                  .diagnostics = diagnostics};
+                  .functions = {},
+                  .locals = {},
+                  .diagnostics = diagnostics,
+                  .loop_reads = nullptr,
+                  .statements = 0,
+                  .is_too_long = false,
+                  .refused = {},
+                  .around = nullptr};
   if (scope.has_robot) scope.sensors = SensorCatalog::OfRobot(scope.enumerations);
 
   CheckedTask task;
@@ -28,14 +36,19 @@ std::optional<CheckedTask> Check(const SyntaxTree& tree, const robot::RobotDescr
   CheckStartPose(tree, robot, task, diagnostics);
   // The names first, wherever they are declared; then what uses them.
   CheckSensors(tree, scope);
+  DeclareFunctions(tree, scope);
   CheckParams(tree, scope, task);
   CheckMemory(tree, scope, task);
+  CheckFunctions(tree, scope, task);
   CheckMetrics(tree, scope, task);
   CheckEvents(tree, scope, task);
+  CheckTests(tree, scope, task);
   if (diagnostics.has_errors()) return std::nullopt;
 
   task.sensors = scope.sensors.list();
-  KeepReadSensors(task);
+  KeepReadSensors(task, diagnostics);
+  KeepCalledFunctions(task);
+  if (diagnostics.has_errors()) return std::nullopt;
   // A task with errors gets no warnings: many would only be their consequences.
   Warn(task, tree, diagnostics);
   return task;

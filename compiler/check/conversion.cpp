@@ -28,8 +28,6 @@ std::string HelpForType(const Type& have, const Type& want) {
   if (IsBool(want) && IsBool(have) && IsScalar(want))
     return "reduce it with `any`, `all` or `none`";
   if (IsBool(want) && IsNumber(have) && IsScalar(have)) return "compare it, as in `x > 0`";
-  if (!IsScalar(want) && IsScalar(have))
-    return "one value fits all elements only where a memory is declared";
   return "";
 }
 
@@ -72,16 +70,18 @@ std::string HelpForUnit(const Unit& have, const Expression* syntax, const Unit& 
 }
 
 std::optional<CheckedExpression> ConvertTo(Operand value, const Type& type, const Unit& unit,
-                                           const std::string& place, Diagnostics& diagnostics) {
+                                           const std::string& place, Diagnostics& diagnostics,
+                                           const std::vector<Label>& labels) {
   CheckedExpression& expression = value.expression;
   const Type given = expression.type;
   if (type.scalar == Scalar::kReal && given.scalar == Scalar::kInt)
     expression = ToReal(std::move(expression));
   if (expression.type != type) {
-    Report(
-        diagnostics, code::kWrongType, expression.span,
-        fmt::format("{} needs {}", place, WithArticle(type)),
-        {.note = fmt::format("this is {}", WithArticle(given)), .help = HelpForType(given, type)});
+    Report(diagnostics, code::kWrongType, expression.span,
+           fmt::format("{} needs {}", place, WithArticle(type)),
+           {.note = fmt::format("this is {}", WithArticle(given)),
+            .help = HelpForType(given, type),
+            .labels = labels});
     return std::nullopt;
   }
   if (IsLiteralZero(value.syntax)) expression.unit = unit;
@@ -92,7 +92,8 @@ std::optional<CheckedExpression> ConvertTo(Operand value, const Type& type, cons
                     IsPlain(unit) ? "a plain number" : fmt::format("a value in {}", NameOf(unit))),
         {.note = fmt::format("this is {}{}", IsPlain(expression.unit) ? "" : "in ",
                              NameOf(expression.unit)),
-         .help = HelpForUnit(expression.unit, value.syntax, unit)});
+         .help = HelpForUnit(expression.unit, value.syntax, unit),
+         .labels = labels});
     return std::nullopt;
   }
   return std::move(expression);

@@ -31,8 +31,9 @@ std::string NameOf(const Unit& unit);
 std::string HelpForUnit(const Unit& have, const Expression* syntax, const Unit& want);
 
 // The value as type and unit of a place that is called `place` in messages, such as "`fallen`".
-// Reports and returns nothing where it does not fit.
+// Reports, with further `labels`, and returns nothing where it does not fit.
 std::optional<CheckedExpression> ConvertTo(Operand value, const Type& type, const Unit& unit,
-                                           const std::string& place, Diagnostics& diagnostics);
+                                           const std::string& place, Diagnostics& diagnostics,
+                                           const std::vector<Label>& labels = {});
 
 }  // namespace compiler

@@ -35,6 +35,42 @@ std::optional<double> CheckConstant(const Expression& expression, const Declared
   return value ? ValueOf(*value) : std::nullopt;
 }
 
+// ---- Ranges -------------------------------------------------------------------------------------
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+struct Range {
+  double minimum = -kInfinity;
+  double maximum = kInfinity;
+};
+
+bool BadRange(Span span, std::string message, const TaskScope& scope, std::string help = "") {
+  Report(scope.diagnostics, code::kBadRange, span, std::move(message), {.help = std::move(help)});
+  return false;
+}
+
+// `in MINIMUM .. MAXIMUM` of a param or a sensor; infinite where nothing is said. Reports mistakes
+// and then returns nothing.
+template <typename ParamOrSensor>
+std::optional<Range> CheckRange(const ParamOrSensor& owner, const DeclaredType& declared,
+                                const TaskScope& scope) {
+  if (!owner.minimum || !owner.maximum) return Range{};
+  const Span span = Cover(owner.minimum->span, owner.maximum->span);
+  if (IsBool(declared.type)) {
+    BadRange(span, "a `bool` has no range", scope);
+    return std::nullopt;
+  }
+  const DeclaredType element{ScalarType(declared.type.scalar), declared.unit};
+  const auto minimum = CheckConstant(*owner.minimum, element, owner.name, scope);
+  const auto maximum = CheckConstant(*owner.maximum, element, owner.name, scope);
+  if (!minimum || !maximum) return std::nullopt;
+  if (*minimum <= *maximum) return Range{*minimum, *maximum};
+  BadRange(span, "the range is empty", scope, "write the smaller end first");
+  return std::nullopt;
+}
+
+// ---- Sensors ------------------------------------------------------------------------------------
+
 // `seen`: the sensors declared before, which this one is added to.
 void CheckOneSensor(const SensorDeclaration& sensor, std::map<std::string, Span>& seen,
                     TaskScope& scope) {
@@ -49,11 +85,17 @@ void CheckOneSensor(const SensorDeclaration& sensor, std::map<std::string, Span>
     return;
   }
   const auto declared = CheckDeclaredType(sensor.type, sensor.unit, scope);
-  if (declared) {
-    scope.sensors.Add({name, declared->type, declared->unit});
-  } else {
+  if (!declared) {
     scope.sensors.AddInvalid(name);
+    return;
   }
+  const Range range = CheckRange(sensor, *declared, scope).value_or(Range{});
+  const uint32_t size = declared->type.size();
+  scope.sensors.Add({.name = name,
+                     .type = declared->type,
+                     .unit = declared->unit,
+                     .minimum = std::vector<double>(size, range.minimum),
+                     .maximum = std::vector<double>(size, range.maximum)});
 }
 
 // ---- Params -------------------------------------------------------------------------------------
@@ -66,12 +108,18 @@ class ParamCheck {
   std::optional<CheckedParam> Check() {
     const auto declared = CheckDeclaredType(param_.type, param_.unit, scope_);
     if (!declared || !HasValidType(declared->type)) return std::nullopt;
-    CheckedParam checked{param_.name.text, param_.doc, declared->type, declared->unit};
-    checked.span = param_.name.span;
-    const bool has_range = CheckRange(*declared, checked);
+    const auto range = CheckRange(param_, *declared, scope_);
     const auto initial = CheckConstant(param_.initial, *declared, param_.name, scope_);
-    if (!has_range || !initial) return std::nullopt;
-    checked.initial = *initial;
+    if (!range || !initial) return std::nullopt;
+    const bool is_bool = IsBool(declared->type);
+    const CheckedParam checked{.name = param_.name.text,
+                               .doc = param_.doc,
+                               .type = declared->type,
+                               .unit = declared->unit,
+                               .initial = *initial,
+                               .minimum = is_bool ? 0 : range->minimum,
+                               .maximum = is_bool ? 1 : range->maximum,
+                               .span = param_.name.span};
     return IsInRange(checked) ? std::optional(checked) : std::nullopt;
   }
 
@@ -84,34 +132,10 @@ class ParamCheck {
     return false;
   }
 
-  bool CheckRange(const DeclaredType& declared, CheckedParam& checked) {
-    const bool is_bool = IsBool(declared.type);
-    constexpr double kInfinity = std::numeric_limits<double>::infinity();
-    checked.minimum = is_bool ? 0 : -kInfinity;
-    checked.maximum = is_bool ? 1 : kInfinity;
-    if (!param_.minimum || !param_.maximum) return true;
-    const Span span = Cover(param_.minimum->span, param_.maximum->span);
-    if (is_bool) return BadRange(span, "a `bool` has no range");
-    const auto minimum = CheckConstant(*param_.minimum, declared, param_.name, scope_);
-    const auto maximum = CheckConstant(*param_.maximum, declared, param_.name, scope_);
-    if (!minimum || !maximum) return false;
-    if (*minimum > *maximum)
-      return BadRange(span, "the range is empty", "write the smaller end first");
-    checked.minimum = *minimum;
-    checked.maximum = *maximum;
-    return true;
-  }
-
   bool IsInRange(const CheckedParam& checked) {
     if (checked.initial >= checked.minimum && checked.initial <= checked.maximum) return true;
-    return BadRange(param_.initial.span,
-                    fmt::format("`{}` starts outside its range", checked.name));
-  }
-
-  bool BadRange(Span span, std::string message, std::string help = "") {
-    Report(scope_.diagnostics, code::kBadRange, span, std::move(message),
-           {.help = std::move(help)});
-    return false;
+    return BadRange(param_.initial.span, fmt::format("`{}` starts outside its range", checked.name),
+                    scope_);
   }
 
   const ParamDeclaration& param_;
@@ -148,7 +172,7 @@ void CheckOneMemory(const MemoryDeclaration& memory, TaskScope& scope, CheckedTa
     auto initial = CheckInitial(memory, *declared, scope);
     if (!initial) initial = CheckedExpression{memory.initial.span, declared->type, {}, Constant{}};
     task.memory.push_back({memory.name.text, declared->type, declared->unit, memory.scope,
-                           std::move(*initial), memory.name.span});
+                           std::move(*initial), memory.name.span, memory.doc});
   }
   DeclareSymbol(memory.name, symbol, scope);
 }
@@ -219,7 +243,8 @@ void CheckMetrics(const SyntaxTree& tree, TaskScope& scope, CheckedTask& task) {
              {.labels = {{first->second, "first declared here"}}});
     auto value = CheckRealNumber(metric.value, "a metric", {Place::kMetric}, scope);
     if (value)
-      task.metrics.push_back({metric.name.text, metric.doc, metric.reduction, std::move(*value)});
+      task.metrics.push_back(
+          {metric.name.text, metric.doc, metric.reduction, std::move(*value), metric.name.span});
   });
 }
 

@@ -52,18 +52,18 @@ CheckedExpression Select(CheckedExpression operand, std::vector<uint32_t> indice
 
 std::optional<CheckedExpression> CheckMatrixIndex(CheckedExpression matrix,
                                                   const std::vector<ExpressionPtr>& items,
-                                                  Span span, Diagnostics& diagnostics) {
+                                                  Span span, const TaskScope& scope) {
   if (items.size() != 2) {
-    Report(diagnostics, code::kMatrixIndex, span,
+    Report(scope.diagnostics, code::kMatrixIndex, span,
            fmt::format("a `{}` is indexed by row and column", ToString(matrix.type)),
            {.help = "write two indices: `[0, 2]`, or `[0..2, 2]` for a column"});
     return std::nullopt;
   }
-  const auto rows = ResolveIndexItem(*items[0], {.size = matrix.type.rows}, diagnostics);
-  const auto columns = ResolveIndexItem(*items[1], {.size = matrix.type.columns}, diagnostics);
+  const auto rows = ResolveIndexItem(*items[0], {.size = matrix.type.rows}, scope);
+  const auto columns = ResolveIndexItem(*items[1], {.size = matrix.type.columns}, scope);
   if (!rows || !columns) return std::nullopt;
   if (rows->size() > 1 && columns->size() > 1) {
-    Report(diagnostics, code::kMatrixIndex, span,
+    Report(scope.diagnostics, code::kMatrixIndex, span,
            "only one row or one column can be taken at a time",
            {.help = "let one of the two indices be a single number"});
     return std::nullopt;
@@ -97,18 +97,16 @@ std::optional<CheckedExpression> CheckMember(CheckedExpression operand, const Id
 
 std::optional<CheckedExpression> CheckIndex(CheckedExpression operand,
                                             const std::vector<ExpressionPtr>& items, Span span,
-                                            const std::vector<Enumeration>& enumerations,
-                                            Diagnostics& diagnostics) {
+                                            const TaskScope& scope) {
   const Type& type = operand.type;
   if (IsScalar(type)) {
-    Report(diagnostics, code::kNotIndexable, span,
+    Report(scope.diagnostics, code::kNotIndexable, span,
            fmt::format("a single `{}` has no elements to index", ToString(type)));
     return std::nullopt;
   }
-  if (type.shape == Shape::kMatrix)
-    return CheckMatrixIndex(std::move(operand), items, span, diagnostics);
-  const IndexDomain domain{type.rows, FindEnumeration(enumerations, type.index), &enumerations};
-  auto indices = ResolveIndexSet(items, span, domain, diagnostics);
+  if (type.shape == Shape::kMatrix) return CheckMatrixIndex(std::move(operand), items, span, scope);
+  const IndexDomain domain{type.rows, FindEnumeration(scope.enumerations, type.index)};
+  auto indices = ResolveIndexSet(items, span, domain, scope);
   if (!indices) return std::nullopt;
   return Select(std::move(operand), std::move(*indices), span);
 }

@@ -4,8 +4,7 @@
 #include <optional>
 
 #include "compiler/check/checked_task.h"
-#include "compiler/check/enumeration.h"
-#include "compiler/source/diagnostic.h"
+#include "compiler/check/task_scope.h"
 #include "compiler/syntax/syntax_tree.h"
 
 namespace compiler {
@@ -18,7 +17,6 @@ std::optional<CheckedExpression> CheckMember(CheckedExpression operand, const Id
 // `operand[items]`: a set of elements; of a matrix `[row, column]`, one of which may be a set.
 std::optional<CheckedExpression> CheckIndex(CheckedExpression operand,
                                             const std::vector<ExpressionPtr>& items, Span span,
-                                            const std::vector<Enumeration>& enumerations,
-                                            Diagnostics& diagnostics);
+                                            const TaskScope& scope);
 
 }  // namespace compiler

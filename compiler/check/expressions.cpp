@@ -11,9 +11,11 @@
 #include "compiler/check/conversion.h"
 #include "compiler/check/elements.h"
 #include "compiler/check/fold.h"
+#include "compiler/check/function_call.h"
 #include "compiler/check/names.h"
 #include "compiler/check/operators.h"
 #include "compiler/check/report.h"
+#include "compiler/check/test_read.h"
 #include "compiler/check/type.h"
 #include "compiler/check/unit.h"
 
@@ -87,24 +89,25 @@ class ExpressionChecker {
   Result CheckNode(const IndexExpression& index, const Expression& expression) const {
     auto object = Check(*index.object);
     if (!object) return std::nullopt;
-    return CheckIndex(std::move(*object), index.items, expression.span, scope_.enumerations,
-                      scope_.diagnostics);
+    return CheckIndex(std::move(*object), index.items, expression.span, scope_);
   }
 
   Result CheckNode(const CallExpression& call, const Expression& expression) const {
+    if (place_.kind == Place::kExpect && IsTestFunction(call.function.text))
+      return CheckTestRead(call, expression.span, place_, scope_);
     const BuiltinDescription* builtin = FindBuiltin(call.function.text);
-    if (builtin == nullptr)
-      Report(scope_.diagnostics, code::kUnknownFunction, call.function.span,
-             fmt::format("there is no function `{}`", call.function.text),
-             {.help = Suggest(call.function.text, BuiltinNames(), "functions")});
+    const FunctionSignature* function = nullptr;
+    if (builtin == nullptr) function = ResolveFunction(call.function, place_, scope_);
     std::vector<Operand> arguments;
     for (const ExpressionPtr& argument : call.arguments) {
       auto checked = Check(*argument);
       if (checked) arguments.push_back({std::move(*checked), argument.get()});
     }
-    const bool all_valid = arguments.size() == call.arguments.size();
-    if (builtin == nullptr || !all_valid) return std::nullopt;
-    return CheckBuiltin(*builtin, expression.span, std::move(arguments), scope_.diagnostics);
+    if (arguments.size() < call.arguments.size()) return std::nullopt;
+    if (builtin != nullptr)
+      return CheckBuiltin(*builtin, expression.span, std::move(arguments), scope_.diagnostics);
+    if (function == nullptr) return std::nullopt;
+    return CheckFunctionCall(*function, expression.span, std::move(arguments), scope_);
   }
 
   Result CheckNode(const UnaryExpression& unary, const Expression& expression) const {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "compiler/check/names.h"
 #include "compiler/check/report.h"
 
 namespace compiler {
@@ -17,8 +18,8 @@ void AddOnce(Indices& set, const Indices& more) {
 // Resolves items recursively. Empty results are legal in here: only the whole must not be empty.
 class IndexResolver {
  public:
-  IndexResolver(const IndexDomain& domain, Diagnostics& diagnostics)
-      : domain_(domain), diagnostics_(diagnostics) {}
+  IndexResolver(const IndexDomain& domain, const TaskScope& scope)
+      : domain_(domain), scope_(scope) {}
 
   std::optional<Indices> Resolve(const Expression& item) {
     return std::visit([&](const auto& node) { return ResolveNode(node, item.span); }, item.node);
@@ -39,28 +40,47 @@ class IndexResolver {
  private:
   std::optional<Indices> ResolveNode(const NumberLiteral& number, Span span) {
     if (!number.is_integer || number.unit) return NotAnIndex(span);
-    if (number.value >= domain_.size) {
-      Report(diagnostics_, code::kIndexOutOfRange, span,
-             fmt::format("index {} is out of range", number.value),
-             {.note = fmt::format("valid are 0 .. {}", domain_.size - 1)});
-      return std::nullopt;
-    }
-    return Indices{static_cast<uint32_t>(number.value)};
+    return ResolveNumber(number.value, span);
+  }
+
+  std::optional<Indices> ResolveNumber(double number, Span span) {
+    if (number >= 0 && number < domain_.size) return Indices{static_cast<uint32_t>(number)};
+    Report(scope_.diagnostics, code::kIndexOutOfRange, span,
+           fmt::format("index {} is out of range", number),
+           {.note = fmt::format("valid are 0 .. {}", domain_.size - 1)});
+    return std::nullopt;
   }
 
   std::optional<Indices> ResolveNode(const NameExpression& name, Span span) {
     const std::string& text = name.name.text;
-    if (domain_.names != nullptr) {
-      if (auto indices = domain_.names->Find(text)) return indices;
-      if (const Enumeration* other = FindEnumerationOf(*domain_.enumerations, text))
-        return WrongEnumeration(text, *other, span);
-      Report(diagnostics_, code::kUnknownPart, span,
-             fmt::format("the robot has no {} or group of {} called `{}`", domain_.names->name,
-                         domain_.names->all, text),
-             {.help = Suggest(text, domain_.names->Names(), domain_.names->all + " and groups")});
-      return std::nullopt;
-    }
-    return NotAnIndex(span);
+    const Symbol* symbol = FindSymbol(name.name, scope_);
+    if (symbol != nullptr && IsLoopVariable(*symbol)) return ResolveVariable(text, *symbol, span);
+    if (domain_.names == nullptr) return NotAnIndex(span);
+    if (auto indices = domain_.names->Find(text)) return indices;
+    if (const Enumeration* other = FindEnumerationOf(scope_.enumerations, text))
+      return WrongEnumeration(text, *other, span);
+    if (symbol != nullptr) return NotAnIndex(span);
+    Report(scope_.diagnostics, code::kUnknownPart, span,
+           fmt::format("the robot has no {} or group of {} called `{}`", domain_.names->name,
+                       domain_.names->all, text),
+           {.help = Suggest(text, domain_.names->Names(), domain_.names->all + " and groups")});
+    return std::nullopt;
+  }
+
+  // The variable of a loop is what it stands for in the pass.
+  std::optional<Indices> ResolveVariable(const std::string& text, const Symbol& variable,
+                                         Span span) {
+    if (!variable.is_valid) return std::nullopt;
+    if (variable.kind == SymbolKind::kLoopNumber) return ResolveNumber(variable.index, span);
+    const std::string& parts = variable.type.index;
+    if (domain_.names != nullptr && domain_.names->name == parts) return Indices{variable.index};
+    if (domain_.names != nullptr)
+      return WrongEnumeration(text, *FindEnumeration(scope_.enumerations, parts), span);
+    Report(scope_.diagnostics, code::kWrongEnumeration, span,
+           fmt::format("`{}` is a {} of the robot, but numbers are the index here", text, parts),
+           {.help = fmt::format("valid are 0 .. {}", domain_.size - 1),
+            .labels = {{variable.span, "defined here"}}});
+    return std::nullopt;
   }
 
   std::optional<Indices> ResolveNode(const RangeExpression& range, Span span) {
@@ -68,7 +88,7 @@ class IndexResolver {
     const auto last = ResolveEnd(*range.last);
     if (!first || !last) return std::nullopt;
     if (*first > *last) {
-      Report(diagnostics_, code::kEmptySet, span,
+      Report(scope_.diagnostics, code::kEmptySet, span,
              fmt::format("the range from {} to {} is empty", *first, *last),
              {.help = fmt::format("write the smaller end first: `{}..{}`", *last, *first)});
       return std::nullopt;
@@ -85,8 +105,12 @@ class IndexResolver {
   std::optional<Indices> ResolveNode(const BinaryExpression& binary, Span span) {
     const bool is_union = binary.op == BinaryOperator::kAdd;
     if (!is_union && binary.op != BinaryOperator::kSubtract) return NotAnIndex(span);
-    if (IsNumber(*binary.left) && IsNumber(*binary.right)) {
-      Report(diagnostics_, code::kNotAnIndex, span, "an index is not calculated",
+    const auto left_number = NumberOf(*binary.left);
+    const auto right_number = NumberOf(*binary.right);
+    if (left_number && right_number) {
+      if (const auto sum = Calculate(binary, *left_number, *right_number); sum.has_variable)
+        return ResolveNumber(sum.value, span);
+      Report(scope_.diagnostics, code::kNotAnIndex, span, "an index is not calculated",
              {.note = "`+` joins two sets here, `-` takes one out of another",
               .help = "write the number itself, or sets in braces: `{1} + {2}`"});
       return std::nullopt;
@@ -106,7 +130,7 @@ class IndexResolver {
   std::optional<Indices> ResolveNode(const UnaryExpression& unary, Span span) {
     const auto* number = std::get_if<NumberLiteral>(&unary.operand->node);
     if (unary.op != UnaryOperator::kNegate || number == nullptr) return NotAnIndex(span);
-    Report(diagnostics_, code::kIndexOutOfRange, span,
+    Report(scope_.diagnostics, code::kIndexOutOfRange, span,
            fmt::format("index -{} is out of range", number->value),
            {.note = fmt::format("valid are 0 .. {}", domain_.size - 1)});
     return std::nullopt;
@@ -122,17 +146,43 @@ class IndexResolver {
     const auto indices = Resolve(end);
     if (!indices) return std::nullopt;
     if (indices->size() == 1) return indices->front();
-    Report(diagnostics_, code::kNotAnIndex, end.span, "a range ends at a single element",
+    Report(scope_.diagnostics, code::kNotAnIndex, end.span, "a range ends at a single element",
            {.note = fmt::format("these are {}", indices->size())});
     return std::nullopt;
   }
 
-  static bool IsNumber(const Expression& item) {
-    return std::holds_alternative<NumberLiteral>(item.node);
+  // A single number, as far as sums are concerned: `i + 1` is calculated if `i` is the variable of
+  // a loop, everything else is a set.
+  struct Number {
+    double value = 0;
+    bool has_variable = false;
+  };
+
+  std::optional<Number> NumberOf(const Expression& item) const {
+    if (const auto* number = std::get_if<NumberLiteral>(&item.node)) return Number{number->value};
+    if (const auto* name = std::get_if<NameExpression>(&item.node)) {
+      const Symbol* symbol = FindSymbol(name->name, scope_);
+      const bool is_number = symbol != nullptr && symbol->kind == SymbolKind::kLoopNumber;
+      if (is_number && symbol->is_valid) return Number{static_cast<double>(symbol->index), true};
+    }
+    const auto* binary = std::get_if<BinaryExpression>(&item.node);
+    const bool is_sum = binary != nullptr && (binary->op == BinaryOperator::kAdd ||
+                                              binary->op == BinaryOperator::kSubtract);
+    if (!is_sum) return std::nullopt;
+    const auto left = NumberOf(*binary->left);
+    const auto right = NumberOf(*binary->right);
+    if (!left || !right) return std::nullopt;
+    return Calculate(*binary, *left, *right);
+  }
+
+  static Number Calculate(const BinaryExpression& binary, Number left, Number right) {
+    const bool is_sum = binary.op == BinaryOperator::kAdd;
+    return {is_sum ? left.value + right.value : left.value - right.value,
+            left.has_variable || right.has_variable};
   }
 
   std::nullopt_t WrongEnumeration(const std::string& part, const Enumeration& other, Span span) {
-    Report(diagnostics_, code::kWrongEnumeration, span,
+    Report(scope_.diagnostics, code::kWrongEnumeration, span,
            fmt::format("`{}` belongs to the {} of the robot, but {} are indexed here", part,
                        other.all, domain_.names->all),
            {.help = Suggest(part, domain_.names->Names(), domain_.names->all + " and groups")});
@@ -142,34 +192,37 @@ class IndexResolver {
   std::nullopt_t NotAnIndex(Span span) {
     const std::string names =
         domain_.names == nullptr ? "" : fmt::format(", names of {}, groups", domain_.names->all);
-    Report(diagnostics_, code::kNotAnIndex, span, "an index must be known before the task runs",
-           {.help = fmt::format("whole numbers{}, ranges such as `0..{}` and sets of these can be "
-                                "an index",
-                                names, domain_.size - 1)});
+    Report(scope_.diagnostics, code::kNotAnIndex, span,
+           fmt::format("{} must be known before the task runs",
+                       domain_.is_loop ? "what a loop goes through" : "an index"),
+           {.help = fmt::format("whole numbers{}, ranges such as `0..{}` and sets of these can "
+                                "{}",
+                                names, domain_.is_loop ? 3 : domain_.size - 1,
+                                domain_.is_loop ? "stand here" : "be an index")});
     return std::nullopt;
   }
 
   const IndexDomain& domain_;
-  Diagnostics& diagnostics_;
+  const TaskScope& scope_;
 };
 
 std::optional<Indices> RefuseEmpty(std::optional<Indices> indices, Span span,
-                                   Diagnostics& diagnostics) {
+                                   const TaskScope& scope) {
   if (!indices || !indices->empty()) return indices;
-  Report(diagnostics, code::kEmptySet, span, "no element is left in this set");
+  Report(scope.diagnostics, code::kEmptySet, span, "no element is left in this set");
   return std::nullopt;
 }
 
 }  // namespace
 
 std::optional<Indices> ResolveIndexItem(const Expression& item, const IndexDomain& domain,
-                                        Diagnostics& diagnostics) {
-  return RefuseEmpty(IndexResolver(domain, diagnostics).Resolve(item), item.span, diagnostics);
+                                        const TaskScope& scope) {
+  return RefuseEmpty(IndexResolver(domain, scope).Resolve(item), item.span, scope);
 }
 
 std::optional<Indices> ResolveIndexSet(const std::vector<ExpressionPtr>& items, Span span,
-                                       const IndexDomain& domain, Diagnostics& diagnostics) {
-  return RefuseEmpty(IndexResolver(domain, diagnostics).ResolveAll(items), span, diagnostics);
+                                       const IndexDomain& domain, const TaskScope& scope) {
+  return RefuseEmpty(IndexResolver(domain, scope).ResolveAll(items), span, scope);
 }
 
 }  // namespace compiler

@@ -5,17 +5,16 @@
 #include <vector>
 
 #include "compiler/check/checked_task.h"
-#include "compiler/check/enumeration.h"
-#include "compiler/source/diagnostic.h"
+#include "compiler/check/task_scope.h"
 #include "compiler/syntax/syntax_tree.h"
 
 namespace compiler {
 
-// What is indexed.
+// What is indexed, or gone through by a loop.
 struct IndexDomain {
   uint32_t size = 0;
-  const Enumeration* names = nullptr;                      // null: numbers only
-  const std::vector<Enumeration>* enumerations = nullptr;  // for messages about the wrong names
+  const Enumeration* names = nullptr;  // null: numbers only
+  bool is_loop = false;
 };
 
 // The indices of one item of an index list. Every element counts once, in the order in which it is
@@ -23,11 +22,11 @@ struct IndexDomain {
 // wrong, which has then been reported.
 std::optional<std::vector<uint32_t>> ResolveIndexItem(const Expression& item,
                                                       const IndexDomain& domain,
-                                                      Diagnostics& diagnostics);
+                                                      const TaskScope& scope);
 
 // The union of several items.
 std::optional<std::vector<uint32_t>> ResolveIndexSet(const std::vector<ExpressionPtr>& items,
                                                      Span span, const IndexDomain& domain,
-                                                     Diagnostics& diagnostics);
+                                                     const TaskScope& scope);
 
 }  // namespace compiler

@@ -1,5 +1,6 @@
 #include "compiler/check/names.h"
 
+#include <algorithm>
 #include <numbers>
 #include <utility>
 
@@ -30,8 +31,20 @@ std::vector<std::string> ReadableNames(const TaskScope& scope) {
   return names;
 }
 
-CheckedExpression ReadOf(const Symbol& symbol, Span span) {
-  CheckedExpression read{span, symbol.type, symbol.unit, Constant{}};
+// `enumeration`: "link" or "joint".
+void ReportPartAsValue(const Identifier& name, std::string_view enumeration,
+                       const TaskScope& scope) {
+  Report(
+      scope.diagnostics, code::kMisplacedName, name.span,
+      fmt::format("`{}` stands only inside an index", name.text),
+      {.help = fmt::format("write it in the brackets of an array over {}s: `{}[{}]`", enumeration,
+                           enumeration == "link" ? "contact" : "joint.angle", name.text)});
+}
+
+// Nothing, after a message, where a symbol is no value.
+std::optional<CheckedExpression> ReadOf(const Symbol& symbol, const Identifier& name,
+                                        const TaskScope& scope) {
+  CheckedExpression read{name.span, symbol.type, symbol.unit, Constant{}};
   switch (symbol.kind) {
     case SymbolKind::kParam:
       read.node = ParamRead{symbol.index};
@@ -42,34 +55,33 @@ CheckedExpression ReadOf(const Symbol& symbol, Span span) {
     case SymbolKind::kLocal:
       read.node = LocalRead{symbol.index};
       break;
+    case SymbolKind::kLoopNumber:
+      read.node = Constant{static_cast<double>(symbol.index)};
+      break;
+    case SymbolKind::kArgument:
+      read.node = ArgumentRead{symbol.index};
+      break;
+    case SymbolKind::kLoopPart:
+      ReportPartAsValue(name, symbol.type.index, scope);
+      return std::nullopt;
+    case SymbolKind::kFunction:
+      Report(scope.diagnostics, code::kMisplacedName, name.span,
+             fmt::format("`{}` is a function", name.text),
+             {.help = fmt::format("write `{}`", UsageOf(scope.functions[symbol.index])),
+              .labels = {{symbol.span, "declared here"}}});
+      return std::nullopt;
   }
   return read;
 }
 
-std::nullopt_t NotConstant(std::string_view name, Span span, const TaskScope& scope) {
+std::nullopt_t NotConstant(std::string_view name, Span span, const Place& place,
+                           const TaskScope& scope) {
   Report(scope.diagnostics, code::kNotConstant, span,
          fmt::format("`{}` is not known before the task runs", name),
-         {.help = "constants are allowed here; a memory may also start with the value of a param"});
-  return std::nullopt;
-}
-
-std::optional<CheckedExpression> ResolveBuiltIn(const Identifier& name, const Place& place,
-                                                const TaskScope& scope) {
-  const Type real = ScalarType(Scalar::kReal);
-  if (name.text == kPi) return CheckedExpression{name.span, real, {}, Constant{std::numbers::pi}};
-  if (place.kind == Place::kConstant) return NotConstant(name.text, name.span, scope);
-  if (name.text == kReward) {
-    if (place.kind == Place::kEvent) return CheckedExpression{name.span, real, {}, RewardSoFar{}};
-    Report(scope.diagnostics, code::kMisplacedReward, name.span,
-           "`reward` is known only inside the block of an event",
-           {.note = "it is the sum of the terms that this block has paid so far",
-            .help = "add it to a `memory` there, and measure that"});
-    return std::nullopt;
-  }
-  if (place.has_time_step()) return CheckedExpression{name.span, real, kSecond, TimeStep{}};
-  Report(scope.diagnostics, code::kMisplacedTimeStep, name.span,
-         "`time_step` is known only at time steps and physics steps",
-         {.help = "move this to `on end_of_time_step`"});
+         {.help = place.kind == Place::kGiven
+                      ? "a test gives constants"
+                      : "constants are allowed here; a memory may also start with the value of a "
+                        "param"});
   return std::nullopt;
 }
 
@@ -80,6 +92,56 @@ size_t LongestSensor(const std::vector<Identifier>& path, const SensorCatalog& s
     if (sensors.Find(name) || sensors.IsInvalid(name)) return length;
   }
   return 0;
+}
+
+// A name that is known around a function, which cannot read it. False: it is not known there.
+bool ReportOutsideOfFunction(const std::vector<Identifier>& path, const TaskScope& around) {
+  const std::string& root = path[0].text;
+  std::string_view what;
+  size_t length = 1;
+  if (const Symbol* symbol = around.symbols.Find(root)) {
+    what = WhatIs(symbol->kind);
+  } else if (root == kReward || root == kTimeStep) {
+    what = "a value of the event";
+  } else if (around.sensors.IsRoot(root) || IsSensorOfRobots(root)) {
+    what = "a sensor";
+    length = std::max<size_t>(LongestSensor(path, around.sensors), 1);
+  } else {
+    return false;
+  }
+  Report(around.diagnostics, code::kImpureFunction, SpanOf(path, length),
+         fmt::format("`{}` is {}, and a function computes from its parameters alone",
+                     Join(path, length), what),
+         {.help = "give the function a parameter for it"});
+  return true;
+}
+
+std::optional<CheckedExpression> ResolveBuiltIn(const Identifier& name, const Place& place,
+                                                const TaskScope& scope) {
+  const Type real = ScalarType(Scalar::kReal);
+  if (name.text == kPi) return CheckedExpression{name.span, real, {}, Constant{std::numbers::pi}};
+  if (place.is_constant()) return NotConstant(name.text, name.span, place, scope);
+  if (name.text == kReward) {
+    if (place.kind == Place::kEvent) return CheckedExpression{name.span, real, {}, RewardSoFar{}};
+    if (place.kind == Place::kExpect)
+      return CheckedExpression{name.span, real, {}, TestRead{TestRead::kReward}};
+    Report(scope.diagnostics, code::kMisplacedReward, name.span,
+           "`reward` is known only inside the block of an event",
+           {.note = "it is the sum of the terms that this block has paid so far",
+            .help = "add it to a `memory` there, and measure that"});
+    return std::nullopt;
+  }
+  if (place.has_time_step()) return CheckedExpression{name.span, real, kSecond, TimeStep{}};
+  if (place.kind == Place::kExpect) {
+    Report(scope.diagnostics, code::kMisplacedTimeStep, name.span,
+           "`time_step` has no value between events",
+           {.help = "write the length itself, such as `5 ms`"});
+    return std::nullopt;
+  }
+  Report(scope.diagnostics, code::kMisplacedTimeStep, name.span,
+         "`time_step` is known only at time steps and physics steps",
+         {.help = "move this to `on end_of_time_step`"});
+  return std::nullopt;
 }
 
 void ReportUnknownSensor(const std::vector<Identifier>& path, const TaskScope& scope) {
@@ -118,11 +180,7 @@ bool ReportSensorOfRobot(const std::vector<Identifier>& path, const TaskScope& s
 // A name that means something, but not as a value. False: it means nothing at all.
 bool ReportMisplacedName(const Identifier& name, const TaskScope& scope) {
   if (const Enumeration* parts = FindEnumerationOf(scope.enumerations, name.text)) {
-    Report(
-        scope.diagnostics, code::kMisplacedName, name.span,
-        fmt::format("`{}` stands only inside an index", name.text),
-        {.help = fmt::format("write it in the brackets of an array over {}: `{}[{}]`", parts->all,
-                             parts->name == "link" ? "contact" : "joint.angle", name.text)});
+    ReportPartAsValue(name, parts->name, scope);
     return true;
   }
   if (const BuiltinDescription* builtin = FindBuiltin(name.text)) {
@@ -136,14 +194,21 @@ bool ReportMisplacedName(const Identifier& name, const TaskScope& scope) {
 
 // A local value of the event that is not visible here. False: there is none of this name.
 bool ReportInvisibleLocal(const Identifier& name, const TaskScope& scope) {
-  const auto found = scope.lets.find(name.text);
-  if (found == scope.lets.end()) return false;
-  const bool is_later = found->second.begin > name.span.begin;
+  const auto found = scope.locals.find(name.text);
+  if (found == scope.locals.end()) return false;
+  const Span defined = found->second.span;
+  if (found->second.is_loop) {
+    Report(scope.diagnostics, code::kOutOfScope, name.span,
+           fmt::format("`{}` is known only inside its loop", name.text),
+           {.labels = {{defined, "defined here"}}});
+    return true;
+  }
+  const bool is_later = defined.begin > name.span.begin;
   Report(scope.diagnostics, code::kOutOfScope, name.span,
          is_later ? fmt::format("`{}` is used before its `let`", name.text)
                   : fmt::format("`{}` is known only inside the block of its `let`", name.text),
          {.help = is_later ? "move the `let` up" : "move the `let` out of the block",
-          .labels = {{found->second, "defined here"}}});
+          .labels = {{defined, "defined here"}}});
   return true;
 }
 
@@ -158,11 +223,18 @@ void ReportTakenName(const Identifier& name, std::string_view owner, Diagnostics
 std::optional<ResolvedPath> ResolvePath(const std::vector<Identifier>& path, const Place& place,
                                         const TaskScope& scope) {
   const Identifier& root = path[0];
-  if (const Symbol* symbol = scope.symbols.Find(root.text)) {
+  if (const Symbol* symbol = FindSymbol(root, scope)) {
     if (!symbol->is_valid) return std::nullopt;
-    if (place.kind == Place::kConstant) return NotConstant(root.text, root.span, scope);
-    return ResolvedPath{ReadOf(*symbol, root.span), 1};
+    if (place.is_constant()) return NotConstant(root.text, root.span, place, scope);
+    auto value = ReadOf(*symbol, root, scope);
+    if (!value) return std::nullopt;
+    return ResolvedPath{std::move(*value), 1};
   }
+  if (scope.refused.contains(root.text)) return std::nullopt;
+  const bool is_around = scope.around != nullptr && root.text != kPi;
+  if (is_around && ReportOutsideOfFunction(path, *scope.around)) return std::nullopt;
+  if (root.text == kEnded && place.kind == Place::kExpect)
+    return ResolvedPath{{root.span, ScalarType(Scalar::kBool), {}, TestRead{TestRead::kEnded}}, 1};
   if (root.text == kReward || root.text == kTimeStep || root.text == kPi) {
     auto value = ResolveBuiltIn(root, place, scope);
     if (!value) return std::nullopt;
@@ -172,7 +244,7 @@ std::optional<ResolvedPath> ResolvePath(const std::vector<Identifier>& path, con
     const std::string name = Join(path, length);
     const Span span = SpanOf(path, length);
     if (scope.sensors.IsInvalid(name)) return std::nullopt;
-    if (place.kind == Place::kConstant) return NotConstant(name, span, scope);
+    if (place.is_constant()) return NotConstant(name, span, place, scope);
     const uint32_t index = *scope.sensors.Find(name);
     const CheckedSensor& sensor = scope.sensors.list()[index];
     return ResolvedPath{{span, sensor.type, sensor.unit, SensorRead{index}}, length};
@@ -186,13 +258,74 @@ std::optional<ResolvedPath> ResolvePath(const std::vector<Identifier>& path, con
   return std::nullopt;
 }
 
-void DeclareSymbol(const Identifier& name, Symbol symbol, TaskScope& scope) {
-  if (IsTaken(name, scope)) return;
+std::string_view WhatIs(SymbolKind kind) {
+  switch (kind) {
+    case SymbolKind::kParam:
+      return "a param";
+    case SymbolKind::kMemory:
+      return "a memory";
+    case SymbolKind::kLocal:
+      return "the result of a `let`";
+    case SymbolKind::kLoopPart:
+    case SymbolKind::kLoopNumber:
+      return "the variable of a loop";
+    case SymbolKind::kFunction:
+      return "a function";
+    case SymbolKind::kArgument:
+      return "a parameter of the function";
+  }
+  return "";
+}
+
+const FunctionSignature* ResolveFunction(const Identifier& name, const Place& place,
+                                         const TaskScope& scope) {
+  const Symbol* symbol = scope.symbols.Find(name.text);
+  if (symbol != nullptr && symbol->kind == SymbolKind::kFunction) {
+    if (!place.is_constant()) return &scope.functions[symbol->index];
+    NotConstant(name.text, name.span, place, scope);
+    return nullptr;
+  }
+  if (symbol != nullptr) {
+    Report(scope.diagnostics, code::kUnknownFunction, name.span,
+           fmt::format("`{}` is {}, not a function", name.text, WhatIs(symbol->kind)),
+           {.labels = {{symbol->span, "declared here"}}});
+    return nullptr;
+  }
+  std::vector<std::string> functions = BuiltinNames();
+  for (const FunctionSignature& function : scope.functions) functions.push_back(function.name.text);
+  std::string help = Suggest(name.text, functions, "functions");
+  if (IsTestFunction(name.text)) help = "it is known only behind the `expect` of a test";
+  Report(scope.diagnostics, code::kUnknownFunction, name.span,
+         fmt::format("there is no function `{}`{}", name.text,
+                     IsTestFunction(name.text) ? " here" : ""),
+         {.help = std::move(help)});
+  return nullptr;
+}
+
+std::string UsageOf(const FunctionSignature& function) {
+  std::string parameters;
+  for (const Local& parameter : function.parameters)
+    parameters += (parameters.empty() ? "" : ", ") + parameter.name;
+  return fmt::format("{}({})", function.name.text, parameters);
+}
+
+const Symbol* FindSymbol(const Identifier& name, const TaskScope& scope) {
+  const Symbol* symbol = scope.symbols.Find(name.text);
+  if (symbol != nullptr && IsLoopVariable(*symbol)) scope.loop_reads->push_back(name);
+  return symbol;
+}
+
+bool DeclareSymbol(const Identifier& name, Symbol symbol, TaskScope& scope) {
+  if (IsTaken(name, scope)) {
+    scope.refused.insert(name.text);
+    return false;
+  }
   symbol.span = name.span;
-  if (scope.symbols.Declare(name.text, symbol)) return;
+  if (scope.symbols.Declare(name.text, symbol)) return true;
   Report(scope.diagnostics, code::kRepeatedName, name.span,
          fmt::format("there is already a `{}`", name.text),
          {.labels = {{scope.symbols.Find(name.text)->span, "first declared here"}}});
+  return false;
 }
 
 bool IsTaken(const Identifier& name, const TaskScope& scope) {
@@ -217,6 +350,7 @@ bool IsLanguageName(const Identifier& name, Diagnostics& diagnostics) {
 }
 
 void ReportUnknownName(const Identifier& name, const TaskScope& scope) {
+  if (scope.refused.contains(name.text)) return;
   if (ReportInvisibleLocal(name, scope)) return;
   Report(scope.diagnostics, code::kUnknownName, name.span,
          fmt::format("there is nothing called `{}`", name.text),

@@ -15,6 +15,11 @@ namespace compiler {
 inline constexpr std::string_view kReward = "reward";
 inline constexpr std::string_view kTimeStep = "time_step";
 inline constexpr std::string_view kPi = "pi";
+// What only the `expect` of a test reads.
+inline constexpr std::string_view kTotal = "total";
+inline constexpr std::string_view kValue = "value";
+inline constexpr std::string_view kEnded = "ended";
+inline bool IsTestFunction(std::string_view name) { return name == kTotal || name == kValue; }
 
 // A name, and how many further names of the path belong to it: `base.velocity` of
 // `base.velocity.xy`.
@@ -28,8 +33,23 @@ struct ResolvedPath {
 std::optional<ResolvedPath> ResolvePath(const std::vector<Identifier>& path, const Place& place,
                                         const TaskScope& scope);
 
-// Declares a param, a memory or a local value, unless its name is taken: that is then reported.
-void DeclareSymbol(const Identifier& name, Symbol symbol, TaskScope& scope);
+// "a param", "the variable of a loop": how messages name a symbol.
+std::string_view WhatIs(SymbolKind kind);
+
+// The visible symbol that `name` stands for where it is read, or null.
+const Symbol* FindSymbol(const Identifier& name, const TaskScope& scope);
+
+// The task's function that a call names. Reports and returns null where there is none, or where
+// nothing can be called.
+const FunctionSignature* ResolveFunction(const Identifier& name, const Place& place,
+                                         const TaskScope& scope);
+
+// How a call is written: "near(distance, reach)".
+std::string UsageOf(const FunctionSignature& function);
+
+// Declares a param, a memory or a local value, unless its name is taken: that is then reported
+// and the result false.
+bool DeclareSymbol(const Identifier& name, Symbol symbol, TaskScope& scope);
 
 // Reports a name that is the language's own or a sensor's: such a name cannot be declared.
 bool IsTaken(const Identifier& name, const TaskScope& scope);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <limits>
 
 #include "compiler/check/type.h"
 #include "compiler/check/unit.h"
@@ -11,6 +12,8 @@
 
 namespace compiler {
 namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // Reads a type of the robot's list: "vec3", "bool[link]".
 Type TypeOf(std::string_view text, const std::vector<Enumeration>& enumerations) {
@@ -31,7 +34,12 @@ SensorCatalog SensorCatalog::OfRobot(const std::vector<Enumeration>& enumeration
   for (const robot::SensorDescription& sensor : robot::Sensors()) {
     const auto unit = ParseUnit(sensor.unit);
     assert(unit && unit->numerator == unit->denominator);
-    catalog.Add({std::string(sensor.name), TypeOf(sensor.type, enumerations), unit->unit});
+    const Type type = TypeOf(sensor.type, enumerations);
+    catalog.Add({.name = std::string(sensor.name),
+                 .type = type,
+                 .unit = unit->unit,
+                 .minimum = std::vector<double>(type.size(), -kInfinity),
+                 .maximum = std::vector<double>(type.size(), kInfinity)});
   }
   return catalog;
 }

@@ -1,35 +1,49 @@
 #include "compiler/check/statements.h"
 
 #include <algorithm>
-#include <cassert>
+#include <array>
 #include <utility>
 
 #include "compiler/check/assignment.h"
 #include "compiler/check/expressions.h"
+#include "compiler/check/fold.h"
+#include "compiler/check/log_table.h"
+#include "compiler/check/loop.h"
 #include "compiler/check/names.h"
 #include "compiler/check/operators.h"
 #include "compiler/check/report.h"
+#include "compiler/check/type.h"
 
 namespace compiler {
 namespace {
 
-void CollectLets(const Block& block, TaskScope& scope) {
+void CollectLocals(const Block& block, TaskScope& scope) {
   for (const Statement& statement : block) {
     if (const auto* let = std::get_if<LetStatement>(&statement.node))
-      scope.lets.emplace(let->name.text, let->name.span);
+      scope.locals.emplace(let->name.text, LocalName{let->name.span});
     if (const auto* branches = std::get_if<IfStatement>(&statement.node)) {
-      for (const IfBranch& branch : branches->branches) CollectLets(branch.body, scope);
-      if (branches->otherwise) CollectLets(*branches->otherwise, scope);
+      for (const IfBranch& branch : branches->branches) CollectLocals(branch.body, scope);
+      if (branches->otherwise) CollectLocals(*branches->otherwise, scope);
     }
+    if (const auto* loop = std::get_if<ForStatement>(&statement.node)) {
+      scope.locals.emplace(loop->variable.text, LocalName{loop->variable.span, true});
+      CollectLocals(loop->body, scope);
+    }
+    if (const auto* once = std::get_if<OnceStatement>(&statement.node))
+      CollectLocals(once->body, scope);
   }
 }
+
+bool Contains(Span whole, Span part) { return whole.begin <= part.begin && part.end <= whole.end; }
 
 // The block of one event.
 class EventChecker {
  public:
-  EventChecker(const EventDeclaration& declaration, TaskScope& scope, CheckedTask& task)
+  EventChecker(const EventDeclaration& declaration, LogTable& logs, TaskScope& scope,
+               CheckedTask& task)
       : place_{Place::kEvent, declaration.event},
         event_name_(declaration.name.text),
+        logs_(logs),
         scope_(scope),
         task_(task),
         event_(task.events[static_cast<size_t>(declaration.event)]) {}
@@ -37,9 +51,11 @@ class EventChecker {
   CheckedBlock Check(const Block& block) {
     scope_.symbols.OpenBlock();
     CheckedBlock checked;
-    for (const Statement& statement : block)
+    for (const Statement& statement : block) {
+      if (!CountStatement()) break;
       std::visit([&](const auto& node) { CheckNode(node, statement.span, checked); },
                  statement.node);
+    }
     scope_.symbols.CloseBlock();
     return checked;
   }
@@ -108,10 +124,130 @@ class EventChecker {
     block.push_back({span, std::move(checked)});
   }
 
-  void CheckNode(const ForStatement&, Span, CheckedBlock&) { assert(false); }
-  void CheckNode(const OnceStatement&, Span, CheckedBlock&) { assert(false); }
-  void CheckNode(const LogStatement&, Span, CheckedBlock&) { assert(false); }
-  void CheckNode(const RequireStatement&, Span, CheckedBlock&) { assert(false); }
+  void CheckNode(const ForStatement& loop, Span span, CheckedBlock& block) {
+    const auto values = ResolveLoop(loop, scope_);
+    if (!CheckLoopVariable(loop.variable, scope_)) return;
+    const bool is_outermost = std::exchange(outermost_, outermost_ ? outermost_ : &loop) == nullptr;
+    CheckedFor checked{loop.variable.text, {}};
+    if (!values) {
+      CheckPass(loop, {"", UnknownLoopVariable()});
+    } else {
+      // A mistake in one pass would only be repeated by the next.
+      for (const LoopValue& value : *values) {
+        auto body = CheckPass(loop, value);
+        if (!body) break;
+        checked.passes.push_back({value.text, std::move(*body)});
+      }
+    }
+    if (is_outermost) outermost_ = nullptr;
+    block.push_back({span, std::move(checked)});
+  }
+
+  // The body with the variable as a constant. Nothing if there are mistakes in it.
+  std::optional<CheckedBlock> CheckPass(const ForStatement& loop, const LoopValue& value) {
+    if (!CountStatement()) return std::nullopt;
+    Diagnostics found;
+    Diagnostics& outer = scope_.diagnostics;
+    std::vector<Identifier> reads;
+    std::vector<Identifier>* const outer_reads = std::exchange(scope_.loop_reads, &reads);
+    scope_.diagnostics = found;
+    scope_.symbols.OpenBlock();
+    scope_.symbols.Declare(loop.variable.text, value.symbol);
+    CheckedBlock body = Check(loop.body);
+    scope_.symbols.CloseBlock();
+    scope_.diagnostics = outer;
+    scope_.loop_reads = outer_reads;
+    for (const Diagnostic& diagnostic : found.list())
+      outer.Add(WithPass(diagnostic, loop, value, reads));
+    if (outer_reads != nullptr) outer_reads->insert(outer_reads->end(), reads.begin(), reads.end());
+    return found.has_errors() ? std::nullopt : std::optional(std::move(body));
+  }
+
+  // Adds in which pass a mistake was found, where it depends on the variable's value.
+  static Diagnostic WithPass(Diagnostic diagnostic, const ForStatement& loop,
+                             const LoopValue& value, const std::vector<Identifier>& reads) {
+    constexpr std::array kOfValues = {code::kIndexOutOfRange, code::kEmptySet,
+                                      code::kDivisionByZero, code::kNotFinite};
+    const bool reads_it = std::ranges::any_of(reads, [&](const Identifier& read) {
+      return read.text == loop.variable.text && Contains(diagnostic.span, read.span);
+    });
+    if (reads_it && std::ranges::find(kOfValues, diagnostic.code) != kOfValues.end())
+      diagnostic.labels.push_back(
+          {loop.variable.span,
+           fmt::format("in this pass: {} = {}", loop.variable.text, value.text)});
+    return diagnostic;
+  }
+
+  // False where a loop has become too long: that is then reported, once.
+  bool CountStatement() {
+    if (++scope_.statements <= kMostStatements || outermost_ == nullptr) return true;
+    if (std::exchange(scope_.is_too_long, true)) return false;
+    Report(scope_.diagnostics, code::kTooManyPasses,
+           Cover(outermost_->variable.span, outermost_->items_span),
+           fmt::format("with this loop the task has more than {} statements", kMostStatements),
+           {.note = "a loop is written out before the run: its body once for each value",
+            .help = "go through fewer values, or use whole arrays: `sum`, `norm`, `any`"});
+    return false;
+  }
+
+  // `if not once#1 and condition { once#1 = true ... }`, with a memory of its own.
+  void CheckNode(const OnceStatement& once, Span span, CheckedBlock& block) {
+    auto condition = CheckCondition(once.condition, place_, scope_);
+    const uint32_t memory = AddHiddenMemory(once.scope, span);
+    const auto boolean = [&](auto node) {
+      return CheckedExpression{once.condition.span, ScalarType(Scalar::kBool), {}, std::move(node)};
+    };
+    CheckedBlock body;
+    body.push_back({span, CheckedAssign{memory, {}, AssignOperator::kSet, boolean(Constant{1})}});
+    for (CheckedStatement& statement : Check(once.body)) body.push_back(std::move(statement));
+    if (!condition) return;
+    CheckedUnary is_first{UnaryOperator::kNot,
+                          std::make_unique<CheckedExpression>(boolean(MemoryRead{memory}))};
+    CheckedBinary both{BinaryOperator::kAnd,
+                       std::make_unique<CheckedExpression>(boolean(std::move(is_first))),
+                       std::make_unique<CheckedExpression>(std::move(*condition))};
+    auto whole = Fold(boolean(std::move(both)), scope_.diagnostics);
+    CheckedIf checked;
+    checked.branches.push_back({std::move(*whole), std::move(body)});
+    block.push_back({span, std::move(checked)});
+  }
+
+  uint32_t AddHiddenMemory(MemoryScope scope, Span span) {
+    const Type type = ScalarType(Scalar::kBool);
+    const auto is_hidden = [](const CheckedMemory& memory) { return !memory.is_declared; };
+    const auto number = std::ranges::count_if(task_.memory, is_hidden) + 1;
+    CheckedMemory memory{.name = fmt::format("once#{}", number),
+                         .type = type,
+                         .unit = {},
+                         .scope = scope,
+                         .initial = {span, type, {}, Constant{0}},
+                         .span = span};
+    memory.is_declared = false;
+    task_.memory.push_back(std::move(memory));
+    return static_cast<uint32_t>(task_.memory.size() - 1);
+  }
+
+  void CheckNode(const LogStatement& log, Span span, CheckedBlock& block) {
+    auto checked = logs_.Check(log, place_);
+    if (checked) block.push_back({span, std::move(*checked)});
+  }
+
+  void CheckNode(const RequireStatement& require, Span span, CheckedBlock& block) {
+    auto condition = CheckCondition(require.condition, place_, scope_);
+    if (!condition) return;
+    const std::string& reason = require.reason.empty() ? require.text : require.reason;
+    const uint32_t index = IndexOf(task_.requirements, span, {.reason = reason, .span = span});
+    block.push_back({span, CheckedRequire{index, std::move(*condition)}});
+  }
+
+  // The entry of the statement at `span`. In a loop the passes share one.
+  template <typename Entry>
+  static uint32_t IndexOf(std::vector<Entry>& list, Span span, Entry entry) {
+    const auto found = std::ranges::find(list, span, &Entry::span);
+    if (found != list.end()) return static_cast<uint32_t>(found - list.begin());
+    list.push_back(std::move(entry));
+    return static_cast<uint32_t>(list.size() - 1);
+  }
 
   void CheckNode(const EndStatement& end, Span span, CheckedBlock& block) {
     if (place_.event == EventKind::kEndOfEpisode) {
@@ -120,8 +256,7 @@ class EventChecker {
              {.help = "end it in another event, such as `end_of_time_step`"});
       return;
     }
-    const auto index = static_cast<uint32_t>(task_.ends.size());
-    task_.ends.push_back({end.kind, end.reason, span});
+    const uint32_t index = IndexOf(task_.ends, span, {end.kind, end.reason, span});
     block.push_back({span, CheckedEnd{index}});
   }
 
@@ -135,14 +270,17 @@ class EventChecker {
 
   const Place place_;
   const std::string& event_name_;
+  LogTable& logs_;
   TaskScope& scope_;
   CheckedTask& task_;
   CheckedEvent& event_;
+  const ForStatement* outermost_ = nullptr;  // of the loops that are being checked
 };
 
 }  // namespace
 
 void CheckEvents(const SyntaxTree& tree, TaskScope& scope, CheckedTask& task) {
+  LogTable logs(scope, task);
   for (const Declaration& declaration : tree.declarations) {
     const auto* block = std::get_if<EventDeclaration>(&declaration.node);
     if (block == nullptr) continue;
@@ -153,9 +291,9 @@ void CheckEvents(const SyntaxTree& tree, TaskScope& scope, CheckedTask& task) {
              {.help = "put all statements of an event into one block",
               .labels = {{event.span, "the first block"}}});
     }
-    scope.lets.clear();
-    CollectLets(block->body, scope);
-    CheckedBlock body = EventChecker(*block, scope, task).Check(block->body);
+    scope.locals.clear();
+    CollectLocals(block->body, scope);
+    CheckedBlock body = EventChecker(*block, logs, scope, task).Check(block->body);
     if (event.is_declared) continue;
     event.is_declared = true;
     event.span = block->name.span;

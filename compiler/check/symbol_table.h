@@ -1,4 +1,5 @@
-// The names that a task declares: params, memory, and the local values of its events.
+// The names that a task declares: params, memory, functions, the local values of its events and
+// functions, and the variables of its loops.
 #pragma once
 
 #include <map>
@@ -11,16 +12,30 @@
 
 namespace compiler {
 
-enum class SymbolKind { kParam, kMemory, kLocal };
+enum class SymbolKind {
+  kParam,
+  kMemory,
+  kLocal,
+  kLoopPart,    // of a loop over links or joints: one of them
+  kLoopNumber,  // of a loop over numbers: an `int` constant
+  kFunction,
+  kArgument  // of the function in which it is known
+};
 
 struct Symbol {
   SymbolKind kind = SymbolKind::kParam;
   Span span{};           // of the name where it is declared
   bool is_valid = true;  // false: its declaration is wrong, what depends on it is not reported
-  uint32_t index = 0;    // among the task's params or memory, or the event's locals
-  Type type{};
+  // Among the task's params, memory or functions, the event's or function's locals, or the
+  // function's arguments; or the value of a loop's variable.
+  uint32_t index = 0;
+  Type type{};  // of a kLoopPart only `index` counts: "link" or "joint"
   Unit unit{};
 };
+
+inline bool IsLoopVariable(const Symbol& symbol) {
+  return symbol.kind == SymbolKind::kLoopPart || symbol.kind == SymbolKind::kLoopNumber;
+}
 
 // Names are unique among all that are visible at a place: nothing is ever shadowed.
 class SymbolTable {

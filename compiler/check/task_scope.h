@@ -1,7 +1,9 @@
 // What all parts of a task's check share.
 #pragma once
 
+#include <functional>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -12,21 +14,57 @@
 
 namespace compiler {
 
+// Where an event gives a name to a value.
+struct LocalName {
+  Span span{};
+  bool is_loop = false;  // it is the variable of a `for`, not of a `let`
+};
+
+// What a call of a function must know of it.
+struct FunctionSignature {
+  Identifier name;
+  bool is_valid = true;  // false: its declaration is wrong, what calls it is not reported
+  std::vector<Local> parameters{};
+  std::vector<Span> parameter_spans{};
+  Type result{};
+  Unit unit{};
+};
+
 struct TaskScope {
   bool has_robot = false;
   std::vector<Enumeration> enumerations;
   SensorCatalog sensors;
   SymbolTable symbols;
-  // Where the names of the current event are given by a `let`, visible or not.
-  std::multimap<std::string, Span, std::less<>> lets;
-  Diagnostics& diagnostics;
+  std::vector<FunctionSignature> functions;
+  // The names of the current event's values, visible or not.
+  std::multimap<std::string, LocalName, std::less<>> locals;
+  // Where it goes on to: a loop looks at the messages of each of its passes before they count.
+  std::reference_wrapper<Diagnostics> diagnostics;
+  // Where the variables of loops are read. Null where there are no loops.
+  std::vector<Identifier>* loop_reads = nullptr;
+  uint32_t statements = 0;   // of the task so far, with loops written out
+  bool is_too_long = false;  // too many statements: that has been reported
+  // Names whose declarations were refused: what is said of their uses would be misleading.
+  std::set<std::string, std::less<>> refused{};
+  // In a function: the scope around it, of whose values it reads none.
+  const TaskScope* around = nullptr;
 };
 
 // Where an expression stands, as far as this decides what it may read.
 struct Place {
-  enum Kind { kConstant, kMetric, kEvent };
+  enum Kind {
+    kConstant,
+    kMetric,
+    kEvent,
+    kFunction,
+    kGiven,  // the value of a `given`: a constant
+    kExpect
+  };
   Kind kind = kConstant;
   EventKind event = EventKind::kStartOfEpisode;  // of a kEvent
+  const CheckedTask* tested = nullptr;           // of a kExpect
+
+  bool is_constant() const { return kind == kConstant || kind == kGiven; }
 
   // Is there a time step whose length is known?
   bool has_time_step() const {

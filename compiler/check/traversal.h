@@ -42,6 +42,8 @@ void ForEachStatement(BlockType& block, const Visit& visit) {
       for (auto& branch : branches->branches) ForEachStatement(branch.body, visit);
       ForEachStatement(branches->otherwise, visit);
     }
+    if (auto* loop = std::get_if<CheckedFor>(&statement.node))
+      for (auto& pass : loop->passes) ForEachStatement(pass.body, visit);
   }
 }
 
@@ -55,6 +57,8 @@ void ForEachExpression(StatementType& statement, const Visit& visit) {
           visit(node.value);
         } else if constexpr (requires { node.branches; }) {
           for (auto& branch : node.branches) visit(branch.condition);
+        } else if constexpr (requires { node.condition; }) {
+          visit(node.condition);
         }
       },
       statement.node);

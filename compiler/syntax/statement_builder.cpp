@@ -1,5 +1,7 @@
 #include "compiler/syntax/statement_builder.h"
 
+#include <algorithm>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -31,6 +33,19 @@ AssignOperator AssignOperatorOf(TokenType type) {
 // `.xy`
 bool IsSwizzle(std::string_view member) {
   return !member.empty() && member.find_first_not_of("xyzw") == std::string_view::npos;
+}
+
+// An expression as written, without comments, and with single spaces for line breaks.
+std::string InOneLine(std::string_view source) {
+  std::string line;
+  for (size_t i = 0; i < source.size(); ++i) {
+    if (source.substr(i).starts_with("//")) i = std::min(source.find('\n', i), source.size() - 1);
+    const bool is_space =
+        source[i] == ' ' || source[i] == '\t' || source[i] == '\r' || source[i] == '\n';
+    if (!is_space) line += source[i];
+    if (is_space && !line.ends_with(' ')) line += ' ';
+  }
+  return line;
 }
 
 }  // namespace
@@ -175,7 +190,8 @@ LogStatement StatementBuilder::Log(TaskParser::LogContext& context) {
 }
 
 RequireStatement StatementBuilder::Require(TaskParser::RequireContext& context) {
-  RequireStatement statement{expressions_.Build(*context.expression()), ""};
+  RequireStatement statement{expressions_.Build(*context.expression()), "", ""};
+  statement.text = InOneLine(report_.source().TextOf(SpanOf(*context.expression())));
   if (context.STRING() != nullptr) {
     statement.reason = BuildText(*context.STRING()->getSymbol(), report_);
   }

@@ -183,6 +183,7 @@ struct LogStatement {  // `log speed = norm(base.velocity)`, `log max impact = .
 struct RequireStatement {  // `require norm(base.position) < 100 m`, `require ... "why"`
   Expression condition;
   std::string reason;  // empty where none is given
+  std::string text;    // of the condition, as written, in one line
 };
 
 struct Statement {

@@ -1,0 +1,177 @@
+#include "compiler/check/test_blocks.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "compiler/check/expressions.h"
+#include "compiler/check/fold.h"
+#include "compiler/check/names.h"
+#include "compiler/check/report.h"
+#include "compiler/check/target.h"
+#include "compiler/check/type.h"
+
+namespace compiler {
+namespace {
+
+constexpr Place kGivenPlace{Place::kGiven};
+
+// `end_episode failure "falls down"`
+std::string TextOf(EndKind kind, const std::string& reason) {
+  switch (kind) {
+    case EndKind::kSuccess:
+      return fmt::format("end_episode success \"{}\"", reason);
+    case EndKind::kFailure:
+      return fmt::format("end_episode failure \"{}\"", reason);
+    case EndKind::kTruncated:
+      return fmt::format("truncate_episode \"{}\"", reason);
+  }
+  return "";
+}
+
+// The statements of one test.
+class TestChecker {
+ public:
+  TestChecker(const TaskScope& scope, const CheckedTask& task) : scope_(scope), task_(task) {}
+
+  std::vector<CheckedTestStatement> Check(const TestDeclaration& test) {
+    for (const TestStatement& statement : test.statements)
+      std::visit([&](const auto& node) { CheckNode(node, statement.span); }, statement.node);
+    return std::move(checked_);
+  }
+
+ private:
+  // What is given, as the expression that reads it, with the number of names that it has.
+  using Whole = std::optional<ResolvedPath>;
+
+  void CheckNode(const GivenStatement& given, Span span) {
+    auto whole = ResolveGiven(given.target);
+    std::optional<CheckedExpression> target;
+    CheckedGiven checked;
+    if (whole) {
+      Identify(whole->expression, checked);
+      target = SelectTarget(std::move(whole->expression), given.target, whole->length, scope_);
+    }
+    auto value = CheckExpression(given.value, kGivenPlace, scope_);
+    if (!target || !value) return;
+    checked.elements = ElementsOf(*target);
+    value = FitTo({std::move(*value), &given.value}, *target, given.target, scope_);
+    if (!value || !CanOccur(checked, *value)) return;
+    checked.value = std::move(*value);
+    Add(span, std::move(checked));
+  }
+
+  Whole ResolveGiven(const Target& target) {
+    const std::vector<Identifier> path = PathOf(target);
+    const Identifier& root = path.front();
+    const Type real = ScalarType(Scalar::kReal);
+    if (root.text == kTimeStep)
+      return ResolvedPath{{root.span, real, Unit{.second = 1}, TimeStep{}}, 1};
+    const bool is_value_of_language =
+        root.text == kReward || root.text == kPi || root.text == kEnded;
+    const bool is_declared = scope_.symbols.Find(root.text) != nullptr;
+    if (is_value_of_language && !is_declared) return CannotBeGiven(root);
+    return ResolvePath(path, {.kind = Place::kExpect, .tested = &task_}, scope_);
+  }
+
+  Whole CannotBeGiven(const Identifier& name) {
+    Report(scope_.diagnostics, code::kNotGivable, name.span,
+           fmt::format("`{}` cannot be given", name.text),
+           {.help = "a test gives sensors, params, memory and `time_step`"});
+    return std::nullopt;
+  }
+
+  static void Identify(const CheckedExpression& whole, CheckedGiven& given) {
+    if (const auto* sensor = std::get_if<SensorRead>(&whole.node)) {
+      given.target = CheckedGiven::kSensor;
+      given.index = sensor->sensor;
+    } else if (const auto* param = std::get_if<ParamRead>(&whole.node)) {
+      given.target = CheckedGiven::kParam;
+      given.index = param->param;
+    } else if (const auto* memory = std::get_if<MemoryRead>(&whole.node)) {
+      given.target = CheckedGiven::kMemory;
+      given.index = memory->memory;
+    } else {
+      given.target = CheckedGiven::kTimeStep;
+    }
+  }
+
+  bool CanOccur(const CheckedGiven& given, const CheckedExpression& value) {
+    const double number = ValueOf(value).value_or(0);
+    if (given.target == CheckedGiven::kTimeStep && number < 0) {
+      Report(scope_.diagnostics, code::kBadGiven, value.span, "a time step is never negative");
+      return false;
+    }
+    if (given.target != CheckedGiven::kParam) return true;
+    const CheckedParam& param = task_.params[given.index];
+    if (number >= param.minimum && number <= param.maximum) return true;
+    Report(scope_.diagnostics, code::kBadGiven, value.span,
+           fmt::format("this is outside of the range of `{}`", param.name),
+           {.labels = {{param.span, "declared here"}}});
+    return false;
+  }
+
+  void CheckNode(const FireStatement& fire, Span span) {
+    for (const FiredEvent& fired : fire.events) Add(span, CheckedFire{fired.event, fired.times});
+  }
+
+  void CheckNode(const ExpectStatement& expect, Span span) {
+    auto condition =
+        CheckCondition(expect.condition, {.kind = Place::kExpect, .tested = &task_}, scope_);
+    if (condition) Add(span, CheckedExpect{std::move(*condition)});
+  }
+
+  void CheckNode(const ExpectEndStatement& expect, Span span) {
+    const EndStatement& end = expect.end;
+    const bool is_known = std::ranges::any_of(task_.ends, [&](const CheckedEndReason& known) {
+      return known.kind == end.kind && known.reason == end.reason;
+    });
+    if (!is_known) return ReportUnknownEnd(end, span);
+    Add(span, CheckedExpectEnd{end.kind, end.reason});
+  }
+
+  void ReportUnknownEnd(const EndStatement& end, Span span) {
+    std::vector<std::string> known;
+    for (const CheckedEndReason& reason : task_.ends)
+      known.push_back(TextOf(reason.kind, reason.reason));
+    const std::string text = TextOf(end.kind, end.reason);
+    // The same reason is nearer than any spelling.
+    const auto same = std::ranges::find(task_.ends, end.reason, &CheckedEndReason::reason);
+    Report(scope_.diagnostics, code::kUnknownEnd, span,
+           fmt::format("no event of this task has `{}`", text),
+           {.help = same != task_.ends.end()
+                        ? fmt::format("write `expect {}`", TextOf(same->kind, same->reason))
+                        : Suggest(text, known, "ends of this task")});
+  }
+
+  template <typename Node>
+  void Add(Span span, Node node) {
+    CheckedTestStatement& statement = checked_.emplace_back();
+    statement.span = span;
+    statement.node = std::move(node);
+  }
+
+  const TaskScope& scope_;
+  const CheckedTask& task_;
+  std::vector<CheckedTestStatement> checked_;
+};
+
+}  // namespace
+
+void CheckTests(const SyntaxTree& tree, const TaskScope& scope, CheckedTask& task) {
+  std::map<std::string, Span> seen;
+  for (const Declaration& declaration : tree.declarations) {
+    const auto* test = std::get_if<TestDeclaration>(&declaration.node);
+    if (test == nullptr) continue;
+    const auto [first, is_new] = seen.try_emplace(test->name, test->name_span);
+    if (!is_new)
+      Report(scope.diagnostics, code::kRepeatedName, test->name_span,
+             fmt::format("there is already a test \"{}\"", test->name),
+             {.labels = {{first->second, "first declared here"}}});
+    CheckedTest checked{test->name, test->name_span, {}};
+    checked.statements = TestChecker(scope, task).Check(*test);
+    task.tests.push_back(std::move(checked));
+  }
+}
+
+}  // namespace compiler
