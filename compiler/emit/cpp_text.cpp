@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <numeric>
+
 namespace compiler {
 namespace {
 
@@ -101,6 +104,43 @@ std::vector<std::string> ArrayDefinition(const std::string& name, const Type& ty
   std::vector<std::string_view> texts;
   for (const CppText& element : elements) texts.push_back(element.text);
   return {fmt::format("const {} = {{{}}};", declarator, fmt::join(texts, ", "))};
+}
+
+std::vector<uint32_t> AllIndices(uint32_t count) {
+  std::vector<uint32_t> indices(count);
+  std::iota(indices.begin(), indices.end(), 0);
+  return indices;
+}
+
+bool IsContiguous(const std::vector<uint32_t>& indices) {
+  return std::ranges::adjacent_find(indices, [](uint32_t a, uint32_t b) { return b != a + 1; }) ==
+         indices.end();
+}
+
+std::string IndexTable(const std::string& name, const std::vector<uint32_t>& indices) {
+  return fmt::format("static constexpr short {}[] = {{{}}};", name, fmt::join(indices, ", "));
+}
+
+std::vector<std::string> ArrayAssignment(const std::string& array, std::string_view op,
+                                         const std::vector<CppText>& values,
+                                         const std::vector<uint32_t>& indices, UniqueNames& names) {
+  if (indices.size() <= kWrittenOut) {
+    std::vector<std::string> stores;
+    for (size_t i = 0; i < indices.size(); ++i) {
+      stores.push_back(fmt::format("{}[{}] {} {};", array, indices[i], op, values[i].text));
+    }
+    return {fmt::format("{}", fmt::join(stores, " "))};
+  }
+  std::vector<std::string> lines;
+  std::string index = indices.front() == 0 ? "i" : fmt::format("i + {}", indices.front());
+  if (!IsContiguous(indices)) {
+    std::string table = names.Add("indices");
+    lines.push_back(IndexTable(table, indices));
+    index = table + "[i]";
+  }
+  lines.push_back(fmt::format("for (int i = 0; i < {}; ++i) {}[{}] {} {};", indices.size(), array,
+                              index, op, values.front().text));
+  return lines;
 }
 
 }  // namespace compiler

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "compiler/check/checked_task.h"
+#include "compiler/emit/unique_names.h"
 
 namespace compiler {
 
@@ -37,5 +38,21 @@ inline constexpr uint32_t kWrittenOut = 32;
 // kWrittenOut one text in which `i` is the index.
 std::vector<std::string> ArrayDefinition(const std::string& name, const Type& type,
                                          const std::vector<CppText>& elements);
+
+// 0 .. count - 1
+std::vector<uint32_t> AllIndices(uint32_t count);
+
+// Each one more than the one before.
+bool IsContiguous(const std::vector<uint32_t>& indices);
+
+// "static constexpr short name[] = {2, 5};"
+std::string IndexTable(const std::string& name, const std::vector<uint32_t>& indices);
+
+// The lines that change these elements of an array by the operator `op`: one value for each, or for
+// more than kWrittenOut one text in which `i` counts them. `names` gains the name of a table of
+// indices where one is needed.
+std::vector<std::string> ArrayAssignment(const std::string& array, std::string_view op,
+                                         const std::vector<CppText>& values,
+                                         const std::vector<uint32_t>& indices, UniqueNames& names);
 
 }  // namespace compiler

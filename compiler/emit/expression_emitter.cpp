@@ -17,6 +17,12 @@ bool IsScalarValue(const CheckedExpression& expression) {
   return expression.type.shape == Shape::kScalar;
 }
 
+std::vector<const CheckedExpression*> PointersTo(const std::vector<CheckedExpressionPtr>& list) {
+  std::vector<const CheckedExpression*> pointers;
+  for (const CheckedExpressionPtr& part : list) pointers.push_back(part.get());
+  return pointers;
+}
+
 // What the expression is made of, one level down.
 std::vector<const CheckedExpression*> Operands(const CheckedExpression& expression) {
   using Result = std::vector<const CheckedExpression*>;
@@ -27,12 +33,8 @@ std::vector<const CheckedExpression*> Operands(const CheckedExpression& expressi
                           return Result{node.left.get(), node.right.get()};
                         },
                         [](const IntToReal& node) { return Result{node.operand.get()}; },
-                        [](const BuiltinCall& node) {
-                          Result result;
-                          for (const CheckedExpressionPtr& part : node.arguments)
-                            result.push_back(part.get());
-                          return result;
-                        },
+                        [](const BuiltinCall& node) { return PointersTo(node.arguments); },
+                        [](const FunctionCall& node) { return PointersTo(node.arguments); },
                         [](const auto&) { return Result{}; },
                     },
                     expression.node);
@@ -43,17 +45,12 @@ bool IsMereRead(const CheckedExpression& expression) {
   if (const auto* elements = std::get_if<Elements>(&expression.node)) {
     return IsMereRead(*elements->operand);
   }
-  return Operands(expression).empty();
+  return Operands(expression).empty() && !std::holds_alternative<FunctionCall>(expression.node);
 }
 
 bool HasRepetition(std::vector<uint32_t> indices) {
   std::ranges::sort(indices);
   return std::ranges::adjacent_find(indices) != indices.end();
-}
-
-bool IsContiguous(const std::vector<uint32_t>& indices) {
-  return std::ranges::adjacent_find(indices, [](uint32_t a, uint32_t b) { return b != a + 1; }) ==
-         indices.end();
 }
 
 std::string ConstantLiteral(const Constant& constant, Scalar scalar) {
@@ -111,6 +108,8 @@ std::vector<std::string> ExpressionEmitter::TakeParts() { return std::exchange(p
 void ExpressionEmitter::Prepare(const CheckedExpression& expression, Use use) {
   if (const auto* call = std::get_if<BuiltinCall>(&expression.node)) {
     PrepareCall(expression, *call);
+  } else if (const auto* function = std::get_if<FunctionCall>(&expression.node)) {
+    PrepareCall(expression, *function);
   } else if (const auto* elements = std::get_if<Elements>(&expression.node)) {
     Prepare(*elements->operand, HasRepetition(elements->indices) ? Use::kRepeatedly : Use::kOnce);
     if (elements->indices.size() > kWrittenOut && !IsContiguous(elements->indices)) {
@@ -142,6 +141,15 @@ void ExpressionEmitter::PrepareCall(const CheckedExpression& expression, const B
   }
 }
 
+void ExpressionEmitter::PrepareCall(const CheckedExpression& expression, const FunctionCall& call) {
+  for (const CheckedExpressionPtr& argument : call.arguments) {
+    Prepare(*argument, Use::kOnce);
+    // A function takes an array where it lies.
+    if (!IsScalarValue(*argument) && ArrayOf(*argument).empty()) NameValue(*argument);
+  }
+  if (!IsScalarValue(expression)) NameResult(expression, call);
+}
+
 void ExpressionEmitter::NameValue(const CheckedExpression& expression) {
   std::string_view type = CppType(expression.type.scalar);
   std::string name = names_.Add("part");
@@ -152,6 +160,16 @@ void ExpressionEmitter::NameValue(const CheckedExpression& expression) {
         ArrayDefinition(name, expression.type, AllElements(expression, expression.type.size()));
     parts_.insert(parts_.end(), lines.begin(), lines.end());
   }
+  named_[&expression] = name;
+}
+
+// A result that is an array is written where the caller wants it.
+void ExpressionEmitter::NameResult(const CheckedExpression& expression, const FunctionCall& call) {
+  std::string name = names_.Add("part");
+  std::vector<CppText> arguments = Arguments(call);
+  arguments.push_back({name});
+  parts_.push_back(Declarator(name, expression.type) + ";");
+  parts_.push_back(CallText(values_.functions[call.function], arguments).text + ";");
   named_[&expression] = name;
 }
 
@@ -172,8 +190,7 @@ void ExpressionEmitter::NameLongReduction(const CheckedExpression& expression,
 
 void ExpressionEmitter::NameIndices(const CheckedExpression& expression, const Elements& elements) {
   std::string name = names_.Add("indices");
-  parts_.push_back(fmt::format("static constexpr short {}[] = {{{}}};", name,
-                               fmt::join(elements.indices, ", ")));
+  parts_.push_back(IndexTable(name, elements.indices));
   indices_[&expression] = name;
 }
 
@@ -203,14 +220,18 @@ CppText ExpressionEmitter::Element(const CheckedExpression& expression, const In
             return Subscript(values_.memory[node.memory], type, index);
           },
           [&](const LocalRead& node) { return Subscript(values_.locals[node.local], type, index); },
+          [&](const ArgumentRead& node) {
+            return Subscript(values_.arguments[node.argument], type, index);
+          },
           [](const RewardSoFar&) { return CppText{"reward"}; },
           [](const TimeStep&) { return CppText{"frame->time_step"}; },
           [&](const Elements& node) { return ElementOf(node, expression, index); },
           [&](const CheckedUnary& node) { return ElementOf(node, index); },
           [&](const CheckedBinary& node) { return ElementOf(node, index); },
           [&](const BuiltinCall& node) { return ElementOf(node, expression, index); },
+          [&](const FunctionCall& node) { return Call(node); },
           [&](const IntToReal& node) { return AsReal(*node.operand, index); },
-          [](const auto&) { return CppText{}; },
+          [](const TestRead&) { return CppText{}; },  // only in tests, which plugins do not hold
       },
       expression.node);
 }
@@ -282,6 +303,31 @@ CppText ExpressionEmitter::ElementOf(const BuiltinCall& node, const CheckedExpre
     result = Combine(node.function, scalar, result, arguments[i], helpers_);
   }
   return result;
+}
+
+CppText ExpressionEmitter::Call(const FunctionCall& call) {
+  return CallText(values_.functions[call.function], Arguments(call));
+}
+
+std::vector<CppText> ExpressionEmitter::Arguments(const FunctionCall& call) {
+  std::vector<CppText> arguments;
+  for (const CheckedExpressionPtr& argument : call.arguments) {
+    arguments.push_back(IsScalarValue(*argument) ? Element(*argument, {})
+                                                 : CppText{ArrayOf(*argument)});
+  }
+  return arguments;
+}
+
+std::string ExpressionEmitter::ArrayOf(const CheckedExpression& expression) const {
+  if (auto named = named_.find(&expression); named != named_.end()) return named->second;
+  return std::visit(Overloaded{
+                        [&](const SensorRead& node) { return values_.sensors[node.sensor]; },
+                        [&](const MemoryRead& node) { return values_.memory[node.memory]; },
+                        [&](const LocalRead& node) { return values_.locals[node.local]; },
+                        [&](const ArgumentRead& node) { return values_.arguments[node.argument]; },
+                        [](const auto&) { return std::string(); },
+                    },
+                    expression.node);
 }
 
 std::vector<CppText> ExpressionEmitter::ArgumentElements(const BuiltinCall& call,

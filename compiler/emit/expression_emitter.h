@@ -17,12 +17,15 @@
 
 namespace compiler {
 
-// How C++ calls the values of a task inside one function. Indexed like the lists of the task.
+// How C++ calls the values of a task inside one function, and the task's functions. Indexed like
+// the lists of the task, of the event, and of the function.
 struct ValueNames {
   std::vector<std::string> sensors;
   std::vector<std::string> params;
   std::vector<std::string> memory;  // with the struct: "memory.fallen"
   std::vector<std::string> locals;
+  std::vector<std::string> arguments;
+  std::vector<std::string> functions;
 };
 
 class ExpressionEmitter {
@@ -53,7 +56,9 @@ class ExpressionEmitter {
   void Prepare(const CheckedExpression& expression, Use use);
   void PrepareElementwise(const CheckedExpression& expression);
   void PrepareCall(const CheckedExpression& expression, const BuiltinCall& call);
+  void PrepareCall(const CheckedExpression& expression, const FunctionCall& call);
   void NameValue(const CheckedExpression& expression);
+  void NameResult(const CheckedExpression& expression, const FunctionCall& call);
   void NameLongReduction(const CheckedExpression& expression, const BuiltinCall& call);
   void NameIndices(const CheckedExpression& expression, const Elements& elements);
   std::vector<CppText> AllElements(const CheckedExpression& expression, uint32_t count);
@@ -65,6 +70,10 @@ class ExpressionEmitter {
   CppText ElementOf(const CheckedBinary& node, const Index& index);
   CppText ElementOf(const BuiltinCall& node, const CheckedExpression& expression,
                     const Index& index);
+  CppText Call(const FunctionCall& call);
+  std::vector<CppText> Arguments(const FunctionCall& call);
+  // The C++ array that holds the whole value; empty where there is none.
+  std::string ArrayOf(const CheckedExpression& expression) const;
   std::vector<CppText> ArgumentElements(const BuiltinCall& call, const Index& index);
   CppText AsReal(const CheckedExpression& expression, const Index& index);
   CppText Reduction(const BuiltinCall& call, Scalar scalar);

@@ -38,6 +38,12 @@ std::string ParamValue(const CheckedParam& param, uint32_t index) {
   return fmt::format("frame->params[{}]", index);
 }
 
+// Scalars are passed by value, all else where it lies.
+std::string ParameterText(const std::string& name, const Type& type) {
+  return type.shape == Shape::kScalar ? fmt::format("{} {}", CppType(type.scalar), name)
+                                      : fmt::format("const {}* {}", CppType(type.scalar), name);
+}
+
 }  // namespace
 
 PluginNames::PluginNames(const CheckedTask& task) {
@@ -45,6 +51,10 @@ PluginNames::PluginNames(const CheckedTask& task) {
     taken.Reserve(HelperName(static_cast<Helper>(helper)));
   }
   for (const CheckedTerm& term : task.terms) terms.push_back(taken.Add("term_" + term.name));
+  for (const CheckedLogValue& log : task.logs) logs.push_back(taken.Add("log_" + log.name));
+  for (const CheckedFunction& function : task.functions) {
+    functions.push_back(taken.Add("fn_" + function.name));
+  }
   UniqueNames members;
   for (const CheckedMemory& variable : task.memory) memory.push_back(members.Add(variable.name));
 }
@@ -63,11 +73,50 @@ FunctionEmitter::FunctionEmitter(const CheckedTask& task, const Sources& sources
 
 // ---- Functions ------------------------------------------------------------------------------
 
+void FunctionEmitter::EmitFunction(uint32_t index) {
+  const CheckedFunction& function = task_.functions[index];
+  const Type& type = function.value.type;
+  function_ = Function(names_);
+  std::vector<std::string> parameters;
+  for (const Local& argument : function.arguments) {
+    std::string name = function_.names.Add(argument.name);
+    parameters.push_back(ParameterText(name, argument.type));
+    function_.values.arguments.push_back(name);
+  }
+  // A result that is an array is written where the caller wants it.
+  std::string result;
+  if (type.shape != Shape::kScalar) {
+    result = function_.names.Add("result");
+    parameters.push_back(fmt::format("{}* {}", CppType(type.scalar), result));
+  }
+  BeginFunction(fmt::format("{} {}({})", result.empty() ? CppType(type.scalar) : "void",
+                            names_.functions[index], fmt::join(parameters, ", ")),
+                LineOf(function.span));
+  SetLocals(function.locals);
+  for (const CheckedLet& let : function.lets) Emit(let, LineOf(let.value.span));
+  EmitResult(function.value, result);
+  End();
+}
+
+void FunctionEmitter::EmitResult(const CheckedExpression& value, const std::string& array) {
+  SourceLine line = LineOf(value.span);
+  std::vector<std::string> lines;
+  if (array.empty()) {
+    lines = {fmt::format("return {};", expressions_->EmitScalar(value).text)};
+  } else {
+    uint32_t count = value.type.size();
+    std::vector<CppText> values = expressions_->EmitElements(value, count);
+    lines = ArrayAssignment(array, "=", values, AllIndices(count), function_.names);
+  }
+  WriteLines(expressions_->TakeParts(), line);
+  WriteLines(lines, line);
+}
+
 void FunctionEmitter::EmitInitialize() {
   UsedValues used;
   for (const CheckedMemory& variable : task_.memory) used.Add(variable.initial);
   used.memory = !task_.memory.empty();
-  Begin("initialize", FirstLineOfMemory(), used, {});
+  Begin("initialize", FirstLineOfMemory(), used);
   for (uint32_t i = 0; i < task_.memory.size(); ++i) EmitReset(task_.memory[i], i);
   End();
 }
@@ -82,7 +131,8 @@ void FunctionEmitter::EmitEvent(EventKind kind) {
     used.Add(variable.initial);
   }
   Begin(NameOf(kind, kEventNames), event.is_declared ? LineOf(event.span) : FirstLineOfMemory(),
-        used, event.locals);
+        used);
+  SetLocals(event.locals);
   for (uint32_t i = 0; i < task_.memory.size(); ++i) {
     if (IsResetAt(kind, task_.memory[i].scope)) EmitReset(task_.memory[i], i);
   }
@@ -100,7 +150,7 @@ SourceLine FunctionEmitter::FirstLineOfMemory() const {
 void FunctionEmitter::EmitMeasure() {
   UsedValues used;
   for (const CheckedMetric& metric : task_.metrics) used.Add(metric.value);
-  Begin("measure", LineOf(task_.metrics.front().value.span), used, {});
+  Begin("measure", LineOf(task_.metrics.front().value.span), used);
   for (uint32_t i = 0; i < task_.metrics.size(); ++i) {
     SourceLine line = LineOf(task_.metrics[i].value.span);
     CppText value = expressions_->EmitScalar(task_.metrics[i].value);
@@ -110,18 +160,23 @@ void FunctionEmitter::EmitMeasure() {
   End();
 }
 
-void FunctionEmitter::Begin(std::string_view name, SourceLine line, const UsedValues& used,
-                            const std::vector<Local>& locals) {
-  function_ = {.names = names_.taken, .values = {}};
+void FunctionEmitter::Begin(std::string_view name, SourceLine line, const UsedValues& used) {
+  function_ = Function(names_);
+  BeginFunction(fmt::format("void {}(taskc_frame* frame)", name), line);
+  EmitPrologue(used, line);
+}
+
+void FunctionEmitter::BeginFunction(const std::string& head, SourceLine line) {
   writer_.LeaveSource();
   writer_.BlankLine();
-  writer_.Line(fmt::format("void {}(taskc_frame* frame) {{", name), line);
+  writer_.Line(head + " {", line);
   writer_.Indent();
-  EmitPrologue(used, line);
-  for (const Local& local : locals) {
-    function_.values.locals.push_back(function_.names.Add(local.name));
-  }
   expressions_.emplace(function_.values, function_.names, helpers_);
+}
+
+void FunctionEmitter::SetLocals(const std::vector<Local>& locals) {
+  function_.locals = &locals;
+  function_.values.locals.resize(locals.size());
 }
 
 void FunctionEmitter::EmitPrologue(const UsedValues& used, SourceLine line) {
@@ -166,7 +221,8 @@ void FunctionEmitter::EmitBlock(const CheckedBlock& block) {
 }
 
 void FunctionEmitter::Emit(const CheckedLet& let, SourceLine line) {
-  const std::string& name = function_.values.locals[let.local];
+  const std::string name = function_.values.locals[let.local] =
+      function_.names.Add((*function_.locals)[let.local].name);
   const Type& type = let.value.type;
   std::vector<std::string> definition;
   if (type.shape == Shape::kScalar) {
@@ -180,14 +236,16 @@ void FunctionEmitter::Emit(const CheckedLet& let, SourceLine line) {
 }
 
 void FunctionEmitter::Emit(const CheckedAssign& assign, SourceLine line) {
-  uint32_t count = task_.memory[assign.memory].type.size();
+  const Type& type = task_.memory[assign.memory].type;
+  std::vector<uint32_t> indices =
+      assign.elements.empty() ? AllIndices(type.size()) : assign.elements;
+  auto count = static_cast<uint32_t>(indices.size());
   // `v = v.yx`: all elements of the new value are computed from the old one.
   bool is_entangled = count > 1 && Reads(assign.value, assign.memory);
-  std::vector<CppText> elements = is_entangled
-                                      ? expressions_->EmitElementsFirst(assign.value, count)
-                                      : expressions_->EmitElements(assign.value, count);
+  std::vector<CppText> values = is_entangled ? expressions_->EmitElementsFirst(assign.value, count)
+                                             : expressions_->EmitElements(assign.value, count);
   WriteLines(expressions_->TakeParts(), line);
-  EmitStore(assign.memory, AssignSymbol(assign.op), elements, line);
+  EmitStore(assign.memory, AssignSymbol(assign.op), values, indices, line);
 }
 
 void FunctionEmitter::Emit(const CheckedIf& node, SourceLine line) {
@@ -222,6 +280,19 @@ void FunctionEmitter::Emit(const CheckedIf& node, SourceLine line) {
   }
 }
 
+void FunctionEmitter::Emit(const CheckedFor& loop, SourceLine line) {
+  for (const CheckedPass& pass : loop.passes) {
+    writer_.Line(fmt::format("{{  // {} = {}", loop.variable, pass.value), line);
+    writer_.Indent();
+    // Each pass is a scope of its own, and its names end with it.
+    UniqueNames outer = function_.names;
+    EmitBlock(pass.body);
+    function_.names = std::move(outer);
+    writer_.Outdent();
+    writer_.Line("}");
+  }
+}
+
 void FunctionEmitter::Emit(const CheckedReward& reward, SourceLine line) {
   CppText value = expressions_->EmitScalar(reward.value);
   WriteLines(expressions_->TakeParts(), line);
@@ -237,32 +308,40 @@ void FunctionEmitter::Emit(const CheckedEnd& end, SourceLine line) {
   writer_.Line(fmt::format("{}(frame, {});", helpers_.Use(Helper::kEnd), end.end), line);
 }
 
+void FunctionEmitter::Emit(const CheckedLog& log, SourceLine line) {
+  CppText value = expressions_->EmitScalar(log.value);
+  WriteLines(expressions_->TakeParts(), line);
+  helpers_.Use(Helper::kMin);
+  helpers_.Use(Helper::kMax);
+  writer_.Line(fmt::format("{}(frame, {}, {});", helpers_.Use(Helper::kNote), names_.logs[log.log],
+                           value.text),
+               line);
+}
+
+void FunctionEmitter::Emit(const CheckedRequire& require, SourceLine line) {
+  CppText condition = expressions_->EmitScalar(require.condition);
+  WriteLines(expressions_->TakeParts(), line);
+  writer_.Line(fmt::format("{}(frame, {}, {});", helpers_.Use(Helper::kRequire),
+                           require.requirement, condition.text),
+               line);
+}
+
 void FunctionEmitter::EmitReset(const CheckedMemory& memory, uint32_t index) {
   SourceLine line = LineOf(memory.span);
   std::vector<CppText> elements = expressions_->EmitElements(memory.initial, memory.type.size());
   WriteLines(expressions_->TakeParts(), line);
-  EmitStore(index, "=", elements, line);
+  EmitStore(index, "=", elements, AllIndices(memory.type.size()), line);
 }
 
 void FunctionEmitter::EmitStore(uint32_t memory, std::string_view op,
-                                const std::vector<CppText>& elements, SourceLine line) {
+                                const std::vector<CppText>& values,
+                                const std::vector<uint32_t>& indices, SourceLine line) {
   const std::string& name = function_.values.memory[memory];
-  const Type& type = task_.memory[memory].type;
-  if (type.shape == Shape::kScalar) {
-    writer_.Line(fmt::format("{} {} {};", name, op, elements.front().text), line);
+  if (task_.memory[memory].type.shape == Shape::kScalar) {
+    writer_.Line(fmt::format("{} {} {};", name, op, values.front().text), line);
     return;
   }
-  if (type.size() > kWrittenOut) {
-    writer_.Line(fmt::format("for (int i = 0; i < {}; ++i) {}[i] {} {};", type.size(), name, op,
-                             elements.front().text),
-                 line);
-    return;
-  }
-  std::vector<std::string> stores;
-  for (size_t i = 0; i < elements.size(); ++i) {
-    stores.push_back(fmt::format("{}[{}] {} {};", name, i, op, elements[i].text));
-  }
-  writer_.Line(fmt::format("{}", fmt::join(stores, " ")), line);
+  WriteLines(ArrayAssignment(name, op, values, indices, function_.names), line);
 }
 
 void FunctionEmitter::WriteLines(const std::vector<std::string>& lines, SourceLine line) {

@@ -1,4 +1,4 @@
-// The functions of a plugin: one for each event, `initialize` and `measure`.
+// The functions of a plugin: those of the task, one for each event, `initialize` and `measure`.
 #pragma once
 
 #include <array>
@@ -18,9 +18,11 @@ namespace compiler {
 struct PluginNames {
   explicit PluginNames(const CheckedTask& task);
 
-  UniqueNames taken;                // all that follow
-  std::vector<std::string> terms;   // enumerators: "term_fall"
-  std::vector<std::string> memory;  // members of the struct
+  UniqueNames taken;                   // all that follow
+  std::vector<std::string> terms;      // enumerators: "term_fall"
+  std::vector<std::string> logs;       // enumerators: "log_speed"
+  std::vector<std::string> functions;  // "fn_shape"
+  std::vector<std::string> memory;     // members of the struct
 };
 
 // Whether the plugin has something to do at this event. Its function is called like the event.
@@ -32,6 +34,7 @@ class FunctionEmitter {
   FunctionEmitter(const CheckedTask& task, const Sources& sources, const PluginNames& names,
                   TextWriter& writer, HelperSet& helpers);
 
+  void EmitFunction(uint32_t function);
   void EmitInitialize();
   void EmitEvent(EventKind event);
   void EmitMeasure();
@@ -39,27 +42,39 @@ class FunctionEmitter {
  private:
   // The state of the function that is being emitted.
   struct Function {
+    Function() = default;
+    explicit Function(const PluginNames& plugin) : names(plugin.taken) {
+      values.functions = plugin.functions;
+    }
+
     UniqueNames names;
     ValueNames values;
+    const std::vector<Local>* locals = nullptr;
   };
 
-  void Begin(std::string_view name, SourceLine line, const UsedValues& used,
-             const std::vector<Local>& locals);
+  void Begin(std::string_view name, SourceLine line, const UsedValues& used);
+  // Opens a function with this head.
+  void BeginFunction(const std::string& head, SourceLine line);
+  // Those of the function; each gets its name where it is defined.
+  void SetLocals(const std::vector<Local>& locals);
   void EmitPrologue(const UsedValues& used, SourceLine line);
   void End();
 
+  // What a function gives: returned, or written to an array.
+  void EmitResult(const CheckedExpression& value, const std::string& array);
   void EmitBlock(const CheckedBlock& block);
   void Emit(const CheckedLet& let, SourceLine line);
   void Emit(const CheckedAssign& assign, SourceLine line);
   void Emit(const CheckedIf& node, SourceLine line);
   void Emit(const CheckedReward& reward, SourceLine line);
   void Emit(const CheckedEnd& end, SourceLine line);
-  void Emit(const CheckedFor&, SourceLine) {}
-  void Emit(const CheckedLog&, SourceLine) {}
-  void Emit(const CheckedRequire&, SourceLine) {}
+  void Emit(const CheckedFor& loop, SourceLine line);
+  void Emit(const CheckedLog& log, SourceLine line);
+  void Emit(const CheckedRequire& require, SourceLine line);
   void EmitReset(const CheckedMemory& memory, uint32_t index);
-  void EmitStore(uint32_t memory, std::string_view op, const std::vector<CppText>& elements,
-                 SourceLine line);
+  // Sets all elements of a variable, or those with these indices.
+  void EmitStore(uint32_t memory, std::string_view op, const std::vector<CppText>& values,
+                 const std::vector<uint32_t>& indices, SourceLine line);
   // Lines that stand for one line of the task.
   void WriteLines(const std::vector<std::string>& lines, SourceLine line);
   // What a function stands for that the task does not write itself: it only sets memory.

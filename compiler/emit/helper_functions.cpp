@@ -50,6 +50,21 @@ void Pay(taskc_frame* frame, double& reward, int term, double value) {
 void End(taskc_frame* frame, int end) {
   if (frame->end < 0) frame->end = end;
 })"},
+    {Helper::kNote, "Note",
+     R"(// Adds a value to what has been logged in this episode.
+void Note(taskc_frame* frame, int log, double value) {
+  taskc_log_state& state = frame->logs[log];
+  const bool is_first = state.count++ == 0;
+  state.last = value;
+  state.sum = is_first ? value : state.sum + value;
+  state.minimum = is_first ? value : Min(state.minimum, value);
+  state.maximum = is_first ? value : Max(state.maximum, value);
+})"},
+    {Helper::kRequire, "Require",
+     R"(// Reports what does not hold; the first requirement counts.
+void Require(taskc_frame* frame, int requirement, bool holds) {
+  if (!holds && frame->violation < 0) frame->violation = requirement;
+})"},
 }};
 
 constexpr bool IsInOrder() {

@@ -21,6 +21,8 @@ enum class Helper {
   kMaxInt,
   kPay,
   kEnd,
+  kNote,
+  kRequire,
   kCount
 };
 inline constexpr int kHelperCount = static_cast<int>(Helper::kCount);

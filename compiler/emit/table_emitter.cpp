@@ -146,10 +146,11 @@ void EmitMemoryStruct(const CheckedTask& task, const PluginNames& names, TextWri
   writer.Line("};");
 }
 
-void EmitTermNumbers(const CheckedTask& task, const PluginNames& names, TextWriter& writer) {
-  if (task.terms.empty()) return;
+// Names for the indices of a table.
+void EmitNumbers(const std::vector<std::string>& names, TextWriter& writer) {
+  if (names.empty()) return;
   writer.BlankLine();
-  writer.Line(fmt::format("enum {{ {} }};", fmt::join(names.terms, ", ")));
+  writer.Line(fmt::format("enum {{ {} }};", fmt::join(names, ", ")));
 }
 
 // The fields of `taskc_plugin` for one table.
@@ -177,11 +178,12 @@ std::vector<std::string> TableFields(const CheckedTask& task, const Sources& sou
   return pointers;
 }
 
-// Of all texts of a task, one behind the other.
+// As the ABI says it.
 std::string HashOf(const Sources& sources) {
-  std::string text;
-  for (const SourceFile& source : sources.files()) text += source.text();
-  return seal::Sha256(text);
+  if (sources.files().size() == 1) return seal::Sha256(sources.main().text());
+  std::string hashes;
+  for (const SourceFile& source : sources.files()) hashes += seal::Sha256(source.text());
+  return seal::Sha256(hashes);
 }
 
 std::vector<std::string> IdentityFields(const CheckedTask& task, const Sources& sources) {
@@ -202,7 +204,8 @@ void EmitTables(const CheckedTask& task, const Sources& sources, const PluginNam
   const auto row = [&](const auto& element) { return Row(element, sources); };
   EmitSources(sources, writer);
   EmitMemoryStruct(task, names, writer);
-  EmitTermNumbers(task, names, writer);
+  EmitNumbers(names.terms, writer);
+  EmitNumbers(names.logs, writer);
   EmitTable("taskc_sensor", "sensors_table", task.sensors, kRow, writer);
   EmitTable("taskc_param", "params_table", task.params, kRow, writer);
   auto memory_row = [&](const CheckedMemory& memory) {
