@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "compiler/build/build_plugin.h"
+#include "compiler/build/file_io.h"
 #include "compiler/build/plugin_cache.h"
 #include "compiler/check/check.h"
 #include "compiler/emit/emit.h"
@@ -101,8 +102,42 @@ std::filesystem::path BenchCache() {
   return std::filesystem::temp_directory_path() / "taskc-bench-cache";
 }
 
-void CheckProgram(benchmark::State& state) { RunTaskc(state, fmt::format("check '{}'", kTask)); }
+// Of those that come with taskc.
+std::filesystem::path LargestTask() {
+  std::filesystem::path largest = kTask;
+  for (const auto& entry : std::filesystem::directory_iterator(SOURCE_DIR "/tasks")) {
+    if (entry.path().extension() != ".task") continue;
+    if (entry.file_size() > file_size(largest)) largest = entry.path();
+  }
+  return largest;
+}
+
+// Far larger than anyone writes one.
+std::filesystem::path TaskOfThousandLines() {
+  std::string text = "task long for humanoid\n\nstart standing\n\non end_of_time_step {\n";
+  for (int i = 1; i <= 248; ++i) {
+    text += fmt::format(
+        "  let speed_{0} = norm(base.velocity.xy) * {0}\n"
+        "  if any(contact[feet]) and speed_{0} > 0.1 m/s {{\n"
+        "    reward rate forward_{0} = dot(base.velocity.xy, base.up.xy) * 0.{0}\n"
+        "  }}\n",
+        i);
+  }
+  text += "  if time > 20 s { truncate_episode \"time is up\" }\n  // the 1000 lines are full\n}\n";
+  std::filesystem::path file = std::filesystem::temp_directory_path() / "taskc-bench-long.task";
+  WriteWholeFile(file, text);
+  return file;
+}
+
+void CheckProgram(benchmark::State& state) {
+  RunTaskc(state, fmt::format("check '{}'", LargestTask().string()));
+}
 BENCHMARK(CheckProgram)->UseManualTime()->Unit(benchmark::kMillisecond);
+
+void CheckThousandLines(benchmark::State& state) {
+  RunTaskc(state, fmt::format("check '{}'", TaskOfThousandLines().string()));
+}
+BENCHMARK(CheckThousandLines)->UseManualTime()->Unit(benchmark::kMillisecond);
 
 void BuildUncached(benchmark::State& state) {
   RunTaskc(state, fmt::format("build '{}' --cache '{}'", kTask, BenchCache().string()),
@@ -216,15 +251,14 @@ void CallbackOfPlugin(benchmark::State& state) {
   std::vector<std::max_align_t> memory(plugin.memory_size / sizeof(std::max_align_t) + 1);
   std::vector<double> terms(plugin.term_count);
   std::vector<double> metrics(plugin.metric_count);
-  taskc_frame frame{.sensors = places.data(),
-                    .params = params.data(),
-                    .memory = memory.data(),
-                    .time_step = 0,
-                    .terms = terms.data(),
-                    .metrics = metrics.data(),
-                    .reward = 0,
-                    .end = -1,
-                    .fault = -1};
+  std::vector<taskc_log_state> logs(plugin.log_count);
+  taskc_frame frame{};
+  frame.sensors = places.data();
+  frame.params = params.data();
+  frame.memory = memory.data();
+  frame.terms = terms.data();
+  frame.metrics = metrics.data();
+  frame.logs = logs.data();
   plugin.initialize(&frame);
   taskc_event_function callback = plugin.events[TASKC_END_OF_TIME_STEP];
   for (auto _ : state) {
@@ -234,6 +268,7 @@ void CallbackOfPlugin(benchmark::State& state) {
     frame.reward = 0;
     frame.end = -1;
     frame.fault = -1;
+    frame.violation = -1;
     callback(&frame);
     benchmark::DoNotOptimize(frame.reward);
     benchmark::DoNotOptimize(frame.end);

@@ -6,6 +6,7 @@
 #include "compiler/build/file_io.h"
 #include "compiler/driver/verb.h"
 #include "compiler/emit/emit.h"
+#include "compiler/emit/line_map.h"
 
 namespace compiler {
 namespace {
@@ -13,16 +14,18 @@ namespace {
 struct Options {
   std::string task;
   std::filesystem::path output;  // empty: standard output
+  bool map = false;
 };
 
 ExitStatus EmitOne(const Options& options, Session& session) {
   Analysis analysis = session.Analyze(options.task);
   if (!analysis.task) return ExitStatus::kWrongTask;
-  std::string cpp = Emit(*analysis.task, analysis.sources);
+  EmittedText cpp = EmitWithOrigins(*analysis.task, analysis.sources);
+  std::string text = options.map ? LineMap(cpp.origins) : cpp.text;
   if (options.output.empty()) {
-    fmt::print("{}", cpp);
+    fmt::print("{}", text);
   } else {
-    ReplaceFile(options.output, cpp);
+    ReplaceFile(options.output, text);
   }
   return ExitStatus::kOk;
 }
@@ -33,6 +36,8 @@ Action DeclareEmit(CLI::App& app, Session& session) {
   auto options = std::make_shared<Options>();
   AddTask(app, options->task);
   AddOutput(app, options->output, "FILE.cpp", "the C++ file; without, it is printed");
+  app.add_flag("--map", options->map,
+               "print which lines of C++ each line of the task has become, not the C++ itself");
   AddRobots(app, session);
   return [options](Session& call) { return EmitOne(*options, call); };
 }

@@ -36,6 +36,10 @@ void EmitHelpers(const HelperSet& helpers, bool of_library, TextWriter& writer) 
 }  // namespace
 
 std::string Emit(const CheckedTask& task, const Sources& sources) {
+  return EmitWithOrigins(task, sources).text;
+}
+
+EmittedText EmitWithOrigins(const CheckedTask& task, const Sources& sources) {
   PluginNames names(task);
   std::string own_path = task.name + ".cpp";
 
@@ -63,7 +67,7 @@ std::string Emit(const CheckedTask& task, const Sources& sources) {
       "const taskc_plugin* taskc_plugin_get() {");
   writer.Line("  return &plugin;");
   writer.Line("}");
-  return writer.text();
+  return {writer.text(), writer.origins()};
 }
 
 }  // namespace compiler

@@ -26,6 +26,7 @@ void TextWriter::Line(std::string_view text, SourceLine source) {
     Append(fmt::format("#line {}", source.line));
   }
   source_ = source;
+  origins_.push_back({physical_line_, source});
   Line(text);
 }
 

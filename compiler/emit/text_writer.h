@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace compiler {
 
@@ -13,6 +14,12 @@ struct SourceLine {
   uint32_t line = 0;  // from 1; 0: no line of the task
 
   bool operator==(const SourceLine&) const = default;
+};
+
+// Which line of the task a line of the text stands for.
+struct LineOrigin {
+  uint32_t line = 0;  // of the text, from 1
+  SourceLine source;
 };
 
 class TextWriter {
@@ -32,12 +39,15 @@ class TextWriter {
   void Outdent() { indent_ -= 2; }
 
   const std::string& text() const { return text_; }
+  // Of the lines that stand for one of the task's, in their order.
+  const std::vector<LineOrigin>& origins() const { return origins_; }
 
  private:
   void Append(std::string_view line);
 
   std::string own_path_;  // as a C++ literal
   std::string text_;
+  std::vector<LineOrigin> origins_;
   size_t indent_ = 0;
   uint32_t physical_line_ = 1;  // of the next line
   SourceLine source_;           // what the C++ compiler takes the next line for

@@ -21,6 +21,14 @@ TEST(Emit, PrintsTheCpp) {
   EXPECT_EQ(ReadWholeFile(taskc.path("good.cpp")), outcome.out);
 }
 
+TEST(Emit, PrintsWhichLinesALineHasBecome) {
+  TaskcProcess taskc;
+  taskc.Write("good.task", kGoodTask);
+  Outcome outcome = taskc.Run("emit --map good.task");
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_THAT(outcome.out, testing::MatchesRegex("(good\\.task:[0-9]+ +[-0-9, ]+\n)+"));
+}
+
 TEST(Emit, WritesNothingForAWrongTask) {
   TaskcProcess taskc;
   taskc.Write("bad.task", "task bad\nmetric x = nothing\n");
