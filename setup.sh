@@ -16,7 +16,7 @@ programs=(
   libsqlite3-dev libzstd-dev                       # the runs' records
   libgtest-dev libgmock-dev libbenchmark-dev
 )
-tests=(chromium procps)                            # the report is looked at in a real browser
+tests=(chromium procps gdb)                        # a real browser and a real debugger
 
 wanted=("${programs[@]}")
 # A Node.js that is there already, from wherever, is good enough for the report's page.
