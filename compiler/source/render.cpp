@@ -58,7 +58,7 @@ class Renderer {
   void AddMark(Span span, bool is_primary, std::string_view text) {
     MarkedFile& file = FileOf(span);
     const SourceFile& source = *file.source;
-    const uint32_t line = source.PositionOf(span.begin).line;
+    const uint32_t line = source.LineOf(span.begin);
     const uint32_t start = source.LineStart(line);
     const auto length = static_cast<uint32_t>(source.Line(line).size());
     const uint32_t begin = std::min(span.begin - start, length);

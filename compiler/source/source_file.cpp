@@ -18,10 +18,8 @@ SourceFile::SourceFile(std::string path, std::string text, uint32_t first_offset
 }
 
 Position SourceFile::PositionOf(uint32_t offset) const {
-  const auto next =
-      std::upper_bound(line_starts_.begin(), line_starts_.end(), offset - first_offset_);
   Position position;
-  position.line = static_cast<uint32_t>(next - line_starts_.begin());
+  position.line = LineOf(offset);
   const std::string_view line = Line(position.line);
   const size_t end = std::min<size_t>(offset - LineStart(position.line), line.size());
   for (size_t i = 0; i < end;) {
@@ -29,6 +27,12 @@ Position SourceFile::PositionOf(uint32_t offset) const {
     if (i <= end) ++position.column;
   }
   return position;
+}
+
+uint32_t SourceFile::LineOf(uint32_t offset) const {
+  const auto next =
+      std::upper_bound(line_starts_.begin(), line_starts_.end(), offset - first_offset_);
+  return static_cast<uint32_t>(next - line_starts_.begin());
 }
 
 std::string_view SourceFile::Line(uint32_t line) const {

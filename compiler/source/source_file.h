@@ -32,7 +32,7 @@ struct Position {
 class SourceFile {
  public:
   // A file that is larger is read no further: the parser refuses it.
-  static constexpr uint32_t kMaxSize = 1'000'000;  // bytes
+  static constexpr uint32_t kMaxSize = 100'000;  // bytes
 
   // `first_offset`: that of the first byte.
   SourceFile(std::string path, std::string text, uint32_t first_offset = 0);
@@ -49,6 +49,8 @@ class SourceFile {
   // An offset beyond the text means its end; one inside a code point counts as that code point, one
   // inside a line's end as the end of the line.
   Position PositionOf(uint32_t offset) const;
+  // Its line alone, which is quicker to find.
+  uint32_t LineOf(uint32_t offset) const;
   // The offset at which a line begins.
   uint32_t LineStart(uint32_t line) const { return first_offset_ + line_starts_[line - 1]; }
   // A line's text without its end ("\n" or "\r\n"); lines count from 1.

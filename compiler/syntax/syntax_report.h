@@ -28,19 +28,15 @@ class SyntaxReport {
     if (error_count_ < kMostErrors && !IsFaulty(diagnostic.span)) Add(std::move(diagnostic));
   }
   // For an error that is covered by one in another line.
-  void MarkFaulty(Span span) { faulty_lines_.insert(source_.PositionOf(span.begin).line); }
+  void MarkFaulty(Span span) { faulty_lines_.insert(source_.LineOf(span.begin)); }
   // No further errors are added in that line.
-  void IgnoreLine(Span span) { ignored_lines_.insert(source_.PositionOf(span.begin).line); }
-  bool IsFaulty(Span span) const {
-    return faulty_lines_.contains(source_.PositionOf(span.begin).line);
-  }
+  void IgnoreLine(Span span) { ignored_lines_.insert(source_.LineOf(span.begin)); }
+  bool IsFaulty(Span span) const { return faulty_lines_.contains(source_.LineOf(span.begin)); }
   bool has_errors() const { return error_count_ > 0; }
   const SourceFile& source() const { return source_; }
 
  private:
-  bool IsIgnored(Span span) const {
-    return ignored_lines_.contains(source_.PositionOf(span.begin).line);
-  }
+  bool IsIgnored(Span span) const { return ignored_lines_.contains(source_.LineOf(span.begin)); }
 
   const SourceFile& source_;
   Diagnostics& diagnostics_;
