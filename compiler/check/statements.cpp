@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <utility>
 
 #include "compiler/check/assignment.h"
@@ -293,7 +294,11 @@ void CheckEvents(const SyntaxTree& tree, TaskScope& scope, CheckedTask& task) {
     }
     scope.locals.clear();
     CollectLocals(block->body, scope);
-    CheckedBlock body = EventChecker(*block, logs, scope, task).Check(block->body);
+    for (const Block& appended : block->appended) CollectLocals(appended, scope);
+    EventChecker checker(*block, logs, scope, task);
+    CheckedBlock body = checker.Check(block->body);
+    for (const Block& appended : block->appended)
+      std::ranges::move(checker.Check(appended), std::back_inserter(body));
     if (event.is_declared) continue;
     event.is_declared = true;
     event.span = block->name.span;

@@ -215,18 +215,26 @@ EventEquations EquationsOf(const EventDeclaration& event) {
                            .logs = {},
                            .requirements = {},
                            .ends = {}};
+  std::vector<const Block*> blocks = {&event.body};
+  for (const Block& appended : event.appended) blocks.push_back(&appended);
   std::vector<std::string> terms;
-  Visit(event.body, {}, [&](const Statement& statement, const Conditions& conditions) {
-    AddStatement(statement, conditions, equations);
-    const auto payment = PaymentOf(statement);
-    if (payment && std::ranges::find(terms, payment->term) == terms.end()) {
-      terms.push_back(payment->term);
-    }
-  });
+  for (const Block* block : blocks) {
+    Visit(*block, {}, [&](const Statement& statement, const Conditions& conditions) {
+      AddStatement(statement, conditions, equations);
+      const auto payment = PaymentOf(statement);
+      if (payment && std::ranges::find(terms, payment->term) == terms.end()) {
+        terms.push_back(payment->term);
+      }
+    });
+  }
   std::vector<Formula> names;
   for (const std::string& term : terms) {
     names.push_back({TermName(term)});
-    equations.terms.push_back({TermName(term), TermCollector(term).Collect(event.body)->text});
+    std::vector<Formula> parts;
+    for (const Block* block : blocks) {
+      if (auto part = TermCollector(term).Collect(*block)) parts.push_back(std::move(*part));
+    }
+    equations.terms.push_back({TermName(term), Sum(parts).text});
   }
   equations.total = Sum(names);
   return equations;

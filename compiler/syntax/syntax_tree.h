@@ -246,6 +246,9 @@ struct EventDeclaration {  // `on end_of_time_step { ... }`
   EventKind event;
   Identifier name;
   Block body;
+  // In a task that extends another: what it and further ones add to the base's block, each in a
+  // scope of its own.
+  std::vector<Block> appended{};
 };
 
 struct StartDeclaration {  // `start standing`

@@ -1,0 +1,244 @@
+#include "compiler/compose/compose.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "compiler/compose/extend.h"
+#include "compiler/syntax/parse.h"
+#include "plugins/text/nearest_name.h"
+
+namespace compiler {
+namespace {
+
+namespace fs = std::filesystem;
+
+// One name for each file, however it is reached.
+fs::path KeyOf(const fs::path& file) {
+  std::error_code error;
+  fs::path absolute = fs::absolute(file, error);
+  return (error ? file : absolute).lexically_normal();
+}
+
+// Where a file names another.
+struct Reference {
+  fs::path file;  // relative to the folder where the compiler runs, or absolute
+  std::string written;
+  Span span;               // of the path
+  std::string_view reads;  // "imports" or "extends"
+};
+
+Reference ReferenceIn(const fs::path& file, const std::string& written, Span span,
+                      std::string_view reads) {
+  return {(file.parent_path() / written).lexically_normal(), written, span, reads};
+}
+
+class Composer {
+ public:
+  Composer(const FileReader& read, Sources& sources, Diagnostics& diagnostics)
+      : read_(read), sources_(sources), diagnostics_(diagnostics) {}
+
+  std::optional<SyntaxTree> Compose(const fs::path& file) {
+    std::optional<std::string> text = read_(file);
+    // Read again for the reason why it cannot be read.
+    const SourceFile& source =
+        sources_.Add(file.string(), text ? std::move(*text) : MustReadFromDisk(file));
+    total_size_ = source.text().size();
+    std::optional<SyntaxTree> tree = Parse(source, diagnostics_);
+    if (!tree) return std::nullopt;
+    if (!tree->task) {
+      Report(code::kNotATask, {source.first_offset(), source.first_offset()},
+             "this file is a library: it has no task", "begin it with `task NAME`, or import it");
+      return std::nullopt;
+    }
+    chain_.push_back({KeyOf(file), {}});
+    std::optional<SyntaxTree> merged = Complete(std::move(*tree), file);
+    if (diagnostics_.has_errors()) return std::nullopt;
+    return merged;
+  }
+
+ private:
+  struct Link {
+    fs::path key;
+    Reference from;  // what led to this file; nothing for the first
+  };
+
+  // The tree of a file with all that it imports and extends. Nothing if its base cannot be read.
+  std::optional<SyntaxTree> Complete(SyntaxTree tree, const fs::path& file) {
+    AddImports(tree, file);
+    if (!tree.base) {
+      RejectOverrides(tree, diagnostics_);
+      return tree;
+    }
+    const Reference reference = ReferenceIn(file, tree.base->path, tree.base->path_span, "extends");
+    std::optional<SyntaxTree> base = Read(reference);
+    if (!base) return std::nullopt;
+    if (!base->task) {
+      Report(code::kNotATask, reference.span,
+             fmt::format("`{}` is a library, not a task", reference.written),
+             fmt::format("to use its functions: `import \"{}\"`", reference.written));
+      return std::nullopt;
+    }
+    chain_.push_back({KeyOf(reference.file), reference});
+    base = Complete(std::move(*base), reference.file);
+    chain_.pop_back();
+    if (!base) return std::nullopt;
+    return Extend(std::move(*base), std::move(tree), diagnostics_);
+  }
+
+  // Puts the declarations of the imported files in place of the imports.
+  void AddImports(SyntaxTree& tree, const fs::path& file) {
+    std::vector<Declaration> declarations;
+    for (Declaration& declaration : tree.declarations) {
+      const auto* import = std::get_if<ImportDeclaration>(&declaration.node);
+      if (import == nullptr) {
+        declarations.push_back(std::move(declaration));
+        continue;
+      }
+      std::optional<SyntaxTree> library =
+          Import(ReferenceIn(file, import->path, import->path_span, "imports"));
+      if (!library) continue;
+      std::ranges::move(library->declarations, std::back_inserter(declarations));
+      std::ranges::move(library->allowances, std::back_inserter(tree.allowances));
+    }
+    tree.declarations = std::move(declarations);
+  }
+
+  // Nothing also for what was imported before.
+  std::optional<SyntaxTree> Import(const Reference& reference) {
+    if (imported_.contains(KeyOf(reference.file)) && !IsInChain(reference)) return std::nullopt;
+    std::optional<SyntaxTree> library = Read(reference);
+    if (!library) return std::nullopt;
+    if (library->task) {
+      Report(code::kNotALibrary, reference.span,
+             fmt::format("`{}` is a task, not a library", reference.written),
+             fmt::format("to build on it: `task NAME extends \"{}\"`", reference.written));
+      return std::nullopt;
+    }
+    imported_.insert(KeyOf(reference.file));
+    chain_.push_back({KeyOf(reference.file), reference});
+    AddImports(*library, reference.file);
+    chain_.pop_back();
+    return library;
+  }
+
+  // ---- Files ----
+
+  std::optional<SyntaxTree> Read(const Reference& reference) {
+    if (IsInChain(reference)) {
+      ReportCircle(reference);
+      return std::nullopt;
+    }
+    if (!IsWithinLimits(reference)) return std::nullopt;
+    std::optional<std::string> text = read_(reference.file);
+    if (!text) {
+      Report(code::kMissingFile, reference.span,
+             fmt::format("there is no file `{}`", reference.file.string()), NearestFile(reference));
+      return std::nullopt;
+    }
+    total_size_ += text->size();
+    if (total_size_ > kMaxTotalSize) {
+      ReportLimit(reference,
+                  fmt::format("the files of a task have more than {} bytes", kMaxTotalSize));
+      return std::nullopt;
+    }
+    return ParseFile(sources_.Add(reference.file.string(), std::move(*text)), reference);
+  }
+
+  // The first error says why this file is read.
+  std::optional<SyntaxTree> ParseFile(const SourceFile& source, const Reference& reference) {
+    Diagnostics found;
+    std::optional<SyntaxTree> tree = Parse(source, found);
+    bool is_first = true;
+    for (Diagnostic diagnostic : found.list()) {
+      if (std::exchange(is_first, false))
+        diagnostic.labels.push_back({reference.span, fmt::format("this {} it", reference.reads)});
+      diagnostics_.Add(std::move(diagnostic));
+    }
+    return tree;
+  }
+
+  bool IsInChain(const Reference& reference) const {
+    return std::ranges::find(chain_, KeyOf(reference.file), &Link::key) != chain_.end();
+  }
+
+  void ReportCircle(const Reference& reference) {
+    const auto first = std::ranges::find(chain_, KeyOf(reference.file), &Link::key);
+    const bool is_itself = std::next(first) == chain_.end();
+    Diagnostic diagnostic =
+        MakeDiagnostic(code::kFileCircle, reference.span,
+                       is_itself ? fmt::format("this file {} itself", reference.reads)
+                                 : fmt::format("`{}` leads back to itself", reference.written));
+    for (auto link = std::next(first); link != chain_.end(); ++link)
+      diagnostic.labels.push_back(
+          {link->from.span, fmt::format("which {} this", link->from.reads)});
+    std::ranges::reverse(diagnostic.labels);
+    diagnostic.help = "put what both need into a library of its own";
+    diagnostics_.Add(std::move(diagnostic));
+  }
+
+  bool IsWithinLimits(const Reference& reference) {
+    if (chain_.size() >= kMaxChain) {
+      ReportLimit(reference, fmt::format("more than {} files import or extend one another in a row",
+                                         kMaxChain));
+      return false;
+    }
+    if (sources_.files().size() >= kMaxFiles) {
+      ReportLimit(reference, fmt::format("the task consists of more than {} files", kMaxFiles));
+      return false;
+    }
+    return true;
+  }
+
+  // Once: every further file would exceed it as well.
+  void ReportLimit(const Reference& reference, const std::string& message) {
+    if (std::exchange(has_reported_limit_, true)) return;
+    Report(code::kTooManyFiles, reference.span, message,
+           "put the functions that belong together into one file");
+  }
+
+  // "did you mean `shaping.task`?", of the tasks in the folder where the file should be.
+  static std::string NearestFile(const Reference& reference) {
+    std::vector<std::string> names;
+    std::error_code error;
+    fs::path folder = reference.file.parent_path();
+    if (folder.empty()) folder = ".";
+    for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
+         entry.increment(error))
+      if (entry->path().extension() == ".task") names.push_back(entry->path().filename());
+    std::ranges::sort(names);
+    const auto nearest = text::NearestName(reference.file.filename().string(), names);
+    if (!nearest) return "a path is relative to the folder of the file that it stands in";
+    const fs::path written = fs::path(reference.written).parent_path() / *nearest;
+    return fmt::format("did you mean `{}`?", written.string());
+  }
+
+  void Report(std::string_view code, Span span, std::string message, std::string help) {
+    Diagnostic diagnostic = MakeDiagnostic(code, span, std::move(message));
+    diagnostic.help = std::move(help);
+    diagnostics_.Add(std::move(diagnostic));
+  }
+
+  const FileReader& read_;
+  Sources& sources_;
+  Diagnostics& diagnostics_;
+  std::vector<Link> chain_;  // the files being read: each imports or extends the next
+  std::set<fs::path> imported_;
+  size_t total_size_ = 0;
+  bool has_reported_limit_ = false;
+};
+
+}  // namespace
+
+std::optional<SyntaxTree> Compose(const fs::path& file, const FileReader& read, Sources& sources,
+                                  Diagnostics& diagnostics) {
+  return Composer(read, sources, diagnostics).Compose(file);
+}
+
+}  // namespace compiler

@@ -1,0 +1,27 @@
+// A task's file, and those that it imports and extends, to one syntax tree.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+
+#include "compiler/source/diagnostic.h"
+#include "compiler/source/file_reader.h"
+#include "compiler/source/sources.h"
+#include "compiler/syntax/syntax_tree.h"
+
+namespace compiler {
+
+// What a task may consist of.
+inline constexpr size_t kMaxFiles = 100;
+inline constexpr size_t kMaxTotalSize = 10'000'000;  // bytes
+inline constexpr size_t kMaxChain = 20;  // files of which each imports or extends the next
+
+// Parses `file`, and all that it imports and extends, into `sources`; merges them into one tree,
+// without imports, overrides and a base. The declarations of the base come first; its events hold
+// the blocks that were appended to them. Nothing if there were errors. Throws CallError where
+// `file` itself cannot be read.
+std::optional<SyntaxTree> Compose(const std::filesystem::path& file, const FileReader& read,
+                                  Sources& sources, Diagnostics& diagnostics);
+
+}  // namespace compiler

@@ -1,0 +1,336 @@
+#include "compiler/compose/extend.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "compiler/compose/copy_expression.h"
+#include "plugins/text/nearest_name.h"
+
+namespace compiler {
+namespace {
+
+// ---- What a declaration is of ------------------------------------------------------------------
+
+// How the language calls it: what follows `override`.
+std::string_view KindOf(const StartDeclaration&) { return "start"; }
+std::string_view KindOf(const SensorDeclaration&) { return "sensor"; }
+std::string_view KindOf(const ParamDeclaration&) { return "param"; }
+std::string_view KindOf(const ParamOverride&) { return "param"; }
+std::string_view KindOf(const MemoryDeclaration&) { return "memory"; }
+std::string_view KindOf(const MetricDeclaration&) { return "metric"; }
+std::string_view KindOf(const RewardOverride&) { return "reward"; }
+std::string_view KindOf(const EventDeclaration&) { return "on"; }
+std::string_view KindOf(const FunctionDeclaration&) { return "fn"; }
+std::string_view KindOf(const ImportDeclaration&) { return "import"; }
+std::string_view KindOf(const TestDeclaration&) { return "test"; }
+
+const Identifier& NameIn(const StartDeclaration& start) { return start.pose; }
+const Identifier& NameIn(const RewardOverride& changed) { return changed.reward.name; }
+const Identifier& NameIn(const ImportDeclaration&) {
+  static const Identifier none;
+  return none;
+}
+const Identifier& NameIn(const TestDeclaration&) {
+  static const Identifier none;
+  return none;
+}
+template <typename Node>
+const Identifier& NameIn(const Node& node) {
+  return node.name;
+}
+
+std::string_view KindOf(const Declaration& declaration) {
+  return std::visit([](const auto& node) { return KindOf(node); }, declaration.node);
+}
+const Identifier& NameOf(const Declaration& declaration) {
+  return std::visit([](const auto& node) -> const Identifier& { return NameIn(node); },
+                    declaration.node);
+}
+
+// Do the two declare the same thing? There is one start pose, whatever its name.
+bool AreOfTheSame(const Declaration& a, const Declaration& b) {
+  if (KindOf(a) != KindOf(b)) return false;
+  return KindOf(a) == "start" || NameOf(a).text == NameOf(b).text;
+}
+
+// ---- Statements
+// ----------------------------------------------------------------------------------
+
+template <typename Visitor>
+void ForEachReward(Block& block, const Visitor& visit);
+
+template <typename Visitor>
+void ForEachReward(Statement& statement, const Visitor& visit) {
+  if (std::holds_alternative<RewardStatement>(statement.node)) visit(statement);
+  if (auto* loop = std::get_if<ForStatement>(&statement.node)) ForEachReward(loop->body, visit);
+  if (auto* once = std::get_if<OnceStatement>(&statement.node)) ForEachReward(once->body, visit);
+  if (auto* branches = std::get_if<IfStatement>(&statement.node)) {
+    for (IfBranch& branch : branches->branches) ForEachReward(branch.body, visit);
+    if (branches->otherwise) ForEachReward(*branches->otherwise, visit);
+  }
+}
+
+template <typename Visitor>
+void ForEachReward(Block& block, const Visitor& visit) {
+  for (Statement& statement : block) ForEachReward(statement, visit);
+}
+
+template <typename Visitor>
+void ForEachReward(SyntaxTree& tree, const Visitor& visit) {
+  for (Declaration& declaration : tree.declarations) {
+    auto* event = std::get_if<EventDeclaration>(&declaration.node);
+    if (event == nullptr) continue;
+    ForEachReward(event->body, visit);
+    for (Block& block : event->appended) ForEachReward(block, visit);
+  }
+}
+
+// ---- The merge ---------------------------------------------------------------------------------
+
+class Extension {
+ public:
+  Extension(SyntaxTree base, SyntaxTree own, Diagnostics& diagnostics)
+      : base_(std::move(base)), own_(std::move(own)), diagnostics_(diagnostics) {}
+
+  SyntaxTree Merge() {
+    std::erase_if(base_.declarations, [](const Declaration& declaration) {
+      return std::holds_alternative<TestDeclaration>(declaration.node);
+    });
+    inherited_ = base_.declarations.size();
+    for (Declaration& declaration : own_.declarations)
+      if (declaration.override_span && IsFirst(declaration)) Override(declaration);
+    for (Declaration& declaration : own_.declarations)
+      if (!declaration.override_span) Add(std::move(declaration));
+    return Header();
+  }
+
+ private:
+  // The header of the merged tree, around the merged declarations.
+  SyntaxTree Header() {
+    SyntaxTree merged = std::move(base_);
+    merged.doc = std::move(own_.doc);
+    merged.task = std::move(own_.task);
+    if (own_.robot) merged.robot = std::move(own_.robot);
+    merged.base.reset();
+    std::erase_if(merged.allowances, [&](const Allowance& allowance) {
+      return std::ranges::any_of(removed_, [&](Span span) {
+        return span.begin <= allowance.covers.begin && allowance.covers.begin < span.end;
+      });
+    });
+    std::ranges::move(own_.allowances, std::back_inserter(merged.allowances));
+    return merged;
+  }
+
+  // ---- Overrides ----
+
+  bool IsFirst(const Declaration& declaration) {
+    const auto [first, is_new] =
+        overrides_.emplace(DescriptionOf(declaration), *declaration.override_span);
+    if (is_new) return true;
+    Diagnostic diagnostic =
+        MakeDiagnostic(code::kRepeatedOverride, *declaration.override_span,
+                       fmt::format("the {} is overridden already", first->first));
+    diagnostic.labels = {{first->second, "first overridden here"}};
+    diagnostic.help = "remove one of the two";
+    diagnostics_.Add(std::move(diagnostic));
+    return false;
+  }
+
+  void Override(Declaration& declaration) {
+    if (auto* reward = std::get_if<RewardOverride>(&declaration.node)) {
+      if (!OverrideReward(declaration.span, *reward)) ReportNothing(declaration, TermNames());
+      return;
+    }
+    if (const auto* event = std::get_if<EventDeclaration>(&declaration.node))
+      event_names_[event->event] = event->name.span;
+    Declaration* overridden = FindInherited(declaration);
+    if (overridden == nullptr) {
+      ReportNothing(declaration, InheritedNames(KindOf(declaration)));
+    } else if (auto* param = std::get_if<ParamOverride>(&declaration.node)) {
+      OverrideParam(*param, std::get<ParamDeclaration>(overridden->node));
+    } else {
+      Replace(std::move(declaration), *overridden);
+    }
+  }
+
+  // The type and the unit stay; the range stays unless another one is given.
+  static void OverrideParam(ParamOverride& changed, ParamDeclaration& param) {
+    param.initial = std::move(changed.initial);
+    if (!changed.minimum) return;
+    param.minimum = std::move(changed.minimum);
+    param.maximum = std::move(changed.maximum);
+  }
+
+  // The new one in place of the old one, whose documentation stays where there is no new one.
+  void Replace(Declaration changed, Declaration& overridden) {
+    removed_.push_back(overridden.span);
+    std::string doc = std::visit([](auto& node) { return DocIn(node); }, overridden.node);
+    changed.override_span.reset();
+    overridden = std::move(changed);
+    std::visit(
+        [&](auto& node) {
+          if constexpr (requires { node.doc; })
+            if (node.doc.empty()) node.doc = std::move(doc);
+        },
+        overridden.node);
+  }
+
+  template <typename Node>
+  static std::string DocIn(const Node& node) {
+    if constexpr (requires { node.doc; }) return node.doc;
+    return "";
+  }
+
+  // In place of every statement of the term. True if there was one.
+  bool OverrideReward(Span span, const RewardOverride& changed) {
+    bool is_found = false;
+    ForEachReward(base_, [&](Statement& statement) {
+      auto& reward = std::get<RewardStatement>(statement.node);
+      if (reward.name.text != changed.reward.name.text) return;
+      is_found = true;
+      removed_.push_back(statement.span);
+      const RewardStatement& model = changed.reward;
+      statement.span = span;
+      statement.node = RewardStatement{model.doc.empty() ? reward.doc : model.doc, model.is_rate,
+                                       model.name, CopyOf(model.value)};
+    });
+    return is_found;
+  }
+
+  Declaration* FindInherited(const Declaration& declaration) {
+    for (size_t i = 0; i < inherited_; ++i)
+      if (AreOfTheSame(base_.declarations[i], declaration)) return &base_.declarations[i];
+    return nullptr;
+  }
+
+  void ReportNothing(const Declaration& declaration, const std::vector<std::string>& names) {
+    const Identifier& name = NameOf(declaration);
+    Diagnostic diagnostic =
+        MakeDiagnostic(code::kNothingToOverride, name.span,
+                       fmt::format("the base has no {}", DescriptionOf(declaration)));
+    if (const auto nearest = text::NearestName(name.text, names)) {
+      diagnostic.help = fmt::format("did you mean `{}`?", *nearest);
+    } else if (!std::holds_alternative<ParamOverride>(declaration.node) &&
+               !std::holds_alternative<RewardOverride>(declaration.node)) {
+      diagnostic.help = "to add it, leave out `override`";
+    }
+    diagnostics_.Add(std::move(diagnostic));
+  }
+
+  std::vector<std::string> InheritedNames(std::string_view kind) const {
+    std::vector<std::string> names;
+    if (kind == "start") return names;
+    for (size_t i = 0; i < inherited_; ++i)
+      if (KindOf(base_.declarations[i]) == kind)
+        names.push_back(NameOf(base_.declarations[i]).text);
+    return names;
+  }
+
+  std::vector<std::string> TermNames() {
+    std::vector<std::string> names;
+    ForEachReward(base_, [&](Statement& statement) {
+      names.push_back(std::get<RewardStatement>(statement.node).name.text);
+    });
+    return names;
+  }
+
+  // ---- Additions ----
+
+  void Add(Declaration declaration) {
+    if (auto* event = std::get_if<EventDeclaration>(&declaration.node)) {
+      if (IsFirstBlock(*event)) Append(std::move(declaration));
+      return;
+    }
+    if (const Declaration* inherited = FindInherited(declaration); inherited != nullptr)
+      ReportRedeclared(declaration, *inherited);
+    base_.declarations.push_back(std::move(declaration));
+  }
+
+  // Behind the base's block of this event, if there is one.
+  void Append(Declaration declaration) {
+    Declaration* inherited = FindInherited(declaration);
+    if (inherited == nullptr) return base_.declarations.push_back(std::move(declaration));
+    auto& event = std::get<EventDeclaration>(inherited->node);
+    auto& own = std::get<EventDeclaration>(declaration.node);
+    event.appended.push_back(std::move(own.body));
+    if (event.doc.empty()) event.doc = std::move(own.doc);
+  }
+
+  // The task's own file has one block for an event, overriding or appended.
+  bool IsFirstBlock(const EventDeclaration& event) {
+    const auto [first, is_new] = event_names_.emplace(event.event, event.name.span);
+    if (is_new) return true;
+    Diagnostic diagnostic =
+        MakeDiagnostic(code::kRepeatedEvent, event.name.span,
+                       fmt::format("`{}` has a block already", event.name.text));
+    diagnostic.labels = {{first->second, "the first block"}};
+    diagnostic.help = "put all statements of an event into one block";
+    diagnostics_.Add(std::move(diagnostic));
+    return false;
+  }
+
+  void ReportRedeclared(const Declaration& declaration, const Declaration& inherited) {
+    const Identifier& name = NameOf(declaration);
+    const std::string_view kind = KindOf(declaration);
+    Diagnostic diagnostic =
+        MakeDiagnostic(code::kMissingOverride, name.span,
+                       fmt::format("the base has a {} already", DescriptionOf(declaration)));
+    diagnostic.labels = {{NameOf(inherited).span, "declared here"}};
+    if (kind == "memory" || kind == "sensor") {
+      diagnostic.help = "use the base's, or take another name";
+    } else if (kind == "param") {
+      diagnostic.help =
+          fmt::format("to give it another value: `override param {} = ...`", name.text);
+    } else {
+      diagnostic.help = fmt::format("to replace it, write `override {} {}`", kind, name.text);
+    }
+    diagnostics_.Add(std::move(diagnostic));
+  }
+
+  // ---- Words ----
+
+  // "metric `height`", "start pose", "block for `end_of_action`"
+  static std::string DescriptionOf(const Declaration& declaration) {
+    const std::string_view kind = KindOf(declaration);
+    if (kind == "start") return "start pose";
+    const std::string& name = NameOf(declaration).text;
+    if (kind == "on") return fmt::format("block for `{}`", name);
+    if (kind == "reward") return fmt::format("reward term `{}`", name);
+    if (kind == "fn") return fmt::format("function `{}`", name);
+    return fmt::format("{} `{}`", kind, name);
+  }
+
+  SyntaxTree base_;
+  SyntaxTree own_;
+  Diagnostics& diagnostics_;
+  size_t inherited_ = 0;                   // as many declarations of base_ are the base's
+  std::map<std::string, Span> overrides_;  // by what they override; the word itself
+  std::map<EventKind, Span> event_names_;  // of the blocks of the task's own file
+  std::vector<Span> removed_;              // what was replaced in the base
+};
+
+}  // namespace
+
+SyntaxTree Extend(SyntaxTree base, SyntaxTree own, Diagnostics& diagnostics) {
+  return Extension(std::move(base), std::move(own), diagnostics).Merge();
+}
+
+void RejectOverrides(const SyntaxTree& tree, Diagnostics& diagnostics) {
+  for (const Declaration& declaration : tree.declarations) {
+    if (!declaration.override_span) continue;
+    Diagnostic diagnostic =
+        MakeDiagnostic(code::kOverrideWithoutBase, *declaration.override_span,
+                       "this task extends no other: there is nothing to override");
+    diagnostic.help = "name the base in the header: `task NAME extends \"base.task\"`";
+    diagnostics.Add(std::move(diagnostic));
+    return;
+  }
+}
+
+}  // namespace compiler

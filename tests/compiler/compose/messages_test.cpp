@@ -1,0 +1,58 @@
+// What is wrong between files, as a person reads it. A golden file in `messages` holds files, each
+// behind a line `==== NAME`, and one of the same name ending in `.expected` what is said of the
+// first.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <sstream>
+#include <string>
+
+#include "tests/compiler/compose/file_set.h"
+#include "tests/compiler/golden.h"
+
+namespace compiler {
+namespace {
+
+const std::filesystem::path kFolder = SOURCE_DIR "/tests/compiler/compose/messages";
+
+FileSet Split(const std::string& text) {
+  constexpr std::string_view kHeading = "==== ";
+  FileSet files;
+  std::string* file = nullptr;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with(kHeading)) {
+      file = &files[line.substr(kHeading.size())];
+    } else if (file != nullptr) {
+      *file += line + "\n";
+    }
+  }
+  return files;
+}
+
+TEST(ComposeMessages, AreAsReviewed) {
+  for (const auto& path : golden::FilesIn(kFolder, "fail_", ".txt")) {
+    const Composed composed(Split(golden::ReadFile(path)));
+    EXPECT_FALSE(composed.tree) << path;
+    std::filesystem::path expected = path;
+    golden::Expect(expected.replace_extension(".expected"), composed.Messages());
+  }
+}
+
+TEST(ComposeMessages, SuggestAFileOfTheFolder) {
+  const std::filesystem::path folder = testing::TempDir() + "/taskc_compose_test";
+  std::filesystem::create_directories(folder);
+  for (const char* name : {"shaping.task", "other.task", "shapin.txt"})
+    std::ofstream(folder / name) << "";
+  std::ofstream(folder / "main.task") << "task t\nimport \"shapng.task\"\n";
+  Sources sources;
+  Diagnostics diagnostics;
+  Compose(folder / "main.task", ReadFromDisk, sources, diagnostics);
+  ASSERT_EQ(diagnostics.list().size(), 1u);
+  EXPECT_EQ(diagnostics.list()[0].code, code::kMissingFile);
+  EXPECT_EQ(diagnostics.list()[0].help, "did you mean `shaping.task`?");
+  std::filesystem::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace compiler
