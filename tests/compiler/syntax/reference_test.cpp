@@ -14,9 +14,9 @@
 namespace compiler {
 namespace {
 
-// The blocks between "```task" and "```".
-std::vector<std::string> Examples(const std::string& page) {
-  const std::string begin = "```task\n";
+// The blocks between the line `begin` and "```".
+std::vector<std::string> Examples(const std::string& page, std::string begin = "```task") {
+  begin += '\n';
   std::vector<std::string> examples;
   for (size_t i = page.find(begin); i != std::string::npos; i = page.find(begin, i)) {
     i += begin.size();
@@ -31,9 +31,8 @@ std::vector<std::string> Examples(const std::string& page) {
 std::string MakeTask(const std::string& example) {
   const std::string header = "task example for humanoid\n";
   if (example.find("task ") == 0 || example.find("\ntask ") != std::string::npos) return example;
-  if (example.find("import ") == 0 || example.find("fn ") == 0) return example;  // a library
   for (const char* word : {"start ", "sensor ", "param ", "memory ", "metric ", "on ", "override ",
-                           "test ", "allow "}) {
+                           "fn ", "import ", "test ", "allow "}) {
     if (example.find(word) == 0 || example.find(std::string("\n") + word) != std::string::npos) {
       return header + example;
     }
@@ -42,9 +41,13 @@ std::string MakeTask(const std::string& example) {
 }
 
 TEST(LanguageReference, ExamplesAreWellFormed) {
-  const auto examples = Examples(golden::ReadFile(SOURCE_DIR "/docs/language.md"));
+  const std::string page = golden::ReadFile(SOURCE_DIR "/docs/language.md");
+  const auto examples = Examples(page);
   EXPECT_GT(examples.size(), 10u);
   for (const std::string& example : examples) ParseTask(MakeTask(example));
+  const auto files = Examples(page, "```task of several files");
+  EXPECT_GT(files.size(), 2u);
+  for (const std::string& file : files) ParseTask(file);
 }
 
 // The two examples of each section: how not to write it, and how to.
@@ -57,7 +60,7 @@ TEST(DiagnosticsPage, ExamplesAreWrongAndRight) {
     if (examples.empty()) continue;  // the limits: too long to print
     ASSERT_EQ(examples.size(), 2u) << kind.code;
     const bool is_syntax = kind.code.starts_with("E01");
-    const bool is_whole = kind.code == code::kMissingHeader;
+    const bool is_whole = kind.code == code::kMissingHeader || kind.code == code::kNotInLibrary;
     const std::string wrong = is_whole ? examples[0] : MakeTask(examples[0]);
     if (is_syntax) {
       EXPECT_THAT(Errors(wrong), testing::StartsWith(std::string(kind.code))) << wrong;
