@@ -107,6 +107,9 @@ bool GoesOn(const Failure& failure) {
 }  // namespace
 
 Description BadCondition(const Failure& failure) {
+  if (failure.rule == TaskParser::RuleBranches && failure.last_type() == TaskParser::ELSE) {
+    return Expected(failure, "`if` or `{`");
+  }
   const bool has_head = failure.parent_rule == TaskParser::RuleBranches ||
                         failure.parent_rule == TaskParser::RuleLoop ||
                         failure.parent_rule == TaskParser::RuleOnce;
