@@ -77,6 +77,10 @@ Number OfNumbers(Builtin function, std::span<const Number> values) {
       return JoinAll(values, Larger<Number>);
     case Builtin::kClamp:
       return Smaller(Larger(values[0], values[1]), values[2]);
+    case Builtin::kSign:
+      return values[0] > 0 ? Number{1} : values[0] < 0 ? Number{-1} : values[0];
+    case Builtin::kSelect:
+      return values[0] != 0 ? values[1] : values[2];
     default:
       return 0;
   }
@@ -143,6 +147,22 @@ double Calculate(Builtin function, std::span<const double> values) {
       return std::cos(x);
     case Builtin::kAtan2:
       return std::atan2(x, values[1]);
+    case Builtin::kTan:
+      return std::tan(x);
+    case Builtin::kAsin:
+      return std::asin(x);
+    case Builtin::kAcos:
+      return std::acos(x);
+    case Builtin::kAtan:
+      return std::atan(x);
+    case Builtin::kPow:
+      return std::pow(x, values[1]);
+    case Builtin::kFloor:
+      return std::floor(x);
+    case Builtin::kCeil:
+      return std::ceil(x);
+    case Builtin::kRound:
+      return std::round(x);
     default:
       return OfNumbers(function, values);
   }

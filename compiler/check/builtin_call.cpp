@@ -1,6 +1,7 @@
 #include "compiler/check/builtin_call.h"
 
 #include <algorithm>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -32,6 +33,7 @@ class BuiltinCheck {
     const auto unit = ResultUnit();
     if (!unit) return std::nullopt;
     ConvertArguments();
+    if (builtin_.composite != Composite::kNone) return Replaced(*unit);
     return Build(ResultType(), *unit);
   }
 
@@ -61,26 +63,44 @@ class BuiltinCheck {
   bool CheckTypes() {
     bool fits = true;
     for (size_t i = 0; i < arguments_.size(); ++i) fits = CheckType(i) && fits;
-    if (!fits || rule() != kTwoRows) return fits;
-    Type first = type(0);
-    first.scalar = type(1).scalar;
-    if (first == type(1)) return true;
+    if (!fits) return false;
+    if (rule() == kTwoRows) return AreOfOneType(0, 1);
+    if (rule() == kChoice) return AreOfOneType(1, 2);
+    return builtin_.composite != Composite::kTolerance || HasMargin();
+  }
+
+  // But for the difference between ints and reals.
+  bool AreOfOneType(size_t i, size_t j) {
+    Type first = type(i);
+    if (IsNumber(first) && IsNumber(type(j))) first.scalar = type(j).scalar;
+    if (first == type(j)) return true;
     Report(diagnostics_, code::kWrongArgument, span_,
            fmt::format("`{}` needs two values of the same type", builtin_.name),
-           {.labels = {{argument(0).span, fmt::format("`{}`", ToString(type(0)))},
-                       {argument(1).span, fmt::format("`{}`", ToString(type(1)))}}});
+           {.labels = {{argument(i).span, fmt::format("`{}`", ToString(type(i)))},
+                       {argument(j).span, fmt::format("`{}`", ToString(type(j)))}}});
+    return false;
+  }
+
+  bool HasMargin() {
+    const auto margin = ValueOf(argument(3));
+    if (!margin || *margin > 0) return true;
+    Report(diagnostics_, code::kWrongArgument, argument(3).span,
+           "`tolerance` needs a margin above 0",
+           {.note = "this is 0 or less", .help = "without a margin, write a comparison"});
     return false;
   }
 
   bool CheckType(size_t i) {
-    if (Accepts(type(i))) return true;
+    if (Accepts(i, type(i))) return true;
     Report(diagnostics_, code::kWrongArgument, argument(i).span,
-           fmt::format("`{}` needs {}", builtin_.name, Wanted()),
+           fmt::format("`{}` needs {}", builtin_.name, Wanted(i)),
            {.note = fmt::format("this is {}", WithArticle(type(i))), .help = HelpForType(type(i))});
     return false;
   }
 
-  bool Accepts(const Type& type) const {
+  static bool IsVec3(const Type& type) { return type.shape == Shape::kVector && type.rows == 3; }
+
+  bool Accepts(size_t i, const Type& type) const {
     switch (rule()) {
       case kConditions:
         return IsBool(type);
@@ -90,17 +110,28 @@ class BuiltinCheck {
       case kTwoRows:
         return IsNumber(type) && IsRow(type);
       case kTwoVec3:
-        return type.shape == Shape::kVector && type.rows == 3;
+        return IsVec3(type);
+      case kChoice:
+        return i > 0 || (IsBool(type) && IsScalar(type));
+      case kRotation:
+        return i > 0 ? IsVec3(type)
+                     : type.shape == Shape::kQuaternion ||
+                           (type.shape == Shape::kMatrix && type.rows == 3);
+      case kQuaternion:
+        return type.shape == Shape::kQuaternion;
+      case kMatrix:
+        return type.shape == Shape::kMatrix;
       case kElements:
         return IsNumber(type) && type.shape != Shape::kQuaternion;
       case kScalars:
       case kRealScalars:
+      case kParts:
         return IsNumber(type) && IsScalar(type);
     }
     return false;
   }
 
-  std::string_view Wanted() const {
+  std::string_view Wanted(size_t i) const {
     switch (rule()) {
       case kConditions:
         return "a `bool` or an array of them";
@@ -112,10 +143,19 @@ class BuiltinCheck {
         return "two vectors or arrays of numbers";
       case kTwoVec3:
         return "two `vec3`";
+      case kChoice:
+        return "a single `bool` first";
+      case kRotation:
+        return i > 0 ? "a `vec3` to rotate" : "a `quat` or a `mat3` first";
+      case kQuaternion:
+        return "a `quat`";
+      case kMatrix:
+        return "a matrix";
       case kElements:
         return "numbers";
       case kScalars:
       case kRealScalars:
+      case kParts:
         return arguments_.size() == 1 ? "a single number" : "single numbers";
     }
     return "";
@@ -142,21 +182,37 @@ class BuiltinCheck {
       case UnitRule::kSquareRoot:
         return RootOfUnit();
       case UnitRule::kPlain:
-        return Needs({}, code::kNotPlain) ? std::optional(Unit{}) : std::nullopt;
+        return Needs(0, {}) ? std::optional(Unit{}) : std::nullopt;
+      case UnitRule::kAllPlain:
+        return Needs(0, {}) && Needs(1, {}) ? std::optional(Unit{}) : std::nullopt;
       case UnitRule::kAngleToPlain:
-        return Needs(kRadian, code::kNotAnAngle) ? std::optional(Unit{}) : std::nullopt;
+        return Needs(0, kRadian) ? std::optional(Unit{}) : std::nullopt;
+      case UnitRule::kPlainToAngle:
+        return Needs(0, {}) ? std::optional(kRadian) : std::nullopt;
+      case UnitRule::kAngle:
+        return Needs(0, kRadian) ? std::optional(kRadian) : std::nullopt;
       case UnitRule::kSameToAngle:
         return CommonUnit() ? std::optional(kRadian) : std::nullopt;
+      case UnitRule::kSameToPlain:
+        return CommonUnit() ? std::optional(Unit{}) : std::nullopt;
+      case UnitRule::kToPlain:
+        return Unit{};
+      case UnitRule::kToAngle:
+        return kRadian;
+      case UnitRule::kOfRotated:
+        return Needs(0, {}) ? std::optional(argument(1).unit) : std::nullopt;
     }
     return std::nullopt;
   }
 
   std::optional<Unit> CommonUnit() {
+    // The condition of a choice has no unit.
+    const std::span<Operand> values = std::span(arguments_).subspan(rule() == kChoice ? 1 : 0);
     const auto with_unit = std::ranges::find_if(
-        arguments_, [](const Operand& operand) { return !IsLiteralZero(operand.syntax); });
-    if (with_unit == arguments_.end()) return Unit{};
+        values, [](const Operand& operand) { return !IsLiteralZero(operand.syntax); });
+    if (with_unit == values.end()) return Unit{};
     const Unit unit = with_unit->expression.unit;
-    for (Operand& operand : arguments_) {
+    for (Operand& operand : values) {
       if (IsLiteralZero(operand.syntax)) operand.expression.unit = unit;
       if (operand.expression.unit == unit) continue;
       const CheckedExpression& first = with_unit->expression;
@@ -187,12 +243,13 @@ class BuiltinCheck {
     return unit;
   }
 
-  // The only argument must have the unit `wanted`.
-  bool Needs(const Unit& wanted, std::string_view code) {
-    CheckedExpression& value = argument(0);
-    if (IsLiteralZero(arguments_[0].syntax)) value.unit = wanted;
+  // The argument must have the unit `wanted`: none or that of angles.
+  bool Needs(size_t i, const Unit& wanted) {
+    CheckedExpression& value = argument(i);
+    if (IsLiteralZero(arguments_[i].syntax)) value.unit = wanted;
     if (value.unit == wanted) return true;
-    std::string help = HelpForUnit(value.unit, arguments_[0].syntax, wanted);
+    const std::string_view code = IsPlain(wanted) ? code::kNotPlain : code::kNotAnAngle;
+    std::string help = HelpForUnit(value.unit, arguments_[i].syntax, wanted);
     if (help.empty() && IsPlain(wanted))
       help = fmt::format("divide by a reference, as in `x / 1 {}`", ToString(value.unit));
     Report(
@@ -214,9 +271,16 @@ class BuiltinCheck {
 
   void ConvertArguments() {
     const ArgumentRule applied = rule();
-    const bool keeps_ints = applied == kNumbers || applied == kElements || applied == kScalars;
+    if (applied == kChoice) return ConvertChoice();
+    const bool keeps_ints = builtin_.composite == Composite::kNone &&
+                            (applied == kNumbers || applied == kElements || applied == kScalars);
     if (applied == kConditions || (keeps_ints && AllInts())) return;
     for (Operand& operand : arguments_) operand.expression = ToReal(std::move(operand.expression));
+  }
+
+  void ConvertChoice() {
+    if (type(1) == type(2)) return;
+    for (size_t i : {1, 2}) argument(i) = ToReal(std::move(argument(i)));
   }
 
   // After the conversion of the arguments.
@@ -230,12 +294,25 @@ class BuiltinCheck {
       case kElements:
       case kScalars:
         return type(0);
+      case kParts:
+        return *FindType(builtin_.name);
+      case kChoice:
+        return type(1);
+      case kRotation:
+      case kQuaternion:
+      case kMatrix:
       case kRow:
       case kTwoRows:
       case kRealScalars:
         break;
     }
     return ScalarType(Scalar::kReal);
+  }
+
+  std::optional<CheckedExpression> Replaced(const Unit& unit) {
+    std::vector<CheckedExpression> values;
+    for (Operand& operand : arguments_) values.push_back(std::move(operand.expression));
+    return Expand(builtin_.composite, span_, unit, std::move(values), diagnostics_);
   }
 
   std::optional<CheckedExpression> Build(const Type& result, const Unit& unit) {

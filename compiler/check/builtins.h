@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "compiler/check/checked_task.h"
+#include "compiler/check/composites.h"
 
 namespace compiler {
 
@@ -19,6 +20,11 @@ enum class ArgumentRule {
   kElements,     // anything of numbers, element by element -> the same type
   kScalars,      // numbers -> an int if all are, else a real
   kRealScalars,  // numbers -> a real
+  kParts,        // numbers -> the type called like the function
+  kChoice,       // a condition and two values of one type -> that type
+  kRotation,     // a quat or a mat3, and a vec3 -> a vec3
+  kQuaternion,   // a quat -> a quat for `inverse`, else a real
+  kMatrix,       // a matrix -> the same type
 };
 
 // What the units of arguments and result have to do with each other.
@@ -29,7 +35,14 @@ enum class UnitRule {
   kSquareRoot,    // the result has the root of the argument's unit
   kPlain,         // a plain number to a plain number
   kAngleToPlain,  // an angle to a plain number
+  kAllPlain,      // plain numbers to a plain number
   kSameToAngle,   // two of the same unit to an angle
+  kSameToPlain,   // all of the same unit to a plain number
+  kToPlain,       // anything to a plain number
+  kToAngle,       // anything to an angle
+  kPlainToAngle,  // a plain number to an angle
+  kAngle,         // an angle to an angle
+  kOfRotated,     // a plain rotation; the result has the unit of what is rotated
 };
 
 struct BuiltinDescription {
@@ -39,7 +52,8 @@ struct BuiltinDescription {
   size_t max_arguments;
   ArgumentRule arguments;
   UnitRule units;
-  std::string_view usage;  // how a call is written: "clamp(x, low, high)"
+  std::string_view usage;                  // how a call is written: "clamp(x, low, high)"
+  Composite composite = Composite::kNone;  // what a call is replaced by; else `function`
 };
 
 // The function called `name`, or null.

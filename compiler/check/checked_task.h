@@ -114,7 +114,18 @@ enum class Builtin {
   kTanh,
   kSin,
   kCos,
-  kAtan2
+  kAtan2,
+  kTan,
+  kAsin,
+  kAcos,
+  kAtan,
+  kPow,
+  kSign,    // -1, 0 or 1, of each element
+  kFloor,
+  kCeil,
+  kRound,   // half away from 0
+  kSelect,  // the second argument where the first is true, else the third
+  kVector   // its arguments, scalars, as the elements of a vector or a quaternion
 };
 struct BuiltinCall {
   Builtin function;

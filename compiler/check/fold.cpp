@@ -27,6 +27,7 @@ struct Evaluate {
   }
 
   std::optional<double> operator()(const BuiltinCall& call) const {
+    if (call.function == Builtin::kVector) return std::nullopt;
     std::vector<double> values;
     for (const CheckedExpressionPtr& argument : call.arguments) {
       const auto value = ValueOf(*argument);

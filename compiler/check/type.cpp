@@ -22,7 +22,9 @@ constexpr std::array kTypes = {
     NamedType{"vec2", Scalar::kReal, Shape::kVector, 2, 1},
     NamedType{"vec3", Scalar::kReal, Shape::kVector, 3, 1},
     NamedType{"vec4", Scalar::kReal, Shape::kVector, 4, 1},
+    NamedType{"mat2", Scalar::kReal, Shape::kMatrix, 2, 2},
     NamedType{"mat3", Scalar::kReal, Shape::kMatrix, 3, 3},
+    NamedType{"mat4", Scalar::kReal, Shape::kMatrix, 4, 4},
     NamedType{"quat", Scalar::kReal, Shape::kQuaternion, 4, 1},
 };
 

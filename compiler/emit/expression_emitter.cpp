@@ -130,6 +130,10 @@ void ExpressionEmitter::PrepareElementwise(const CheckedExpression& expression) 
 }
 
 void ExpressionEmitter::PrepareCall(const CheckedExpression& expression, const BuiltinCall& call) {
+  if (call.function == Builtin::kVector) {
+    for (const CheckedExpressionPtr& argument : call.arguments) Prepare(*argument, Use::kOnce);
+    return;
+  }
   bool is_reduction = IsReduction(call);
   if (!is_reduction && call.function != Builtin::kCross) return PrepareElementwise(expression);
   bool uses_once = call.function != Builtin::kCross && call.function != Builtin::kNorm;
@@ -270,6 +274,7 @@ CppText ExpressionEmitter::ElementOf(const BuiltinCall& node, const CheckedExpre
                                      const Index& index) {
   if (IsReduction(node)) return Reduction(node, expression.type.scalar);
   if (node.function == Builtin::kCross) return Cross(node, index);
+  if (node.function == Builtin::kVector) return AsReal(*node.arguments[index.number], {});
   std::vector<CppText> arguments = ArgumentElements(node, index);
   Scalar scalar = expression.type.scalar;
   bool is_int = scalar == Scalar::kInt;
@@ -291,6 +296,27 @@ CppText ExpressionEmitter::ElementOf(const BuiltinCall& node, const CheckedExpre
       return library_call(Helper::kCos);
     case Builtin::kAtan2:
       return library_call(Helper::kAtan2);
+    case Builtin::kTan:
+      return library_call(Helper::kTan);
+    case Builtin::kAsin:
+      return library_call(Helper::kAsin);
+    case Builtin::kAcos:
+      return library_call(Helper::kAcos);
+    case Builtin::kAtan:
+      return library_call(Helper::kAtan);
+    case Builtin::kPow:
+      return library_call(Helper::kPow);
+    case Builtin::kSign:
+      return library_call(is_int ? Helper::kSignInt : Helper::kSign);
+    case Builtin::kFloor:
+      return CallText("__builtin_floor", arguments);
+    case Builtin::kCeil:
+      return CallText("__builtin_ceil", arguments);
+    case Builtin::kRound:
+      return CallText("__builtin_round", arguments);
+    case Builtin::kSelect:
+      return {
+          fmt::format("({} ? {} : {})", arguments[0].text, arguments[1].text, arguments[2].text)};
     case Builtin::kClamp: {
       CppText raised = Combine(Builtin::kMax, scalar, arguments[0], arguments[1], helpers_);
       return Combine(Builtin::kMin, scalar, raised, arguments[2], helpers_);

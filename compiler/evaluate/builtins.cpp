@@ -71,6 +71,10 @@ Value Apply(Builtin function, const std::vector<Value>& arguments, const Type& t
       return Reals{Dot(ToReals(arguments[0]), ToReals(arguments[1]))};
     case Builtin::kCross:
       return Cross(ToReals(arguments[0]), ToReals(arguments[1]));
+    case Builtin::kSelect:
+      return ToReals(arguments[0])[0] != 0 ? arguments[1] : arguments[2];
+    case Builtin::kVector:
+      return Joined(arguments);
     default:
       break;
   }

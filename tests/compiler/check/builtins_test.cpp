@@ -57,11 +57,58 @@ TEST(Builtins, KnowTheirUnits) {
   EXPECT_EQ(TypeOf("atan2(base.position.y, base.position.x)"), "real [rad]");
 }
 
+TEST(Builtins, TurnAnglesAndPlainNumbersIntoEachOther) {
+  EXPECT_EQ(TypeOf("tan(joint.angle[left_knee_pitch])"), "real");
+  EXPECT_EQ(TypeOf("asin(base.up.x)"), "real [rad]");
+  EXPECT_EQ(TypeOf("acos(base.up.x)"), "real [rad]");
+  EXPECT_EQ(TypeOf("atan(base.up.x)"), "real [rad]");
+  EXPECT_EQ(TypeOf("wrap(2 * joint.angle[left_knee_pitch])"), "real [rad]");
+  EXPECT_EQ(TypeOf("angle_between(base.velocity, base.up)"), "real [rad]");
+  EXPECT_EQ(TypeOf("roll(base.orientation)"), "real [rad]");
+}
+
+TEST(Builtins, RoundPlainNumbers) {
+  EXPECT_EQ(TypeOf("floor(time / 1 s)"), "real");
+  EXPECT_EQ(TypeOf("round(time / 1 s)"), "real");
+  EXPECT_EQ(TypeOf("pow(time / 1 s, 3)"), "real");
+  EXPECT_EQ(TypeOf("sign(base.velocity)"), "vec3");
+  EXPECT_EQ(TypeOf("sign(n)", "memory n: int = 0"), "int");
+  EXPECT_EQ(TypeOf("tolerance(base.position.z, 0.4 m, 0.5 m, 10 cm)"), "real");
+  EXPECT_EQ(TypeOf("mean(joint.torque)"), "real [N m]");
+}
+
+TEST(Builtins, MakeAndTurnVectors) {
+  EXPECT_EQ(TypeOf("vec2(time, 3 s)"), "vec2 [s]");
+  EXPECT_EQ(TypeOf("vec3(0, 0, 1 m)"), "vec3 [m]");
+  EXPECT_EQ(TypeOf("quat(1, 0, 0, 0)"), "quat");
+  EXPECT_EQ(TypeOf("normalize(base.velocity)"), "vec3");
+  EXPECT_EQ(TypeOf("rotate(base.orientation, base.velocity)"), "vec3 [m/s]");
+  EXPECT_EQ(TypeOf("rotate(transpose(base.rotation), base.velocity)"), "vec3 [m/s]");
+  EXPECT_EQ(TypeOf("inverse(base.orientation)"), "quat");
+  EXPECT_EQ(TypeOf("transpose(a)", "memory a: mat2 [m] = 0"), "mat2 [m]");
+}
+
+TEST(Builtins, ChooseBetweenValuesOfOneType) {
+  EXPECT_EQ(TypeOf("select(contact[head], base.velocity, -base.velocity)"), "vec3 [m/s]");
+  EXPECT_EQ(TypeOf("select(contact[head], 0, 1 m)"), "real [m]");
+  EXPECT_EQ(TypeOf("select(contact[head], 1, 2)"), "int");
+  EXPECT_EQ(TypeOf("select(contact[head], contact[body], true)"), "bool");
+}
+
+// An equation that repeats its arguments must not grow without bound.
+TEST(Builtins, LimitTheSizeOfWhatTheyRepeat) {
+  std::string nested = "base.velocity";
+  for (int i = 0; i < 12; ++i) nested = "rotate(base.orientation, " + nested + ")";
+  const CheckedSource checked(TaskText("", "let tested = " + nested));
+  ASSERT_EQ(checked.diagnostics.list().size(), 1u);
+  EXPECT_EQ(checked.diagnostics.list()[0].code, code::kTooDeep);
+}
+
 TEST(Builtins, AreFoundByName) {
   ASSERT_NE(FindBuiltin("clamp"), nullptr);
   EXPECT_EQ(FindBuiltin("clamp")->function, Builtin::kClamp);
   EXPECT_EQ(FindBuiltin("Clamp"), nullptr);
-  EXPECT_EQ(BuiltinNames().size(), 19u);
+  EXPECT_EQ(BuiltinNames().size(), 44u);
 }
 
 }  // namespace

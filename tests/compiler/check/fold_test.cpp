@@ -27,6 +27,18 @@ INSTANTIATE_TEST_SUITE_P(Arithmetic, FoldedValue,
                                          Case{"2 * 3.5", 7},
                                          Case{"90 deg / 1 rad", 1.5707963267948966}));
 
+INSTANTIATE_TEST_SUITE_P(
+    NewFunctions, FoldedValue,
+    testing::Values(
+        Case{"tan(45 deg)", 1}, Case{"asin(1) / 1 rad", 1.5707963267948966},
+        Case{"acos(-1) / 1 rad", 3.1415926535897931}, Case{"atan(1) / 1 rad", 0.78539816339744831},
+        Case{"pow(2, -3)", 0.125}, Case{"sign(-3 m)", -1}, Case{"sign(0.0)", 0}, Case{"sign(4)", 1},
+        Case{"floor(-1.5)", -2}, Case{"ceil(-1.5)", -1}, Case{"round(-1.5)", -2},
+        Case{"round(0.5)", 1}, Case{"select(1 < 2, 3, 4)", 3}, Case{"select(1 > 2, 3, 4.5)", 4.5},
+        Case{"wrap(180 deg) / 1 rad", 3.1415926535897931}, Case{"wrap(-180 deg) / 1 deg", 180},
+        Case{"wrap(4 rad) / 1 rad", -2.2831853071795862}, Case{"tolerance(3, 2, 4, 1)", 1},
+        Case{"tolerance(5, 2, 4, 1)", 0.1}, Case{"tolerance(0, 2, 4, 2)", 0.1}));
+
 INSTANTIATE_TEST_SUITE_P(Logic, FoldedValue,
                          testing::Values(Case{"1 < 2", 1}, Case{"2 <= 1", 0}, Case{"2 > 1", 1},
                                          Case{"1 >= 2", 0}, Case{"1 == 1.0", 1}, Case{"1 != 1", 0},

@@ -136,6 +136,59 @@ TEST(Expressions, CallTheMathematicalFunctionsOfTheLibrary) {
                {{"a", {0.3}}, {"b", {-2}}, {"angle", {0.7}}});
 }
 
+TEST(Expressions, RoundAndChoose) {
+  ExpectValues("sensor a: real\nsensor n: int\nsensor c: bool\nsensor v: vec3 [m]\n",
+               {{"tan(a * 1 rad)", std::tan(-1.5)},
+                {"asin(a / 2) / 1 rad", std::asin(-0.75)},
+                {"acos(a / 2) / 1 rad", std::acos(-0.75)},
+                {"atan(a) / 1 rad", std::atan(-1.5)},
+                {"pow(-a, 0.3)", std::pow(1.5, 0.3)},
+                {"floor(a)", -2},
+                {"ceil(a)", -1},
+                {"round(a)", -2},
+                {"sign(a) + sign(n) + sign(0 * n)", 0},
+                {"select(c, a, n)", -1.5},
+                {"select(not c, v, 2 * v).y", 4},
+                {"select(c, 0 m, v.x)", 0},
+                {"mean(v)", 2},
+                {"vec3(a, n, 1).y", 7},
+                {"norm(vec2(3 * n, 4 * n))", 35},
+                {"dot(vec4(1, 2, 3, 4).wzyx, vec4(a, a, a, a))", -15}},
+               {{"a", {-1.5}}, {"n", {7}}, {"c", {1}}, {"v", {1, 2, 3}}});
+}
+
+TEST(Expressions, Rotate) {
+  // Half a turn about z, a third of one about (1, 1, 1), and a matrix that swaps and scales.
+  ExpectValues(
+      "sensor half: quat\nsensor third: quat\nsensor scaled: mat3\nsensor v: vec3 [m]\n"
+      "sensor zero: vec3\n",
+      {{"rotate(half, v).x", -1},
+       {"rotate(half, v).y", -2},
+       {"rotate(half, v).z", 3},
+       {"rotate(third, v).x", 3},
+       {"rotate(third, v).y", 1},
+       {"rotate(third, v).z", 2},
+       {"norm(rotate(inverse(third), rotate(third, v)) - v)", 0},
+       {"inverse(quat(0, 0, 0, 2)).z", -0.5},
+       {"rotate(scaled, v).x", 2},
+       {"rotate(scaled, v).y", 1},
+       {"rotate(scaled, v).z", 12},
+       {"transpose(scaled)[2, 0]", 0},
+       {"transpose(scaled)[0, 2]", 3},
+       {"roll(quat(0.5, 0.5, 0.5, 0.5)) / 1 rad", std::atan2(1.0, 0.0)},
+       {"yaw(half) / 1 rad", std::atan2(0.0, -1.0)},
+       {"pitch(third) / 1 rad", 0},
+       {"angle_between(vec3(1, 0, 0), vec3(0, 3, 0)) / 1 rad", std::atan2(3.0, 0.0)},
+       {"normalize(v * 0).x", 0},
+       {"norm(normalize(zero))", 0},
+       {"normalize(vec3(0, 3 m, 4 m)).z", 0.8}},
+      {{"half", {0, 0, 0, 1}},
+       {"third", {0.5, 0.5, 0.5, 0.5}},
+       {"scaled", {0, 1, 0, 1, 0, 0, 3, 0, 3}},
+       {"v", {1, 2, 3}},
+       {"zero", {0, 0, 0}}});
+}
+
 // Not a number must reach the check at the payment, whichever argument it is.
 TEST(Expressions, KeepWhatIsNotANumber) {
   ExpectValues("sensor a: real\nsensor bad: real\nsensor v: vec3\n",

@@ -243,11 +243,12 @@ RandomExpressions::Text RandomExpressions::MakeReal(const Unit& unit, int depth)
   if (IsPlain(unit) && random_.OneIn(3)) {
     switch (random_.Below(5)) {
       case 0:
-        return {fmt::format("{}({})", random_.OneOf({"exp", "log", "tanh"}),
+        return {fmt::format("{}({})",
+                            random_.OneOf({"exp", "log", "tanh", "floor", "ceil", "round"}),
                             VariableReal({}, depth - 1))};
       case 1:
-        return {
-            fmt::format("{}({})", random_.OneOf({"sin", "cos"}), VariableReal(kRadian, depth - 1))};
+        return {fmt::format("{}({})", random_.OneOf({"sin", "cos", "tan"}),
+                            VariableReal(kRadian, depth - 1))};
       case 2:
         return {fmt::format("({} / {})", Variable(ScalarType(Scalar::kInt), {}, depth - 1),
                             Variable(ScalarType(Scalar::kInt), {}, depth - 1))};
@@ -259,6 +260,11 @@ RandomExpressions::Text RandomExpressions::MakeReal(const Unit& unit, int depth)
     }
   }
   if (unit == kRadian && random_.OneIn(3)) {
+    if (random_.OneIn(3)) {
+      return {fmt::format("{}({})", random_.OneOf({"asin", "acos", "atan"}),
+                          VariableReal({}, depth - 1))};
+    }
+    if (random_.OneIn(4)) return {fmt::format("wrap({})", VariableReal(kRadian, depth - 1))};
     const Unit common = RandomUnit();
     return {fmt::format("atan2({}, {})", VariableReal(common, depth - 1),
                         VariableReal(common, depth - 1))};

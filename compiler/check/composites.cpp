@@ -1,0 +1,206 @@
+#include "compiler/check/composites.h"
+
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "compiler/check/copy_checked.h"
+#include "compiler/check/fold.h"
+#include "compiler/check/report.h"
+#include "compiler/check/type.h"
+
+namespace compiler {
+namespace {
+
+// An argument may stand several times in an equation, and equations in each other: this keeps the
+// whole small.
+constexpr size_t kLargestArgument = 2000;  // nodes
+
+constexpr double kPi = std::numbers::pi;
+
+const Type kReal{};
+const Type kVec3{.shape = Shape::kVector, .rows = 3};
+
+// Writes an equation down. The units of its parts do not matter: that of the whole is known.
+class Expansion {
+ public:
+  Expansion(Span span, std::vector<CheckedExpression> arguments, Diagnostics& diagnostics)
+      : span_(span), arguments_(std::move(arguments)), diagnostics_(diagnostics) {}
+
+  std::optional<CheckedExpression> Build(Composite function, const Unit& unit) {
+    for (const CheckedExpression& argument : arguments_) {
+      if (SizeOf(argument) <= kLargestArgument) continue;
+      Report(diagnostics_, code::kTooDeep, argument.span,
+             "this is too large to be the argument of such a function",
+             {.help = "give parts of it a name with `let`"});
+      return std::nullopt;
+    }
+    CheckedExpression result = Equation(function);
+    result.unit = unit;
+    if (has_failed_) return std::nullopt;
+    return result;
+  }
+
+ private:
+  CheckedExpression Equation(Composite function) {
+    switch (function) {
+      case Composite::kNone:
+        break;
+      case Composite::kMean:
+        return Mean();
+      case Composite::kNormalize:
+        return Divide(Argument(0), Call(Builtin::kMax, kReal, Norm(Argument(0)),
+                                        Number(std::numeric_limits<double>::min())));
+      case Composite::kRotate:
+        return arguments_[0].type.shape == Shape::kMatrix ? Transformed() : Rotated();
+      case Composite::kInverse:
+        return Inverse();
+      case Composite::kTranspose:
+        return Transposed();
+      case Composite::kRoll:
+        return Angle(0, 1, 2, 3, 1, 2);
+      case Composite::kYaw:
+        return Angle(0, 3, 1, 2, 2, 3);
+      case Composite::kPitch:
+        return Pitch();
+      case Composite::kAngleBetween:
+        return Call(Builtin::kAtan2, kReal,
+                    Norm(Call(Builtin::kCross, kVec3, Argument(0), Argument(1))),
+                    Call(Builtin::kDot, kReal, Argument(0), Argument(1)));
+      case Composite::kWrap:
+        return Subtract(Argument(0),
+                        Multiply(Number(2 * kPi), Call(Builtin::kCeil, kReal,
+                                                       Divide(Subtract(Argument(0), Number(kPi)),
+                                                              Number(2 * kPi)))));
+      case Composite::kTolerance:
+        return Tolerance();
+    }
+    return Argument(0);
+  }
+
+  CheckedExpression Mean() {
+    if (IsScalar(arguments_[0].type)) return Argument(0);
+    return Divide(Call(Builtin::kSum, kReal, Argument(0)), Number(arguments_[0].type.size()));
+  }
+
+  CheckedExpression Rotated() {
+    const auto turn = [&] {
+      return Multiply(Number(2), Call(Builtin::kCross, kVec3, Part(0, {1, 2, 3}), Argument(1)));
+    };
+    return Add(Add(Argument(1), Multiply(Part(0, {0}), turn())),
+               Call(Builtin::kCross, kVec3, Part(0, {1, 2, 3}), turn()));
+  }
+
+  CheckedExpression Transformed() {
+    const auto row = [&](uint32_t i) {
+      return Call(Builtin::kDot, kReal, Part(0, {3 * i, 3 * i + 1, 3 * i + 2}), Argument(1));
+    };
+    return Call(Builtin::kVector, kVec3, row(0), row(1), row(2));
+  }
+
+  CheckedExpression Inverse() {
+    const Type& type = arguments_[0].type;
+    CheckedExpression signs =
+        Call(Builtin::kVector, type, Number(1), Number(-1), Number(-1), Number(-1));
+    return Divide(Multiply(Argument(0), std::move(signs)),
+                  Call(Builtin::kSum, kReal, Multiply(Argument(0), Argument(0))));
+  }
+
+  CheckedExpression Transposed() {
+    const Type type = arguments_[0].type;
+    std::vector<uint32_t> indices;
+    for (uint32_t column = 0; column < type.columns; ++column)
+      for (uint32_t row = 0; row < type.rows; ++row) indices.push_back(row * type.columns + column);
+    return Node(type, Elements{Owned(Argument(0)), std::move(indices)});
+  }
+
+  // atan2(2 (q[a] q[b] + q[c] q[d]), 1 - 2 (q[e]^2 + q[f]^2))
+  CheckedExpression Angle(uint32_t a, uint32_t b, uint32_t c, uint32_t d, uint32_t e, uint32_t f) {
+    CheckedExpression y = Multiply(Number(2), Add(Product(a, b), Product(c, d)));
+    CheckedExpression x =
+        Subtract(Number(1), Multiply(Number(2), Add(Product(e, e), Product(f, f))));
+    return Call(Builtin::kAtan2, kReal, std::move(y), std::move(x));
+  }
+
+  // Rounding must not lead out of what `asin` knows.
+  CheckedExpression Pitch() {
+    CheckedExpression sine = Multiply(Number(2), Subtract(Product(0, 2), Product(3, 1)));
+    return Call(Builtin::kAsin, kReal,
+                Call(Builtin::kClamp, kReal, std::move(sine), Number(-1), Number(1)));
+  }
+
+  CheckedExpression Tolerance() {
+    const auto excess = [&] {
+      CheckedExpression distance = Call(Builtin::kMax, kReal, Subtract(Argument(1), Argument(0)),
+                                        Subtract(Argument(0), Argument(2)));
+      return Divide(Call(Builtin::kMax, kReal, std::move(distance), Number(0)), Argument(3));
+    };
+    return Call(Builtin::kExp, kReal,
+                Multiply(Number(-std::numbers::ln10), Multiply(excess(), excess())));
+  }
+
+  // ---- Parts ----
+
+  CheckedExpression Argument(size_t i) const { return CopyOf(arguments_[i]); }
+
+  CheckedExpression Part(size_t argument, std::vector<uint32_t> indices) {
+    const Type type = indices.size() == 1 ? kReal : kVec3;
+    return Node(type, Elements{Owned(Argument(argument)), std::move(indices)});
+  }
+  CheckedExpression Product(uint32_t i, uint32_t j) { return Multiply(Part(0, {i}), Part(0, {j})); }
+
+  CheckedExpression Number(double value) const { return {span_, kReal, {}, Constant{value}}; }
+  CheckedExpression Norm(CheckedExpression v) { return Call(Builtin::kNorm, kReal, std::move(v)); }
+
+  CheckedExpression Add(CheckedExpression a, CheckedExpression b) {
+    return Binary(BinaryOperator::kAdd, std::move(a), std::move(b));
+  }
+  CheckedExpression Subtract(CheckedExpression a, CheckedExpression b) {
+    return Binary(BinaryOperator::kSubtract, std::move(a), std::move(b));
+  }
+  CheckedExpression Multiply(CheckedExpression a, CheckedExpression b) {
+    return Binary(BinaryOperator::kMultiply, std::move(a), std::move(b));
+  }
+  CheckedExpression Divide(CheckedExpression a, CheckedExpression b) {
+    return Binary(BinaryOperator::kDivide, std::move(a), std::move(b));
+  }
+  CheckedExpression Binary(BinaryOperator op, CheckedExpression a, CheckedExpression b) {
+    const Type type = IsScalar(a.type) ? b.type : a.type;
+    return Node(type, CheckedBinary{op, Owned(std::move(a)), Owned(std::move(b))});
+  }
+
+  template <typename... Arguments>
+  CheckedExpression Call(Builtin function, const Type& type, Arguments... arguments) {
+    BuiltinCall call{function, {}};
+    (call.arguments.push_back(Owned(std::move(arguments))), ...);
+    return Node(type, std::move(call));
+  }
+
+  template <typename AnyNode>
+  CheckedExpression Node(const Type& type, AnyNode node) {
+    if (has_failed_) return Number(0);
+    auto folded = Fold({span_, type, {}, std::move(node)}, diagnostics_);
+    if (folded) return std::move(*folded);
+    has_failed_ = true;
+    return Number(0);
+  }
+
+  static CheckedExpressionPtr Owned(CheckedExpression expression) {
+    return std::make_unique<CheckedExpression>(std::move(expression));
+  }
+
+  const Span span_;
+  const std::vector<CheckedExpression> arguments_;
+  Diagnostics& diagnostics_;
+  bool has_failed_ = false;
+};
+
+}  // namespace
+
+std::optional<CheckedExpression> Expand(Composite function, Span span, const Unit& unit,
+                                        std::vector<CheckedExpression> arguments,
+                                        Diagnostics& diagnostics) {
+  return Expansion(span, std::move(arguments), diagnostics).Build(function, unit);
+}
+
+}  // namespace compiler

@@ -1,0 +1,15 @@
+// Copies of checked expressions, which are never made by accident.
+#pragma once
+
+#include <cstddef>
+
+#include "compiler/check/checked_task.h"
+
+namespace compiler {
+
+CheckedExpression CopyOf(const CheckedExpression& expression);
+
+// The number of nodes.
+size_t SizeOf(const CheckedExpression& expression);
+
+}  // namespace compiler
