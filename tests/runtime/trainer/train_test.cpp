@@ -34,6 +34,9 @@ TEST_F(TrainTest, StoresWhatTheRunIs) {
   ASSERT_EQ(run.metrics.size(), 2u);
   EXPECT_EQ(run.metrics[0].reduction, "max");
   EXPECT_EQ(run.metrics[1].unit, "m/s");
+  ASSERT_EQ(run.logs.size(), 2u);
+  EXPECT_EQ(run.logs[0].name, "height");
+  EXPECT_EQ(run.logs[0].reduction, "max");
   EXPECT_EQ(database.ReadState(), RunState::kFinished);
 }
 
@@ -45,6 +48,8 @@ TEST_F(TrainTest, StoresEveryEpisode) {
   for (const EpisodeRecord& episode : episodes) {
     ASSERT_EQ(episode.terms.size(), 2u);
     ASSERT_EQ(episode.metrics.size(), 2u);
+    ASSERT_EQ(episode.logs.size(), 2u);
+    EXPECT_GT(episode.logs[0], 0.1);  // the body of one that stands
     EXPECT_NEAR(episode.terms[0] + episode.terms[1], episode.episode_return, 1e-12);
     EXPECT_NEAR(episode.simulated_seconds, 0.005 * static_cast<double>(episode.steps), 1e-9);
     EXPECT_GT(episode.actions, 0);
@@ -118,6 +123,7 @@ TEST_F(TrainTest, PrintsOneJsonObjectPerEpisode) {
     EXPECT_EQ(json["episode"], ++episodes);
     EXPECT_TRUE(json["terms"].contains("forward"));
     EXPECT_TRUE(json["metrics"].contains("leaning"));
+    EXPECT_TRUE(json["logs"]["height"].is_number());
   }
   EXPECT_EQ(episodes, 2);
 }
@@ -126,6 +132,48 @@ TEST_F(TrainTest, PrintsPlainTextIntoAPipe) {
   const ProgramResult result = Trainer(Training("run", 2));
   EXPECT_THAT(result.output, AllOf(HasSubstr("episode 2/2"), HasSubstr("trainer report")));
   EXPECT_EQ(result.output.find_first_of("\r\x1b"), std::string::npos);
+}
+
+TEST_F(TrainTest, TruncatesAndCountsEpisodesThatViolateARequirement) {
+  const ProgramResult result = Trainer({"train", TaskFile("demanding"), "--profile", "fast",
+                                        "--episodes", "3", "--quiet", "--out", RunFolder("run")});
+  ASSERT_EQ(result.exit_status, 0) << result.errors;
+  for (const EpisodeRecord& episode : RunDatabase::OpenToRead(RunFolder("run")).ReadEpisodes()) {
+    EXPECT_EQ(episode.end_kind, "truncated");
+    EXPECT_EQ(episode.end_reason, "requirement: it is early");
+    EXPECT_GT(episode.violations, 0);
+  }
+  // One warning in the whole run.
+  EXPECT_THAT(result.errors,
+              AllOf(testing::StartsWith("warning: episode 1: demanding requires `it is early` ("),
+                    HasSubstr("demanding.task:7)"), HasSubstr(" s; such episodes")));
+  EXPECT_EQ(result.errors.find("it is early"), result.errors.rfind("it is early"));
+}
+
+TEST_F(TrainTest, ShowsLogsAndViolations) {
+  const ProgramResult trained = Trainer({"train", TaskFile("demanding"), "--profile", "fast",
+                                         "--episodes", "1", "--quiet", "--out", RunFolder("run")});
+  ASSERT_EQ(trained.exit_status, 0) << trained.errors;
+  const ProgramResult text = Trainer({"show", RunFolder("run")});
+  EXPECT_THAT(text.output,
+              AllOf(HasSubstr("log        height: 0."), HasSubstr("log        late: "),
+                    HasSubstr("violations "), HasSubstr("1 truncated: requirement: it is early")));
+  const nlohmann::json json =
+      nlohmann::json::parse(Trainer({"show", RunFolder("run"), "--json"}).output);
+  EXPECT_GT(json["logs"]["height"].get<double>(), 0.1);
+  EXPECT_GT(json["violations"].get<int>(), 0);
+}
+
+TEST_F(TrainTest, NamesTheTasksOwnFileWhereItDoesNotFitTheRobot) {
+  std::ofstream(folder() / "foreign.task")
+      << "task foreign\nsensor wind: real [m/s]\non end_of_time_step {\n"
+         "  if wind > 3 m/s { truncate_episode \"stormy\" }\n}\n";
+  const std::string task = (folder() / "foreign.task").string();
+  const ProgramResult result =
+      Trainer({"train", task, "--robot", "humanoid", "--quiet", "--out", RunFolder("run")});
+  EXPECT_EQ(result.exit_status, 1);
+  EXPECT_THAT(result.errors, HasSubstr(task + ": the task reads the sensor `wind`"));
+  EXPECT_EQ(result.errors.find("task.so"), std::string::npos) << result.errors;
 }
 
 TEST_F(TrainTest, SaysNothingWhenQuiet) {
