@@ -1,6 +1,8 @@
 #include "compiler/analyze/analyze.h"
 
+#include "compiler/analyze/allowances.h"
 #include "compiler/analyze/find_robot.h"
+#include "compiler/bounds/warnings.h"
 #include "compiler/check/check.h"
 #include "compiler/compose/compose.h"
 
@@ -25,6 +27,9 @@ Analysis Analyze(const std::filesystem::path& file, const FileReader& read,
   if (!analysis.tree || !GetRobot(analysis, robots)) return analysis;
   analysis.task =
       Check(*analysis.tree, analysis.robot ? &*analysis.robot : nullptr, analysis.diagnostics);
+  if (!analysis.task) return analysis;
+  WarnOfBounds(*analysis.task, analysis.diagnostics);
+  analysis.diagnostics = ApplyAllowances(analysis.tree->allowances, analysis.diagnostics);
   return analysis;
 }
 

@@ -10,8 +10,8 @@ namespace {
 
 // A metric is measured after a time step, of whatever length.
 ValueBounds MetricBounds(const CheckedTask& task, const CheckedMetric& metric,
-                         const std::vector<Box>& memory) {
-  Values values = ValuesAtStart(task, EventKind::kEndOfTimeStep);
+                         const std::vector<Box>& memory, double without_range) {
+  Values values = ValuesAtStart(task, EventKind::kEndOfTimeStep, without_range);
   values.memory = memory;
   return {ExpressionBounds(task, values).Of(metric.value),
           CausesOf(task, values, {}, metric.value)};
@@ -19,20 +19,20 @@ ValueBounds MetricBounds(const CheckedTask& task, const CheckedMetric& metric,
 
 }  // namespace
 
-TaskBounds ComputeBounds(const CheckedTask& task) {
+TaskBounds ComputeBounds(const CheckedTask& task, double without_range) {
   TaskBounds bounds;
   bounds.terms.resize(task.terms.size());
   bounds.logs.resize(task.logs.size());
   bounds.ends_reached.resize(task.ends.size());
-  bounds.memory = MemoryBounds(task);
+  bounds.memory = MemoryBounds(task, without_range);
   EventBounds events(task, &bounds);
   for (size_t i = 0; i < task.events.size(); ++i) {
-    Values values = ValuesAtStart(task, static_cast<EventKind>(i));
+    Values values = ValuesAtStart(task, static_cast<EventKind>(i), without_range);
     values.memory = bounds.memory;
     events.Run(task.events[i], std::move(values));
   }
   for (const CheckedMetric& metric : task.metrics)
-    bounds.metrics.push_back(MetricBounds(task, metric, bounds.memory));
+    bounds.metrics.push_back(MetricBounds(task, metric, bounds.memory, without_range));
   return bounds;
 }
 

@@ -42,6 +42,13 @@ struct ConditionBounds {
   Span span;
   bool may_be_true = false;
   bool may_be_false = false;
+  // What it compares, with the values that this can have there.
+  struct Operand {
+    Span span;
+    Interval value;
+    Unit unit;
+  };
+  std::vector<Operand> operands{};
 };
 
 struct TaskBounds {
@@ -53,6 +60,8 @@ struct TaskBounds {
   std::vector<ConditionBounds> conditions;
 };
 
-TaskBounds ComputeBounds(const CheckedTask& task);
+// What has no range (some sensors and params, perhaps the time step) is taken to be smaller than
+// `without_range`.
+TaskBounds ComputeBounds(const CheckedTask& task, double without_range = kInfinity);
 
 }  // namespace compiler

@@ -7,6 +7,7 @@
 #include "compiler/bounds/expression_bounds.h"
 #include "compiler/bounds/narrowing.h"
 #include "compiler/check/traversal.h"
+#include "compiler/check/type.h"
 
 namespace compiler {
 namespace {
@@ -99,12 +100,14 @@ void EventBounds::Run(const CheckedIf& branches, Reached& values) {
   };
   for (const CheckedIfBranch& branch : branches.branches) {
     if (!values) break;
-    Note(branch.condition, ExpressionBounds(task_, *values).Of(branch.condition));
     Reached inside = values;
     if (!Assume(branch.condition, true, *inside)) inside.reset();
+    Reached outside = values;
+    if (!Assume(branch.condition, false, *outside)) outside.reset();
+    Note(branch.condition, inside.has_value(), outside.has_value(), *values);
     Run(branch.body, inside);
     leave_by(inside);
-    if (!Assume(branch.condition, false, *values)) values.reset();
+    values = std::move(outside);
   }
   Run(branches.otherwise, values);
   leave_by(values);
@@ -143,7 +146,8 @@ void EventBounds::Run(const CheckedLog& log, Reached& values) {
 
 // A callback goes on where what it requires does not hold.
 void EventBounds::Run(const CheckedRequire& require, Reached& values) {
-  Note(require.condition, ExpressionBounds(task_, *values).Of(require.condition));
+  const Interval truth = ExpressionBounds(task_, *values).Of(require.condition);
+  Note(require.condition, MayBeTrue(truth), MayBeFalse(truth), *values);
 }
 
 bool EventBounds::Assume(const CheckedExpression& condition, bool truth, Values& values) const {
@@ -152,14 +156,28 @@ bool EventBounds::Assume(const CheckedExpression& condition, bool truth, Values&
   return narrowing.Assume(condition, truth) && narrowing.Assume(condition, truth);
 }
 
-void EventBounds::Note(const CheckedExpression& condition, const Interval& truth) {
+void EventBounds::Note(const CheckedExpression& condition, bool may_be_true, bool may_be_false,
+                       const Values& values) {
   if (found_ == nullptr) return;
   const auto [place, is_new] = conditions_.try_emplace({condition.span.begin, condition.span.end},
                                                        found_->conditions.size());
   if (is_new) found_->conditions.push_back({.span = condition.span});
   ConditionBounds& bounds = found_->conditions[place->second];
-  bounds.may_be_true = bounds.may_be_true || MayBeTrue(truth);
-  bounds.may_be_false = bounds.may_be_false || MayBeFalse(truth);
+  bounds.may_be_true = bounds.may_be_true || may_be_true;
+  bounds.may_be_false = bounds.may_be_false || may_be_false;
+  if (is_new) NoteOperands(condition, values, bounds);
+}
+
+void EventBounds::NoteOperands(const CheckedExpression& condition, const Values& values,
+                               ConditionBounds& bounds) const {
+  ForEachPart(condition, [&](const CheckedExpression& part) {
+    const auto* binary = std::get_if<CheckedBinary>(&part.node);
+    if (binary == nullptr || IsBool(binary->left->type) || !IsBool(part.type)) return;
+    for (const CheckedExpression* operand : {binary->left.get(), binary->right.get()})
+      if (!std::holds_alternative<Constant>(operand->node))
+        bounds.operands.push_back(
+            {operand->span, ExpressionBounds(task_, values).Of(*operand), operand->unit});
+  });
 }
 
 }  // namespace compiler

@@ -37,7 +37,10 @@ class EventBounds {
   void Run(const CheckedRequire& require, Reached& values);
 
   bool Assume(const CheckedExpression& condition, bool truth, Values& values) const;
-  void Note(const CheckedExpression& condition, const Interval& truth);
+  void Note(const CheckedExpression& condition, bool may_be_true, bool may_be_false,
+            const Values& values);
+  void NoteOperands(const CheckedExpression& condition, const Values& values,
+                    ConditionBounds& bounds) const;
 
   const CheckedTask& task_;
   TaskBounds* found_;

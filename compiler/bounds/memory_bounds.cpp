@@ -18,17 +18,19 @@ constexpr int kMostJumps = 20;
 // What jumped too far is drawn in again so often.
 constexpr int kRoundsBack = 2;
 
-Box SensorBox(const CheckedSensor& sensor) {
+Interval Within(const Interval& range, double limit) { return Meet(range, {-limit, limit}); }
+
+Box SensorBox(const CheckedSensor& sensor, double without_range) {
   const uint32_t size = sensor.type.size();
-  std::vector<Interval> elements(size, AnyOf(sensor.type.scalar));
+  std::vector<Interval> elements(size, Within(AnyOf(sensor.type.scalar), without_range));
   for (uint32_t i = 0; i < std::min<size_t>(size, sensor.minimum.size()); ++i)
     elements[i] = Meet(elements[i], {sensor.minimum[i], sensor.maximum[i]});
   return MakeBox(std::move(elements));
 }
 
-Box ParamBox(const CheckedParam& param) {
+Box ParamBox(const CheckedParam& param, double without_range) {
   if (param.type.scalar == Scalar::kBool) return Box(kAnyBool);
-  return Box(Interval{param.minimum, param.maximum});
+  return Box(Within({param.minimum, param.maximum}, without_range));
 }
 
 bool SetsMemory(const CheckedEvent& event) {
@@ -60,8 +62,11 @@ std::vector<double> LandmarksOf(const CheckedTask& task) {
 
 class MemoryFixpoint {
  public:
-  explicit MemoryFixpoint(const CheckedTask& task)
-      : task_(task), landmarks_(LandmarksOf(task)), initial_(Initial()) {
+  MemoryFixpoint(const CheckedTask& task, double without_range)
+      : task_(task),
+        without_range_(without_range),
+        landmarks_(LandmarksOf(task)),
+        initial_(Initial()) {
     for (size_t i = 0; i < task.events.size(); ++i)
       if (SetsMemory(task.events[i])) setting_.push_back(static_cast<EventKind>(i));
   }
@@ -82,7 +87,7 @@ class MemoryFixpoint {
  private:
   std::vector<Box> Initial() const {
     std::vector<Box> initial;
-    const Values values = ValuesAtStart(task_, EventKind::kStartOfEpisode);
+    const Values values = ValuesAtStart(task_, EventKind::kStartOfEpisode, without_range_);
     for (const CheckedMemory& memory : task_.memory) {
       const Interval first = ExpressionBounds(task_, values).Of(memory.initial);
       initial.push_back(MakeBox(std::vector<Interval>(memory.type.size(), first)));
@@ -94,7 +99,7 @@ class MemoryFixpoint {
   std::vector<Box> AfterAnyEvent(const std::vector<Box>& before) const {
     std::vector<Box> after = initial_;
     for (const EventKind event : setting_) {
-      Values values = ValuesAtStart(task_, event);
+      Values values = ValuesAtStart(task_, event, without_range_);
       values.memory = before;
       values = EventBounds(task_, nullptr).Run(task_.events[static_cast<size_t>(event)], values);
       after = Join(after, values.memory);
@@ -123,6 +128,7 @@ class MemoryFixpoint {
   }
 
   const CheckedTask& task_;
+  double without_range_;
   std::vector<double> landmarks_;
   std::vector<Box> initial_;
   std::vector<EventKind> setting_;
@@ -130,14 +136,19 @@ class MemoryFixpoint {
 
 }  // namespace
 
-Values ValuesAtStart(const CheckedTask& task, EventKind event) {
+Values ValuesAtStart(const CheckedTask& task, EventKind event, double without_range) {
   Values values;
-  for (const CheckedSensor& sensor : task.sensors) values.sensors.push_back(SensorBox(sensor));
-  for (const CheckedParam& param : task.params) values.params.push_back(ParamBox(param));
-  if (event < EventKind::kStartOfTimeStep) values.time_step = Exactly(0);
+  for (const CheckedSensor& sensor : task.sensors)
+    values.sensors.push_back(SensorBox(sensor, without_range));
+  for (const CheckedParam& param : task.params)
+    values.params.push_back(ParamBox(param, without_range));
+  const bool has_time_step = event >= EventKind::kStartOfTimeStep;
+  values.time_step = {0, has_time_step ? std::min(task.longest_time_step, without_range) : 0};
   return values;
 }
 
-std::vector<Box> MemoryBounds(const CheckedTask& task) { return MemoryFixpoint(task).Find(); }
+std::vector<Box> MemoryBounds(const CheckedTask& task, double without_range) {
+  return MemoryFixpoint(task, without_range).Find();
+}
 
 }  // namespace compiler

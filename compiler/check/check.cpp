@@ -27,12 +27,13 @@ std::optional<CheckedTask> Check(const SyntaxTree& tree, const robot::RobotDescr
                   .is_too_long = false,
                   .refused = {},
                   .around = nullptr};
-  if (scope.has_robot) scope.sensors = SensorCatalog::OfRobot(scope.enumerations);
+  if (scope.has_robot) scope.sensors = SensorCatalog::OfRobot(*robot, scope.enumerations);
 
   CheckedTask task;
   task.name = tree.task->text;
   task.doc = tree.doc;
   if (tree.robot) task.robot = tree.robot->text;
+  if (robot != nullptr) task.longest_time_step = robot->controller.time_step;
   CheckStartPose(tree, robot, task, diagnostics);
   // The names first, wherever they are declared; then what uses them.
   CheckSensors(tree, scope);

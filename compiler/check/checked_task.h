@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <string>
 #include <variant>
@@ -337,6 +338,8 @@ struct CheckedTask {
   std::string doc;
   std::string robot;                   // "" where the task declares its own sensors
   std::string start_pose;              // "" where the task names none
+  // Of all events; infinite where no robot says [s].
+  double longest_time_step = std::numeric_limits<double>::infinity();
   std::vector<CheckedSensor> sensors;  // those that something reads
   std::vector<CheckedParam> params;
   std::vector<CheckedMemory> memory;

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <limits>
 
 #include "compiler/check/type.h"
 #include "compiler/check/unit.h"
@@ -12,8 +11,6 @@
 
 namespace compiler {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // Reads a type of the robot's list: "vec3", "bool[link]".
 Type TypeOf(std::string_view text, const std::vector<Enumeration>& enumerations) {
@@ -29,17 +26,20 @@ Type TypeOf(std::string_view text, const std::vector<Enumeration>& enumerations)
 
 }  // namespace
 
-SensorCatalog SensorCatalog::OfRobot(const std::vector<Enumeration>& enumerations) {
+SensorCatalog SensorCatalog::OfRobot(const robot::RobotDescription& robot,
+                                     const std::vector<Enumeration>& enumerations) {
   SensorCatalog catalog;
   for (const robot::SensorDescription& sensor : robot::Sensors()) {
     const auto unit = ParseUnit(sensor.unit);
     assert(unit && unit->numerator == unit->denominator);
-    const Type type = TypeOf(sensor.type, enumerations);
-    catalog.Add({.name = std::string(sensor.name),
-                 .type = type,
-                 .unit = unit->unit,
-                 .minimum = std::vector<double>(type.size(), -kInfinity),
-                 .maximum = std::vector<double>(type.size(), kInfinity)});
+    CheckedSensor checked{.name = std::string(sensor.name),
+                          .type = TypeOf(sensor.type, enumerations),
+                          .unit = unit->unit};
+    for (const robot::Range& range : robot::RangesOf(sensor, robot)) {
+      checked.minimum.push_back(range.low);
+      checked.maximum.push_back(range.high);
+    }
+    catalog.Add(std::move(checked));
   }
   return catalog;
 }

@@ -9,13 +9,15 @@
 
 #include "compiler/check/checked_task.h"
 #include "compiler/check/enumeration.h"
+#include "plugins/robot/robot_description.h"
 
 namespace compiler {
 
 class SensorCatalog {
  public:
-  // The sensors of plugins/robot/sensors.h; `enumerations` are those of the robot.
-  static SensorCatalog OfRobot(const std::vector<Enumeration>& enumerations);
+  // The sensors of plugins/robot/sensors.h, as this robot has them; `enumerations` are its own.
+  static SensorCatalog OfRobot(const robot::RobotDescription& robot,
+                               const std::vector<Enumeration>& enumerations);
 
   void Add(CheckedSensor sensor) { sensors_.push_back(std::move(sensor)); }
   // A sensor whose declaration is wrong: what reads it is not to be reported.

@@ -1,8 +1,11 @@
 // taskc check FILE.task...
 #include <fmt/format.h>
 
+#include <cmath>
 #include <memory>
 
+#include "compiler/bounds/bounds.h"
+#include "compiler/bounds/bounds_table.h"
 #include "compiler/driver/verb.h"
 
 namespace compiler {
@@ -10,6 +13,7 @@ namespace {
 
 struct Options {
   std::vector<std::string> tasks;
+  bool shows_bounds = false;
 };
 
 std::string Describe(const CheckedTask& task) {
@@ -20,7 +24,28 @@ std::string Describe(const CheckedTask& task) {
                      count(task.terms.size(), "term"), count(task.ends.size(), "end"));
 }
 
-ExitStatus CheckOne(const std::string& file, Session& session) {
+Json ToJson(const BoundsRow& row) {
+  const auto end = [](double value) { return std::isfinite(value) ? Json(value) : Json(); };
+  Json json = {{"name", row.name},
+               {"kind", row.kind},
+               {"low", end(row.value.low)},
+               {"high", end(row.value.high)},
+               {"unit", ToString(row.unit)},
+               {"may_happen", !IsEmpty(row.value)},
+               {"may_be_nan", row.value.may_be_nan}};
+  json["unbounded_by"] = Json::array();
+  for (const Cause& cause : row.causes) json["unbounded_by"].push_back(Describe(cause));
+  return json;
+}
+
+void ShowBounds(const CheckedTask& task, Session& session) {
+  const std::vector<BoundsRow> rows = BoundsRows(task, ComputeBounds(task));
+  session.Say(ToTable(rows));
+  Json& bounds = session.Result()["bounds"] = Json::array();
+  for (const BoundsRow& row : rows) bounds.push_back(ToJson(row));
+}
+
+ExitStatus CheckOne(const std::string& file, bool shows_bounds, Session& session) {
   Analysis analysis = session.Analyze(file);
   if (!analysis.task) return ExitStatus::kWrongTask;
   session.Say(fmt::format("{}: ok ({})\n", file, Describe(*analysis.task)));
@@ -28,6 +53,7 @@ ExitStatus CheckOne(const std::string& file, Session& session) {
   result["sensors"] = analysis.task->sensors.size();
   result["terms"] = analysis.task->terms.size();
   result["ends"] = analysis.task->ends.size();
+  if (shows_bounds) ShowBounds(*analysis.task, session);
   return ExitStatus::kOk;
 }
 
@@ -36,7 +62,7 @@ ExitStatus Check(const Options& options, Session& session) {
   ExitStatus status = ExitStatus::kOk;
   for (const std::string& file : options.tasks) {
     try {
-      status = Worse(status, CheckOne(file, session));
+      status = Worse(status, CheckOne(file, options.shows_bounds, session));
     } catch (const CallError& error) {
       session.Fail(error.what());
       status = Worse(status, ExitStatus::kWrongCall);
@@ -50,6 +76,8 @@ ExitStatus Check(const Options& options, Session& session) {
 Action DeclareCheck(CLI::App& app, Session& session) {
   auto options = std::make_shared<Options>();
   AddTasks(app, options->tasks);
+  app.add_flag("--bounds", options->shows_bounds,
+               "show how small and how large each reward, metric and log can get");
   AddRobots(app, session);
   AddReport(app, session);
   return [options](Session& call) { return Check(*options, call); };

@@ -20,6 +20,7 @@ std::vector<Group> ReadGroups(const TomlValue& root, std::string_view key, std::
 std::vector<DofConfiguration> ReadDofConfigurations(const TomlValue& root,
                                                     const RobotDescription& robot);
 std::vector<NetDescription> ReadNets(const TomlValue& root, const RobotDescription& robot);
+std::vector<NominalRange> ReadNominalRanges(const TomlValue& root, const RobotDescription& robot);
 
 // The names of links, joints, poses, ...
 template <class Part>

@@ -42,7 +42,7 @@ RobotDescription ReadRobot(const std::filesystem::path& file) {
   const toml::table table = Parse(file_name);
   const TomlValue root(file_name, table, "the robot");
   root.AllowKeys({"name", "doc", "links", "joints", "controller", "poses", "link_groups",
-                  "joint_groups", "dof_configurations", "nets"});
+                  "joint_groups", "dof_configurations", "nets", "ranges"});
   RobotDescription robot;
   robot.file = file;
   robot.name = root.At("name").Name();
@@ -55,6 +55,7 @@ RobotDescription ReadRobot(const std::filesystem::path& file) {
   robot.joint_groups = ReadGroups(root, "joint_groups", "joint", NamesOf(robot.joints));
   robot.dof_configurations = ReadDofConfigurations(root, robot);
   robot.nets = ReadNets(root, robot);
+  robot.nominal_ranges = ReadNominalRanges(root, robot);
   return robot;
 }
 

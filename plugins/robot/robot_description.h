@@ -6,6 +6,7 @@
 
 #include <array>
 #include <filesystem>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -98,6 +99,19 @@ struct NetDescription {
   int units = 0;                   // bubble: number of centres
 };
 
+// The values that a number can have: from `low` to `high`, where these are known.
+struct Range {
+  double low = -std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();
+};
+
+// What the author of a description says of a sensor whose values nothing limits by itself: where
+// they lie unless something has gone wrong.
+struct NominalRange {
+  std::string sensor;           // "base.velocity"
+  std::vector<Range> elements;  // one for each, or a single one for all
+};
+
 struct RobotDescription {
   std::string name;
   std::string doc;
@@ -110,6 +124,7 @@ struct RobotDescription {
   std::vector<Group> joint_groups;
   std::vector<DofConfiguration> dof_configurations;
   std::vector<NetDescription> nets;
+  std::vector<NominalRange> nominal_ranges;
 
   std::optional<int> FindLink(std::string_view link) const;
   std::optional<int> FindJoint(std::string_view joint) const;

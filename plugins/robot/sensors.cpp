@@ -1,6 +1,8 @@
 #include "plugins/robot/sensors.h"
 
+#include <algorithm>
 #include <array>
+#include <numbers>
 
 namespace robot {
 namespace {
@@ -41,6 +43,44 @@ constexpr bool InOrderOfId() {
 }
 static_assert(InOrderOfId());
 
+// A joint gives way a little at its stops; see docs/simulation.md.
+constexpr double kGiveOfStops = 0.1;  // [rad]
+
+std::vector<Range> AngleRanges(const RobotDescription& robot) {
+  std::vector<Range> ranges;
+  for (const Joint& joint : robot.joints) {
+    ranges.push_back({std::max(joint.low - kGiveOfStops, -std::numbers::pi),
+                      std::min(joint.high + kGiveOfStops, std::numbers::pi)});
+  }
+  return ranges;
+}
+
+// One range for each element, or one for all.
+std::vector<Range> CommonRanges(const SensorDescription& sensor, const RobotDescription& robot) {
+  switch (sensor.id) {
+    case SensorId::kTime:
+      return {{.low = 0}};
+    case SensorId::kBaseOrientation:
+    case SensorId::kBaseRotation:
+    case SensorId::kBaseForward:
+    case SensorId::kBaseLeft:
+    case SensorId::kBaseUp:
+      return {{-1, 1}};
+    case SensorId::kJointAngle:
+      return AngleRanges(robot);
+    case SensorId::kJointTorque:
+      return {{-robot.controller.max_torque, robot.controller.max_torque}};
+    case SensorId::kContact:
+      return {{0, 1}};
+    default:
+      break;
+  }
+  for (const NominalRange& nominal : robot.nominal_ranges) {
+    if (nominal.sensor == sensor.name) return nominal.elements;
+  }
+  return {Range{}};
+}
+
 }  // namespace
 
 std::span<const SensorDescription> Sensors() { return kSensors; }
@@ -52,6 +92,13 @@ int ElementCount(const SensorDescription& sensor, const RobotDescription& robot)
   if (sensor.type == "quat") return 4;
   if (sensor.type == "mat3") return 9;
   return 1;
+}
+
+std::vector<Range> RangesOf(const SensorDescription& sensor, const RobotDescription& robot) {
+  std::vector<Range> ranges = CommonRanges(sensor, robot);
+  const auto count = static_cast<size_t>(ElementCount(sensor, robot));
+  if (ranges.size() == 1) ranges.resize(count, ranges.front());
+  return ranges;
 }
 
 }  // namespace robot

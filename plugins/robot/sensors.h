@@ -4,6 +4,7 @@
 
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "plugins/robot/robot_description.h"
 
@@ -40,5 +41,9 @@ std::span<const SensorDescription> Sensors();
 // The number of elements that a sensor of this type has for this robot: 3 for "vec3", 9 for "mat3",
 // the number of links for "bool[link]".
 int ElementCount(const SensorDescription& sensor, const RobotDescription& robot);
+
+// The values that each element of the sensor can have for this robot: from what the sensor is, the
+// joints' stops, the controller's limit, and what the description says of the rest.
+std::vector<Range> RangesOf(const SensorDescription& sensor, const RobotDescription& robot);
 
 }  // namespace robot

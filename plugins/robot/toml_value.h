@@ -26,6 +26,7 @@ class TomlValue {
   double PositiveNumber() const;
   int Count() const;  // an integer above 0
   bool IsText() const { return node_->is_string(); }
+  bool IsList() const { return node_->is_array(); }
   std::string Text() const;
   // A text that a task can use as a name: letters, digits and underscores, no digit first.
   std::string Name() const;

@@ -231,6 +231,19 @@ const Mistake kMistakes[] = {
     {"NetUpsideDown", "high = [1]", "high = [-1]",
      "43:9: error: `high` of net `g3` is not above its `low`\n"
      "  help: give one `low` and one greater `high` for each coordinate"},
+
+    {"RangeOfNoSensor", "\"joint.velocity\" =", "\"joint.velocty\" =",
+     "47:1: error: `joint.velocty` is no sensor that a range can be given for\n"
+     "  help: did you mean `joint.velocity`?"},
+    {"RangeUpsideDown", "[-50, 50]", "[50, -50]",
+     "47:1: error: the range of `joint.velocity`: the low end is not below the high end\n"
+     "  help: write [low, high]"},
+    {"TooFewRanges", "[-1, 1], [-5, 5]]", "[-5, 5]]",
+     "46:1: error: the range of `base.velocity` has 2 pairs for 3 elements\n"
+     "  help: write [low, high] once for all elements, or for each of them"},
+    {"RangeWithoutHigh", "[-50, 50]", "[-50]",
+     "47:1: error: the range of `joint.velocity` has 1 numbers instead of 2\n"
+     "  help: give exactly 2"},
 };
 
 INSTANTIATE_TEST_SUITE_P(, DescriptionErrorTest, testing::ValuesIn(kMistakes),

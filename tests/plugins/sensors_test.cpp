@@ -1,5 +1,6 @@
 #include "plugins/robot/sensors.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <map>
@@ -37,6 +38,39 @@ TEST(Sensors, ElementCountFollowsTypeAndRobot) {
   for (const SensorDescription& sensor : Sensors()) {
     EXPECT_EQ(ElementCount(sensor, robot), counts.at(sensor.name)) << sensor.name;
   }
+}
+
+class RangesTest : public testing::Test {
+ protected:
+  // "-3 3, -1 1"
+  std::string RangesText(SensorId id) const {
+    std::string text;
+    for (const Range& range : RangesOf(Sensors()[static_cast<size_t>(id)], robot_)) {
+      if (!text.empty()) text += ", ";
+      text += fmt::format("{:.3g} {:.3g}", range.low, range.high);
+    }
+    return text;
+  }
+
+  const RobotDescription robot_ = ReadRobot(ROBOTS "/hopper/robot.toml");
+};
+
+TEST_F(RangesTest, OfJointsAreTheirStopsAndTheirTorque) {
+  EXPECT_EQ(RangesText(SensorId::kJointAngle), "-1.67 1.67, -2.19 0.109");
+  EXPECT_EQ(RangesText(SensorId::kJointTorque), "-3 3, -3 3");
+}
+
+TEST_F(RangesTest, OfDirectionsTimeAndConditionsAreKnown) {
+  EXPECT_EQ(RangesText(SensorId::kBaseUp), "-1 1, -1 1, -1 1");
+  EXPECT_EQ(RangesText(SensorId::kBaseOrientation), "-1 1, -1 1, -1 1, -1 1");
+  EXPECT_EQ(RangesText(SensorId::kTime), "0 inf");
+  EXPECT_EQ(RangesText(SensorId::kContact), "0 1, 0 1, 0 1");
+}
+
+TEST_F(RangesTest, OfVelocitiesAreWhatTheDescriptionSays) {
+  EXPECT_EQ(RangesText(SensorId::kBaseVelocity), "-3 3, -1 1, -5 5");
+  EXPECT_EQ(RangesText(SensorId::kJointVelocity), "-50 50, -50 50");
+  EXPECT_EQ(RangesText(SensorId::kBasePosition), "-inf inf, -inf inf, -inf inf");
 }
 
 }  // namespace

@@ -9,6 +9,8 @@
 #include <limits>
 #include <random>
 
+#include "compiler/bounds/functions.h"
+
 namespace compiler {
 namespace {
 
@@ -60,6 +62,23 @@ TEST(Interval, OfAComparisonIsKnownWhereTheRangesAreApart) {
   Interval with_nan{0, 1};
   with_nan.may_be_nan = true;
   EXPECT_EQ(Calculate(kLess, with_nan, {2, 3}), kAnyBool);
+}
+
+TEST(Interval, OfAnAngleThatStaysWithinATurnIsNotWrapped) {
+  EXPECT_NEAR(Wrap({-3, 2}).high, 2, 1e-6);
+  EXPECT_NEAR(Wrap({-3, 4}).high, 3.1415927, 1e-6);
+}
+
+TEST(Interval, OfATangentIsKnownBetweenItsPoles) {
+  EXPECT_NEAR(Tan({-1, 1}).high, std::tan(1.0), 1e-12);
+  EXPECT_FALSE(IsBounded(Tan({1, 2})));
+}
+
+TEST(Interval, OfAnEvenPowerIsNotNegative) {
+  EXPECT_NEAR(Pow({-2, 1}, Exactly(2)).high, 4, 1e-12);
+  EXPECT_EQ(Pow({-2, 1}, Exactly(2)).low, 0);
+  EXPECT_NEAR(Pow({-2, 1}, Exactly(3)).low, -8, 1e-12);
+  EXPECT_TRUE(Pow({-2, 1}, Exactly(0.5)).may_be_nan);
 }
 
 // ---- Whatever is computed from numbers inside lies inside ---------------------------------------
@@ -136,6 +155,7 @@ TEST(Interval, HoldsWhateverTwoNumbersInsideGive) {
       {"min", Min, Smaller},
       {"max", Max, Larger},
       {"atan2", Atan2, [](double a, double b) { return std::atan2(a, b); }},
+      {"pow", Pow, [](double a, double b) { return std::pow(a, b); }},
   };
   RandomIntervals random;
   for (const Binary& operation : operations)
@@ -170,6 +190,14 @@ TEST(Interval, HoldsWhateverANumberInsideGives) {
       {"tanh", Tanh, [](double x) { return std::tanh(x); }},
       {"sin", Sin, [](double x) { return std::sin(x); }},
       {"cos", Cos, [](double x) { return std::cos(x); }},
+      {"tan", Tan, [](double x) { return std::tan(x); }},
+      {"asin", Asin, [](double x) { return std::asin(x); }},
+      {"acos", Acos, [](double x) { return std::acos(x); }},
+      {"atan", Atan, [](double x) { return std::atan(x); }},
+      {"floor", Floor, [](double x) { return std::floor(x); }},
+      {"ceil", Ceil, [](double x) { return std::ceil(x); }},
+      {"round", Round, [](double x) { return std::round(x); }},
+      {"wrap", Wrap, [](double x) { return std::remainder(x, 2 * std::acos(-1)); }},
   };
   RandomIntervals random;
   for (const Unary& function : functions)

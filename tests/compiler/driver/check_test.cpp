@@ -28,6 +28,33 @@ TEST(Check, SaysWhatAGoodTaskHas) {
   EXPECT_EQ(outcome.error, "");
 }
 
+TEST(Check, ShowsBounds) {
+  TaskcProcess taskc;
+  taskc.Write("bounded.task", R"(task bounded
+
+sensor speed: real [m/s]
+sensor tilt: real [rad]
+metric mean lean = cos(tilt)
+
+on end_of_time_step {
+  reward rate forward = tanh(speed / 1 m * 2 s)
+  if tilt > 1 rad { reward fall = -4 }
+  reward rate fast = speed
+  if speed > 9 m/s { end_episode success "fast" }
+}
+)");
+  Outcome outcome = taskc.Run("check --bounds bounded.task");
+  EXPECT_EQ(outcome.status, 0);
+  EXPECT_EQ(outcome.out, R"(bounded.task: ok (2 sensors, 3 terms, 1 end)
+  name     what                   lowest    highest  unit
+  forward  reward, per second         -1          1
+  fall     reward, each time          -4         -4
+  fast     reward, per second  unbounded  unbounded  m/s   the sensor `speed` has no range
+  lean     metric                     -1          1
+)");
+  EXPECT_EQ(outcome.error, "");
+}
+
 TEST(Check, AcceptsThePapersTasks) {
   TaskcProcess taskc;
   auto files = golden::FilesIn(SOURCE_DIR "/tasks", "", ".task");

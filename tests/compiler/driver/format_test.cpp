@@ -43,6 +43,24 @@ TEST(Format, JsonHasTheDiagnosticsAndWhatBecameOfEachTask) {
   EXPECT_THAT(report["failures"][0].get<std::string>(), HasSubstr("absent.task"));
 }
 
+TEST(Format, JsonHasTheBoundsThatAreAskedFor) {
+  TaskcProcess taskc;
+  taskc.Write("bounded.task",
+              "task bounded\nsensor speed: real [m/s]\non end_of_time_step {\n"
+              "  reward rate forward = abs(speed)\n"
+              "  if speed > 9 m/s { end_episode success \"fast\" }\n}\n");
+  json report = json::parse(taskc.Run("check --bounds bounded.task --format json").out);
+  EXPECT_EQ(report["tasks"][0]["bounds"],
+            json::array({{{"name", "forward"},
+                          {"kind", "rate"},
+                          {"low", 0},
+                          {"high", nullptr},
+                          {"unit", "m/s"},
+                          {"may_happen", true},
+                          {"may_be_nan", false},
+                          {"unbounded_by", {"the sensor `speed` has no range"}}}}));
+}
+
 TEST(Format, JsonSaysWhereThePluginIs) {
   TaskcProcess taskc;
   taskc.Write("good.task", kGoodTask);

@@ -1,0 +1,70 @@
+#include "compiler/analyze/allowances.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+namespace compiler {
+namespace {
+
+class AllowanceFilter {
+ public:
+  explicit AllowanceFilter(const std::vector<Allowance>& allowances) : allowances_(allowances) {}
+
+  // Does an `allow` around it name its code? All that do are of use.
+  bool Silences(const Diagnostic& diagnostic) {
+    bool is_silenced = false;
+    for (const Allowance& allowance : allowances_)
+      for (const Identifier& code : allowance.codes) {
+        if (code.text != diagnostic.code || !Covers(allowance, diagnostic.span)) continue;
+        used_.insert(&code);
+        is_silenced = true;
+      }
+    return is_silenced;
+  }
+
+  // Warnings for the codes that were of no use so far: of W0710 itself, or of all others.
+  std::vector<Diagnostic> Useless(bool of_itself) const {
+    std::vector<Diagnostic> useless;
+    for (const Allowance& allowance : allowances_)
+      for (const Identifier& code : allowance.codes) {
+        if (used_.contains(&code) || (code.text == code::kUselessAllow) != of_itself) continue;
+        useless.push_back(MakeDiagnostic(code::kUselessAllow, code.span,
+                                         fmt::format("there is no {} here to allow", code.text)));
+        useless.back().help = "remove it";
+      }
+    return useless;
+  }
+
+ private:
+  // It also covers itself, for what is said of its own codes.
+  static bool Covers(const Allowance& allowance, Span place) {
+    const Span& covers = allowance.covers;
+    return (covers.begin <= place.begin && place.begin < covers.end) ||
+           std::ranges::any_of(allowance.codes,
+                               [place](const Identifier& code) { return code.span == place; });
+  }
+
+  const std::vector<Allowance>& allowances_;
+  std::set<const Identifier*> used_;
+};
+
+}  // namespace
+
+Diagnostics ApplyAllowances(const std::vector<Allowance>& allowances, const Diagnostics& found) {
+  Diagnostics left;
+  AllowanceFilter filter(allowances);
+  for (const Diagnostic& diagnostic : found.list()) {
+    const bool is_warning = diagnostic.severity == Severity::kWarning;
+    if (!is_warning || !filter.Silences(diagnostic)) left.Add(diagnostic);
+  }
+  // `allow W0710` may silence what is said of other codes, and only then be useless itself.
+  for (const bool of_itself : {false, true})
+    for (Diagnostic& useless : filter.Useless(of_itself))
+      if (of_itself || !filter.Silences(useless)) left.Add(std::move(useless));
+  return left;
+}
+
+}  // namespace compiler

@@ -1,0 +1,103 @@
+// Random tasks: whatever the sensors say within their ranges, nothing leaves the bounds that the
+// compiler finds.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "compiler/bounds/bounds.h"
+#include "compiler/evaluate/evaluator.h"
+#include "tests/compiler/check/checked_source.h"
+#include "tests/compiler/random/random_numbers.h"
+#include "tests/compiler/random/random_task.h"
+
+namespace compiler {
+namespace {
+
+double RandomWithin(double low, double high, RandomNumbers& random) {
+  constexpr double kLargest = 1e6;  // where there is no bound
+  low = std::max(low, -kLargest);
+  high = std::min(high, kLargest);
+  if (random.OneIn(5)) return low;
+  if (random.OneIn(5)) return high;
+  if (low <= 0 && high >= 0 && random.OneIn(5)) return random.OneOf({0.0, -0.0});
+  return std::clamp(low + (high - low) * random.Below(1000) / 999, low, high);
+}
+
+Value RandomWithin(const CheckedSensor& sensor, RandomNumbers& random) {
+  Value value = Filled(sensor.type.scalar, sensor.type.size(), 0);
+  for (uint32_t i = 0; i < sensor.type.size(); ++i) {
+    const double element = RandomWithin(sensor.minimum[i], sensor.maximum[i], random);
+    if (auto* reals = std::get_if<Reals>(&value)) {
+      (*reals)[i] = element;
+    } else {
+      std::get<Integers>(value)[i] = static_cast<int64_t>(element);
+    }
+  }
+  return value;
+}
+
+void GiveRanges(CheckedSensor& sensor, RandomNumbers& random) {
+  sensor.minimum.assign(sensor.type.size(), 0);
+  sensor.maximum.assign(sensor.type.size(), 1);
+  if (sensor.type.scalar == Scalar::kBool) return;
+  for (uint32_t i = 0; i < sensor.type.size(); ++i) {
+    sensor.minimum[i] = int(random.Below(20)) - 10;
+    sensor.maximum[i] = sensor.minimum[i] + random.Below(5);
+    if (random.OneIn(8)) sensor.minimum[i] = -kInfinity;
+    if (random.OneIn(8)) sensor.maximum[i] = kInfinity;
+  }
+}
+
+void ExpectInside(const Interval& bounds, double value, const std::string& what) {
+  if (std::isnan(value)) {
+    EXPECT_TRUE(bounds.may_be_nan) << what << " is no number";
+  } else {
+    EXPECT_TRUE(Contains(bounds, value))
+        << what << " is " << value << ", not in " << bounds.low << " .. " << bounds.high;
+    EXPECT_TRUE(std::isfinite(value) || bounds.may_be_infinite) << what << " is infinite";
+  }
+}
+
+// Runs the task for a while.
+void ExpectBounds(const CheckedTask& task, RandomNumbers& random) {
+  const TaskBounds bounds = ComputeBounds(task);
+  Evaluator evaluator(task);
+  Frame& frame = evaluator.frame();
+  for (int call = 0; call < 60 && !testing::Test::HasFailure(); ++call) {
+    for (size_t i = 0; i < task.sensors.size(); ++i)
+      if (random.OneIn(2)) frame.sensors[i] = RandomWithin(task.sensors[i], random);
+    evaluator.Fire(static_cast<EventKind>(random.Below(8)), random.OneOf({0.0, 0.005, 1.0}));
+    for (size_t i = 0; i < task.memory.size(); ++i) {
+      const Reals elements = ToReals(frame.memory[i]);
+      for (size_t j = 0; j < elements.size(); ++j)
+        ExpectInside(bounds.memory[i][j], elements[j], task.memory[i].name);
+    }
+    if (frame.end >= 0) {
+      EXPECT_TRUE(bounds.ends_reached[static_cast<size_t>(frame.end)]);
+    }
+    frame.time_step = 0.005;
+    evaluator.Measure();
+    for (size_t i = 0; i < task.metrics.size(); ++i)
+      ExpectInside(bounds.metrics[i].value, frame.metrics[i], task.metrics[i].name);
+  }
+  for (size_t i = 0; i < task.terms.size(); ++i) {
+    const bool may_be_paid = bounds.terms[i].rate || bounds.terms[i].payment;
+    EXPECT_TRUE(may_be_paid || frame.terms[i] == 0) << task.terms[i].name;
+  }
+}
+
+TEST(RandomTasks, StayWithinTheirBounds) {
+  for (uint32_t seed = 1; seed <= 300; ++seed) {
+    CheckedSource source(RandomTask(seed));
+    ASSERT_TRUE(source.task) << source.Messages();
+    CheckedTask& task = *source.task;
+    RandomNumbers random(seed);
+    for (CheckedSensor& sensor : task.sensors) GiveRanges(sensor, random);
+    ExpectBounds(task, random);
+    ASSERT_FALSE(HasFailure()) << "seed " << seed << "\n" << RandomTask(seed);
+  }
+}
+
+}  // namespace
+}  // namespace compiler
