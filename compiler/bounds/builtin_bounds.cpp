@@ -4,6 +4,8 @@
 #include <utility>
 
 #include "compiler/bounds/expression_bounds.h"
+#include "compiler/bounds/functions.h"
+#include "compiler/bounds/values.h"
 
 namespace compiler {
 namespace {
@@ -53,6 +55,28 @@ class BuiltinCalculation {
         return Box(Cos(scalar(0)));
       case Builtin::kAtan2:
         return Box(Atan2(scalar(0), scalar(1)));
+      case Builtin::kTan:
+        return Box(Tan(scalar(0)));
+      case Builtin::kAsin:
+        return Box(Asin(scalar(0)));
+      case Builtin::kAcos:
+        return Box(Acos(scalar(0)));
+      case Builtin::kAtan:
+        return Box(Atan(scalar(0)));
+      case Builtin::kPow:
+        return Box(Pow(scalar(0), scalar(1)));
+      case Builtin::kSign:
+        return EachElement(Sign);
+      case Builtin::kFloor:
+        return EachElement(Floor);
+      case Builtin::kCeil:
+        return EachElement(Ceil);
+      case Builtin::kRound:
+        return EachElement(Round);
+      case Builtin::kSelect:
+        return Select();
+      case Builtin::kVector:
+        return Vector();
       default:
         return Box(type_.scalar == Scalar::kReal ? kAnything : AnyOf(type_.scalar));
     }
@@ -68,6 +92,18 @@ class BuiltinCalculation {
   Box EachElement(const Function& function) const {
     std::vector<Interval> elements;
     for (const Interval& x : arguments_[0].elements()) elements.push_back(function(x));
+    return Box(std::move(elements));
+  }
+
+  Box Select() const {
+    if (!MayBeFalse(scalar(0))) return arguments_[1];
+    if (!MayBeTrue(scalar(0))) return arguments_[2];
+    return Join(arguments_[1], arguments_[2]);
+  }
+
+  Box Vector() const {
+    std::vector<Interval> elements;
+    for (const Box& argument : arguments_) elements.push_back(argument[0]);
     return Box(std::move(elements));
   }
 

@@ -41,6 +41,13 @@ TEST(Bounds, OfATermComeFromTheSensors) {
   ExpectEnds(RateOf("gain * x", "param gain: real = 2 in 1 .. 5"), -5, 5);
 }
 
+TEST(Bounds, OfChoicesAndVectorsAreThoseOfTheirParts) {
+  ExpectEnds(RateOf("select(x > y, 2 * x, -3.0)"), -3, 2);
+  ExpectEnds(RateOf("select(true, 2 * x, -3.0)"), -2, 2);
+  ExpectEnds(RateOf("sum(vec3(x, 2 * y, 1.0))"), -2, 4);
+  ExpectEnds(RateOf("floor(1.5 * x) + sign(free)"), -3, 2);
+}
+
 TEST(Bounds, OfATermCoverAllItsStatements) {
   const TaskBounds bounds =
       BoundsOf("", "if down { reward rate a = x } else { reward rate a = 3 }\nreward a = -2 + y");
