@@ -42,7 +42,7 @@ const std::map<std::string, Folders> kMayInclude = {
     {"compiler/driver",
      {"compiler/analyze", "compiler/bounds", "compiler/build", "compiler/check",
       "compiler/document", "compiler/emit", "compiler/format", "compiler/report", "compiler/source",
-      "compiler/syntax", "plugins/robot", "plugins/text"}},
+      "compiler/syntax", "compiler/testing", "plugins/robot", "plugins/text"}},
 
     {"runtime/module", {"plugins/robot", "plugins/text"}},
     {"runtime/task", {"plugins/robot", "plugins/seal", "runtime/module"}},

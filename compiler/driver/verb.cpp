@@ -19,6 +19,10 @@ const std::vector<Verb> kVerbs = {
      "taskc check crawling.task   # all its mistakes at once\n"
      "taskc check *.task",
      DeclareCheck},
+    {"test", "Run the tests of tasks",
+     "taskc test crawling.task\n"
+     "taskc test crawling.task --filter fall   # those with `fall` in their names",
+     DeclareTest},
     {"emit", "Show the C++ that a task becomes",
      "taskc emit crawling.task\n"
      "taskc emit crawling.task -o crawling.cpp",

@@ -32,6 +32,7 @@ Action DeclareBuild(CLI::App& app, Session& session);
 Action DeclareCheck(CLI::App& app, Session& session);
 Action DeclareCompletion(CLI::App& app, Session& session);
 Action DeclareDoc(CLI::App& app, Session& session);
+Action DeclareTest(CLI::App& app, Session& session);
 Action DeclareEmit(CLI::App& app, Session& session);
 Action DeclareFmt(CLI::App& app, Session& session);
 Action DeclareExplain(CLI::App& app, Session& session);

@@ -1,0 +1,89 @@
+// taskc test FILE.task...
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "compiler/build/plugin_cache.h"
+#include "compiler/driver/verb.h"
+#include "compiler/testing/test_task.h"
+
+namespace compiler {
+namespace {
+
+struct Options {
+  std::vector<std::string> tasks;
+  std::string filter;           // empty: all tests
+  std::filesystem::path cache;  // empty: the default
+};
+
+Json ToJson(const Failure& failure, const Sources& sources) {
+  Json values = Json::array();
+  for (const SeenValue& seen : failure.values) {
+    values.push_back(
+        {{"expression", sources.FileOf(seen.span).TextOf(seen.span)}, {"value", seen.value}});
+  }
+  return {{"file", sources.FileOf(failure.span).path()},
+          {"line", sources.LineOf(failure.span)},
+          {"statement", sources.FileOf(failure.span).TextOf(failure.span)},
+          {"message", failure.message},
+          {"values", values}};
+}
+
+Json ToJson(const TestReport& report, const Sources& sources) {
+  Json tests = Json::array();
+  for (const TestResult& result : report.results) {
+    Json failures = Json::array();
+    for (const Failure& failure : result.failures) failures.push_back(ToJson(failure, sources));
+    tests.push_back({{"name", result.name},
+                     {"line", sources.LineOf(result.span)},
+                     {"passed", result.passed()},
+                     {"failures", failures}});
+  }
+  return tests;
+}
+
+std::string Summary(const std::string& file, const TestReport& report) {
+  const size_t count = report.results.size();
+  if (count == 0) return fmt::format("{}: no tests\n", file);
+  return fmt::format("{}: {} test{}, {}\n", file, count, count == 1 ? "" : "s",
+                     report.failed() == 0 ? "all ok" : fmt::format("{} failed", report.failed()));
+}
+
+ExitStatus TestOne(const std::string& file, const Options& options, Session& session) {
+  Analysis analysis = session.Analyze(file);
+  if (!analysis.task) return ExitStatus::kWrongTask;
+  const TestReport report = TestTask(*analysis.task, analysis.sources, options.filter,
+                                     options.cache.empty() ? DefaultCacheFolder() : options.cache);
+  session.Say(ToText(report, analysis.sources) + Summary(file, report));
+  session.Result()["tests"] = ToJson(report, analysis.sources);
+  return report.failed() == 0 ? ExitStatus::kOk : ExitStatus::kWrongTask;
+}
+
+// A file that cannot be read does not keep the others from being tested.
+ExitStatus Test(const Options& options, Session& session) {
+  ExitStatus status = ExitStatus::kOk;
+  for (const std::string& file : options.tasks) {
+    try {
+      status = Worse(status, TestOne(file, options, session));
+    } catch (const CallError& error) {
+      session.Fail(error.what());
+      status = Worse(status, ExitStatus::kWrongCall);
+    }
+  }
+  return status;
+}
+
+}  // namespace
+
+Action DeclareTest(CLI::App& app, Session& session) {
+  auto options = std::make_shared<Options>();
+  AddTasks(app, options->tasks);
+  app.add_option("--filter", options->filter, "only the tests whose names contain this")
+      ->type_name("NAME");
+  app.add_option("--cache", options->cache, "the folder of built plugins")->type_name("DIR");
+  AddRobots(app, session);
+  AddReport(app, session);
+  return [options](Session& call) { return Test(*options, call); };
+}
+
+}  // namespace compiler

@@ -1,0 +1,53 @@
+#include "compiler/testing/test_task.h"
+
+#include <fmt/format.h>
+
+#include "compiler/build/build_plugin.h"
+#include "compiler/build/file_io.h"
+#include "compiler/build/internal_error.h"
+#include "compiler/build/plugin_cache.h"
+#include "compiler/emit/emit.h"
+#include "compiler/testing/loaded_plugin.h"
+#include "compiler/testing/side_by_side.h"
+
+namespace compiler {
+namespace {
+
+namespace fs = std::filesystem;
+
+[[noreturn]] void Accuse(const CheckedTask& task, const Sources& sources, const std::string& cpp,
+                         const std::string& what, const fs::path& cache) {
+  BuildFolder folder(fs::absolute(cache));
+  for (size_t i = 0; i < sources.files().size(); ++i) {
+    const std::string number = i == 0 ? "" : fmt::format("-{}", i);
+    WriteWholeFile(folder.path() / fmt::format("{}{}.task", task.name, number),
+                   sources.files()[i].text());
+  }
+  WriteWholeFile(folder.path() / "plugin.cpp", cpp);
+  WriteWholeFile(folder.path() / "difference.txt", what + "\n");
+  const fs::path evidence = fs::absolute(cache / fmt::format("differs-{}", task.name));
+  folder.KeepAs(evidence);
+  throw InternalError(
+      fmt::format("the plugin of `{}` does not compute what the task says: {}", task.name, what),
+      evidence);
+}
+
+}  // namespace
+
+TestReport TestTask(const CheckedTask& task, const Sources& sources, const std::string& filter,
+                    const fs::path& cache) {
+  const std::string cpp = Emit(task, sources);
+  const LoadedPlugin plugin(BuildPlugin(task.name, cpp, cache).plugin);
+  TestReport report;
+  for (const CheckedTest& test : task.tests) {
+    if (test.name.find(filter) == std::string::npos) continue;
+    try {
+      report.results.push_back(RunTest(test, task, *plugin));
+    } catch (const Disagreement& found) {
+      Accuse(task, sources, cpp, fmt::format("in test \"{}\", {}", test.name, found.what()), cache);
+    }
+  }
+  return report;
+}
+
+}  // namespace compiler
