@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "compiler/check/type.h"
 #include "compiler/check/unit.h"
 
@@ -9,9 +11,6 @@ namespace compiler {
 namespace {
 
 constexpr Unit kRadian{.radian = 1};
-
-Type VectorType(uint32_t size) { return {Scalar::kReal, Shape::kVector, size, 1, ""}; }
-Type ArrayType(Scalar scalar, uint32_t size) { return {scalar, Shape::kArray, size, 1, ""}; }
 
 struct Factor {
   std::string_view name;
@@ -54,24 +53,13 @@ std::string TypeText(const Type& type, const Unit& unit) {
   return fmt::format("{} [{}]", ToString(type), text);
 }
 
-RandomExpressions::RandomExpressions(RandomNumbers& random, const std::vector<Readable>& readable)
-    : random_(random), readable_(readable) {}
+RandomExpressions::RandomExpressions(RandomNumbers& random, const std::vector<Readable>& readable,
+                                     const std::vector<Callable>& callable)
+    : random_(random), readable_(readable), callable_(callable) {}
 
 Type RandomExpressions::RandomType() {
-  switch (random_.Below(6)) {
-    case 0:
-      return ScalarType(Scalar::kBool);
-    case 1:
-      return ScalarType(Scalar::kInt);
-    case 2:
-      return VectorType(2 + random_.Below(3));
-    case 3:
-      return *FindType("mat3");
-    case 4:
-      return RandomRow(random_.OneOf({Scalar::kBool, Scalar::kInt, Scalar::kReal}));
-    default:
-      return ScalarType(Scalar::kReal);
-  }
+  if (random_.OneIn(4)) return ScalarType(random_.OneOf({Scalar::kInt, Scalar::kReal}));
+  return random_.OneOf(readable_).type;
 }
 
 Unit RandomExpressions::RandomUnit() {
@@ -86,14 +74,36 @@ Unit RandomExpressions::RandomUnit() {
   return random_.OneOf(units);
 }
 
-// Long ones are computed in loops, short ones are written out.
-Type RandomExpressions::RandomRow(Scalar scalar) {
-  if (scalar == Scalar::kReal && random_.OneIn(2)) return VectorType(2 + random_.Below(3));
-  return ArrayType(scalar, random_.OneOf({2u, 3u, 5u, 40u}));
+std::optional<Type> RandomExpressions::RandomRow(Scalar scalar) {
+  std::vector<Type> rows;
+  for (const Readable& readable : readable_) {
+    const Type& type = readable.type;
+    if (IsRow(type) && type.scalar == scalar && IsPlain(readable.unit)) rows.push_back(type);
+  }
+  return rows.empty() ? std::nullopt : std::optional(random_.OneOf(rows));
 }
 
-bool RandomExpressions::IsRowType(const Type& type) const {
-  return type.shape == Shape::kVector || type.shape == Shape::kArray;
+// Scalars can always be made; of what has a shape there must be something plain to begin with.
+bool RandomExpressions::CanMakeArguments(const Callable& function) {
+  return std::ranges::all_of(function.arguments, [this](const Readable& argument) {
+    return IsScalar(argument.type) || !Read(argument.type, {}).empty();
+  });
+}
+
+std::string RandomExpressions::Call(const Type& type, const Unit& unit, int depth) {
+  std::vector<const Callable*> fitting;
+  for (const Callable& callable : callable_) {
+    const bool gives_it = callable.type == type && callable.unit == unit;
+    if (gives_it && CanMakeArguments(callable)) fitting.push_back(&callable);
+  }
+  if (fitting.empty()) return "";
+  const Callable& function = *random_.OneOf(fitting);
+  std::string arguments;
+  for (const Readable& argument : function.arguments) {
+    arguments += arguments.empty() ? "" : ", ";
+    arguments += Make(argument.type, argument.unit, depth - 2).text;
+  }
+  return fmt::format("{}({})", function.name, arguments);
 }
 
 RandomExpressions::Text RandomExpressions::Literal(Scalar scalar, const Unit& unit) {
@@ -135,8 +145,7 @@ std::string RandomExpressions::Read(const Type& type, const Unit& unit) {
       reads.push_back(readable.name);
     } else if (IsScalar(type)) {
       reads.push_back(ElementOf(readable));
-    } else if (IsRowType(type) && readable.type.shape == type.shape &&
-               readable.type.rows > type.rows) {
+    } else if (IsRow(type) && readable.type.shape == type.shape && readable.type.rows > type.rows) {
       const uint32_t first = random_.Below(readable.type.rows - type.rows + 1);
       reads.push_back(fmt::format("{}[{}..{}]", readable.name, first, first + type.rows - 1));
     }
@@ -165,8 +174,12 @@ RandomExpressions::Text RandomExpressions::Make(const Type& type, const Unit& un
       return Literal(type.scalar, unit);
     }
   }
+  if (depth > 0 && random_.OneIn(4)) {
+    if (std::string call = Call(type, unit, depth); !call.empty()) return {call};
+  }
   if (type.shape == Shape::kMatrix) return MakeMatrix(type, unit, depth);
-  if (IsRowType(type)) return MakeRow(type, unit, depth);
+  if (type.shape == Shape::kQuaternion) return {Read(type, {})};
+  if (IsRow(type)) return MakeRow(type, unit, depth);
   switch (type.scalar) {
     case Scalar::kBool:
       return MakeBool(depth);
@@ -195,8 +208,7 @@ RandomExpressions::Text RandomExpressions::MakeBool(int depth) {
       return {fmt::format("(not {})", operand.text), operand.is_constant};
     }
     case 2: {
-      std::string row = Read(ArrayType(Scalar::kBool, random_.OneOf({2u, 3u, 5u, 40u})), {});
-      if (row.empty()) row = Read(boolean, {});
+      const std::string row = Read(RandomRow(Scalar::kBool).value_or(boolean), {});
       return {fmt::format("{}({})", random_.OneOf({"any", "all", "none"}), row)};
     }
     default: {
@@ -214,8 +226,8 @@ RandomExpressions::Text RandomExpressions::MakeInt(int depth) {
   const auto part = [&] { return Make(integer, {}, depth - 1).text; };
   switch (random_.Below(7)) {
     case 0: {
-      std::string row = Read(ArrayType(Scalar::kBool, random_.OneOf({2u, 3u, 5u, 40u})), {});
-      if (row.empty()) row = Read(ScalarType(Scalar::kBool), {});
+      const Type boolean = ScalarType(Scalar::kBool);
+      const std::string row = Read(RandomRow(Scalar::kBool).value_or(boolean), {});
       return {fmt::format("count({})", row)};
     }
     case 1:
@@ -226,9 +238,10 @@ RandomExpressions::Text RandomExpressions::MakeInt(int depth) {
     case 3:
       return {fmt::format("abs({})", Variable(integer, {}, depth - 1))};
     case 4: {
-      const Type row = RandomRow(Scalar::kInt);
+      const auto row = RandomRow(Scalar::kInt);
+      if (!row) return {Variable(integer, {}, depth - 1)};
       return {fmt::format("{}({})", random_.OneOf({"sum", "min", "max"}),
-                          Make(row, {}, depth - 2).text)};
+                          Make(*row, {}, depth - 2).text)};
     }
     case 5:
       return {fmt::format("(-{})", Variable(integer, {}, depth - 1))};
@@ -314,16 +327,17 @@ RandomExpressions::Text RandomExpressions::MakeRealOfReals(const Unit& unit, int
 }
 
 RandomExpressions::Text RandomExpressions::MakeReduction(const Unit& unit, int depth) {
-  const Type row = RandomRow(Scalar::kReal);
+  const auto row = RandomRow(Scalar::kReal);
+  if (!row) return MakeRealOfReals(unit, depth);
   if (random_.OneIn(3)) {
     const Unit other = RandomUnit();
     if (const auto quotient = Divide(unit, other); quotient && IsSmall(*quotient)) {
-      return {fmt::format("dot({}, {})", Make(row, *quotient, depth - 2).text,
-                          Make(row, other, depth - 2).text)};
+      return {fmt::format("dot({}, {})", Make(*row, *quotient, depth - 2).text,
+                          Make(*row, other, depth - 2).text)};
     }
   }
   return {fmt::format("{}({})", random_.OneOf({"sum", "norm", "min", "max"}),
-                      Make(row, unit, depth - 2).text)};
+                      Make(*row, unit, depth - 2).text)};
 }
 
 RandomExpressions::Text RandomExpressions::MakeRow(const Type& type, const Unit& unit, int depth) {
@@ -331,7 +345,6 @@ RandomExpressions::Text RandomExpressions::MakeRow(const Type& type, const Unit&
   const std::string read = Read(type, unit);
   const bool is_vector = type.shape == Shape::kVector;
   if (type.scalar == Scalar::kBool || (depth <= 0 && !read.empty())) {
-    // There is a row of bools of each size among the sensors.
     return {read};
   }
   const Type element = ScalarType(type.scalar);

@@ -1,6 +1,7 @@
 // Random expressions of a wanted type and unit.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,14 @@ struct Readable {
   Unit unit;
 };
 
+// What an expression may call.
+struct Callable {
+  std::string name;
+  Type type;  // of the result
+  Unit unit;
+  std::vector<Readable> arguments;
+};
+
 // A type with a unit, as a declaration writes it: "vec3 [m/s]".
 std::string TypeText(const Type& type, const Unit& unit);
 // " m/s" or " / s", to stand behind a number; "" for a plain one.
@@ -23,12 +32,14 @@ std::string UnitOfLiteral(const Unit& unit);
 
 class RandomExpressions {
  public:
-  // `readable` may change between two expressions. There must be a bool, an int and a plain real
-  // among it: constants alone may not be divided by, or have no finite value.
-  RandomExpressions(RandomNumbers& random, const std::vector<Readable>& readable);
+  // Both lists may change between two expressions. Readable must be a bool, an int and a plain real
+  // (constants alone may not be divided by, or have no finite value), and something plain of each
+  // type that is asked for.
+  RandomExpressions(RandomNumbers& random, const std::vector<Readable>& readable,
+                    const std::vector<Callable>& callable);
 
   std::string OfType(const Type& type, const Unit& unit) { return Make(type, unit, kDepth).text; }
-  // A type that OfType can make something of.
+  // The type of something readable.
   Type RandomType();
   Unit RandomUnit();
 
@@ -54,11 +65,15 @@ class RandomExpressions {
   // A name of this type and unit, or else an element of one; empty where there is none.
   std::string Read(const Type& type, const Unit& unit);
   std::string ElementOf(const Readable& whole);
-  Type RandomRow(Scalar scalar);
-  bool IsRowType(const Type& type) const;
+  // Of something readable and plain, if there is a row of such scalars.
+  std::optional<Type> RandomRow(Scalar scalar);
+  bool CanMakeArguments(const Callable& function);
+  // Empty where no function gives this.
+  std::string Call(const Type& type, const Unit& unit, int depth);
 
   RandomNumbers& random_;
   const std::vector<Readable>& readable_;
+  const std::vector<Callable>& callable_;
 };
 
 }  // namespace compiler

@@ -14,13 +14,14 @@ namespace {
 
 class TaskWriter {
  public:
-  explicit TaskWriter(uint32_t seed) : random_(seed), expressions_(random_, readable_) {}
+  explicit TaskWriter(uint32_t seed) : random_(seed), expressions_(random_, readable_, callable_) {}
 
   std::string Write() {
     text_ = "task random\n";
     DeclareSensors();
     DeclareParams();
     DeclareMemory();
+    for (int i = 0; i < 4; ++i) DeclareFunction();
     DeclareMetrics();
     for (const auto& event : kEventNames) {
       if (random_.OneIn(2)) WriteEvent(event.text, event.meaning);
@@ -80,7 +81,7 @@ class TaskWriter {
   void DeclareMemory() {
     for (int i = 0; i < 8; ++i) {
       const Type type = expressions_.RandomType();
-      const Unit unit = type.scalar == Scalar::kReal ? expressions_.RandomUnit() : Unit{};
+      const Unit unit = UnitFor(type);
       memory_.push_back({NewName("v"), type, unit});
       Line(fmt::format("memory {}: {} = {}{}", memory_.back().name, TypeText(type, unit),
                        InitialValue(type, unit),
@@ -95,6 +96,49 @@ class TaskWriter {
       if (fits && random_.OneIn(2)) return param.name;
     }
     return ConstantOf(type, unit);
+  }
+
+  // A function reads nothing but its arguments; it may call those before it.
+  void DeclareFunction() {
+    std::vector<Readable> inside;
+    for (Scalar scalar : {Scalar::kBool, Scalar::kInt, Scalar::kReal}) {
+      inside.push_back({NewName("a"), ScalarType(scalar), {}});
+    }
+    for (int i = 0; i < 2; ++i) {
+      const Type type = expressions_.RandomType();
+      inside.push_back({NewName("a"), type, UnitFor(type)});
+      // Of each type there must be something plain.
+      inside.push_back({NewName("a"), type, {}});
+    }
+    Callable function{NewName("f"), inside[random_.Below(inside.size())].type, {}, inside};
+    function.unit = UnitFor(function.type);
+    RandomExpressions expressions(random_, inside, callable_);
+    std::string parameters;
+    for (const Readable& argument : function.arguments) {
+      parameters += fmt::format("{}{}: {}", parameters.empty() ? "" : ", ", argument.name,
+                                TypeText(argument.type, argument.unit));
+    }
+    const std::string header = fmt::format("fn {}({}) -> {}", function.name, parameters,
+                                           TypeText(function.type, function.unit));
+    if (random_.OneIn(2)) {
+      Line(header + " = " + expressions.OfType(function.type, function.unit));
+    } else {
+      Line(header + " {");
+      for (int i = 0; i < 2; ++i) {
+        const Type type = expressions.RandomType();
+        const Readable let{NewName("l"), type, UnitFor(type)};
+        Line(fmt::format("  let {} = {}", let.name, expressions.OfType(type, let.unit)));
+        inside.push_back(let);
+      }
+      Line("  return " + expressions.OfType(function.type, function.unit));
+      Line("}");
+    }
+    callable_.push_back(function);
+  }
+
+  Unit UnitFor(const Type& type) {
+    const bool has_unit = type.scalar == Scalar::kReal && type.shape != Shape::kQuaternion;
+    return has_unit ? expressions_.RandomUnit() : Unit{};
   }
 
   void DeclareMetrics() {
@@ -124,7 +168,7 @@ class TaskWriter {
   }
 
   void WriteStatement(int depth) {
-    switch (random_.Below(depth > 0 ? 9 : 7)) {
+    switch (random_.Below(depth > 0 ? 15 : 11)) {
       case 0:
       case 1:
         return WriteLet();
@@ -133,17 +177,34 @@ class TaskWriter {
         return WriteAssignment();
       case 4:
       case 5:
-        return WriteReward();
+        return WriteElementAssignment();
       case 6:
+      case 7:
+        return WriteReward();
+      case 8:
         return WriteEnd();
+      case 9:
+        return WriteLog();
+      case 10:
+        return Line(fmt::format("require {}{}", Condition(),
+                                random_.OneIn(2) ? fmt::format(" \"{}\"", NewName("reason")) : ""));
+      case 11:
+        return WriteFor(depth);
+      case 12:
+        Line(fmt::format("once per {} if {} {{", random_.OneOf({"action", "episode", "run"}),
+                         Condition()));
+        WriteBlock(1 + random_.Below(3), depth - 1);
+        return Line("}");
       default:
         return WriteIf(depth);
     }
   }
 
+  std::string Condition() { return expressions_.OfType(ScalarType(Scalar::kBool), {}); }
+
   void WriteLet() {
     const Type type = expressions_.RandomType();
-    const Unit unit = type.scalar == Scalar::kReal ? expressions_.RandomUnit() : Unit{};
+    const Unit unit = UnitFor(type);
     const Readable let{NewName("l"), type, unit};
     Line(fmt::format("let {} = {}", let.name, expressions_.OfType(type, unit)));
     readable_.push_back(let);
@@ -152,11 +213,12 @@ class TaskWriter {
   void WriteAssignment() {
     const Readable& target = random_.OneOf(memory_);
     const Type& type = target.type;
-    const bool is_scaled = !IsBool(type) && random_.OneIn(4);
+    const bool is_of_numbers = !IsBool(type) && type.shape != Shape::kQuaternion;
+    const bool is_scaled = is_of_numbers && random_.OneIn(4);
     std::string op = "=";
     if (is_scaled) {
       op = type.scalar == Scalar::kReal ? random_.OneOf({"*=", "/="}) : "*=";
-    } else if (!IsBool(type)) {
+    } else if (is_of_numbers) {
       op = random_.OneOf({"=", "+=", "-="});
     }
     const Type element = ScalarType(type.scalar);
@@ -166,6 +228,56 @@ class TaskWriter {
     // A divisor must not be a constant: it might be 0.
     if (op == "/=") text = fmt::format("({} + {})", text, readable_[2].name);
     Line(fmt::format("{} {} {}", target.name, op, text));
+  }
+
+  // Some neighbouring elements: to a scalar, or to as many elements.
+  void WriteElementAssignment() {
+    const Readable& target = random_.OneOf(memory_);
+    const Type& type = target.type;
+    if (IsScalar(type) || type.shape == Shape::kQuaternion) return WriteAssignment();
+    const bool is_matrix = type.shape == Shape::kMatrix;
+    const uint32_t length = is_matrix ? type.columns : type.rows;
+    const uint32_t count = 1 + random_.Below(length);
+    const uint32_t first = random_.Below(length - count + 1);
+    std::string place = fmt::format("{}..{}", first, first + count - 1);
+    if (is_matrix) place = fmt::format("{}, {}", random_.Below(type.rows), place);
+    const Type element = ScalarType(type.scalar);
+    const Type value = random_.OneIn(2) ? element : ElementsType(type, count);
+    const bool is_readable = IsScalar(value) || value.shape != Shape::kArray;
+    const std::string op = IsBool(type) ? "=" : random_.OneOf({"=", "+=", "-="});
+    Line(fmt::format("{}[{}] {} {}", target.name, place, op,
+                     expressions_.OfType(is_readable ? value : element, target.unit)));
+  }
+
+  void WriteLog() {
+    // One curve: always the same unit and reduction.
+    struct Log {
+      const char* head;
+      Unit unit;
+    };
+    const Log log = random_.OneOf({Log{"log curve1", {}}, Log{"log max curve2", {.metre = 1}},
+                                   Log{"log mean curve3", {.radian = 1}}});
+    Line(
+        fmt::format("{} = {}", log.head, expressions_.OfType(ScalarType(Scalar::kReal), log.unit)));
+  }
+
+  // The loop's variable is a constant. What is computed with it is not: it has a sensor in it.
+  void WriteFor(int depth) {
+    const std::string variable = NewName("i");
+    Line(fmt::format("for {} in {} {{", variable, random_.OneOf({"0..2", "1", "{0, 2} + 1"})));
+    const size_t outside = readable_.size();
+    for (size_t i = 0; i < outside; ++i) {
+      const Readable whole = readable_[i];
+      const bool has_element = whole.type.shape == Shape::kArray && whole.type.rows > 2;
+      if (!has_element || random_.OneIn(2)) continue;
+      readable_.push_back(
+          {fmt::format("{}[{}]", whole.name, variable), ScalarType(whole.type.scalar), whole.unit});
+    }
+    readable_.push_back(
+        {fmt::format("({} + {})", variable, readable_[1].name), ScalarType(Scalar::kInt), {}});
+    WriteBlock(1 + random_.Below(3), depth - 1);
+    readable_.resize(outside);
+    Line("}");
   }
 
   void WriteReward() {
@@ -188,11 +300,10 @@ class TaskWriter {
   }
 
   void WriteIf(int depth) {
-    const auto condition = [&] { return expressions_.OfType(ScalarType(Scalar::kBool), {}); };
-    Line(fmt::format("if {} {{", condition()));
+    Line(fmt::format("if {} {{", Condition()));
     WriteBlock(1 + random_.Below(3), depth - 1);
     if (random_.OneIn(3)) {
-      Line(fmt::format("}} else if {} {{", condition()));
+      Line(fmt::format("}} else if {} {{", Condition()));
       WriteBlock(1 + random_.Below(3), depth - 1);
     }
     if (random_.OneIn(2)) {
@@ -204,6 +315,7 @@ class TaskWriter {
 
   RandomNumbers random_;
   std::vector<Readable> readable_;
+  std::vector<Callable> callable_;
   std::vector<Readable> params_;
   std::vector<Readable> memory_;
   RandomExpressions expressions_;
