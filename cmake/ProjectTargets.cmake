@@ -5,7 +5,7 @@ target_include_directories(project_options INTERFACE ${CMAKE_SOURCE_DIR})
 target_compile_options(project_options INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Werror
   # g++ 12 sees overlaps in std::string that are none.
-  -Wno-restrict
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
   # Equal bits on every machine of one kind: no fused operations behind our back.
   -ffp-contract=off)
 target_compile_definitions(project_options INTERFACE TASKC_VERSION="${PROJECT_VERSION}")
@@ -13,8 +13,15 @@ if(TASKC_SANITIZE)
   target_compile_options(project_options INTERFACE
     -fsanitize=${TASKC_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all
     # With sanitizers g++ 12 takes parts of std::regex for uninitialised.
-    -Wno-maybe-uninitialized)
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   target_link_options(project_options INTERFACE -fsanitize=${TASKC_SANITIZE})
+endif()
+
+# libFuzzer comes with clang; without it the fuzzers have a main function of their own.
+set(TASKC_LIBFUZZER OFF)
+if(TASKC_FUZZ AND CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+  set(TASKC_LIBFUZZER ON)
+  target_compile_options(project_options INTERFACE -fsanitize=fuzzer-no-link)
 endif()
 
 # project_library(NAME SOURCES file... [PUBLIC library...] [PRIVATE library...])

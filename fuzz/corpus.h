@@ -1,0 +1,15 @@
+// What the fuzzers begin with.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace fuzz {
+
+// All tasks of the project: those that are learned and those of the tests, right and wrong ones.
+std::vector<std::string> TaskTexts();
+
+// The words of the language: those of its grammar and of its tables, and some that are none.
+std::vector<std::string> TaskWords();
+
+}  // namespace fuzz

@@ -1,0 +1,30 @@
+// The parts of the compiler that must cope with anything, each as a function of a text. They check
+// what must hold for every text, and abort where it does not.
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fuzz {
+
+struct Target {
+  const char* name;
+  void (*run)(const std::string& text);
+  std::vector<std::string> (*corpus)();
+  std::vector<std::string> (*words)();
+};
+
+// There is a tree, or there are errors; each error can be shown.
+void Parse(const std::string& text);
+// A task that is right can be emitted and evaluated.
+void Check(const std::string& text);
+// A formatted text is in its layout already, and no less right than it was.
+void Format(const std::string& text);
+
+const std::vector<Target>& Targets();
+// Ends the program where there is no target of this name.
+const Target& FindTarget(std::string_view name);
+
+}  // namespace fuzz
