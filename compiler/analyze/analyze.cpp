@@ -21,12 +21,13 @@ bool GetRobot(Analysis& analysis, const std::filesystem::path& robots) {
 }  // namespace
 
 Analysis Analyze(const std::filesystem::path& file, const FileReader& read,
-                 const std::filesystem::path& robots) {
+                 const std::filesystem::path& robots, References* references) {
   Analysis analysis;
   analysis.tree = Compose(file, read, analysis.sources, analysis.diagnostics);
   if (!analysis.tree || !GetRobot(analysis, robots)) return analysis;
   analysis.task =
-      Check(*analysis.tree, analysis.robot ? &*analysis.robot : nullptr, analysis.diagnostics);
+      Check(*analysis.tree, analysis.robot ? &*analysis.robot : nullptr, analysis.diagnostics,
+            references);
   if (!analysis.task) return analysis;
   WarnOfBounds(*analysis.task, analysis.diagnostics);
   analysis.diagnostics = ApplyAllowances(analysis.tree->allowances, analysis.diagnostics);

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "compiler/check/checked_task.h"
+#include "compiler/check/references.h"
 #include "compiler/source/diagnostic.h"
 #include "compiler/source/file_reader.h"
 #include "compiler/source/sources.h"
@@ -23,8 +24,9 @@ struct Analysis {
 };
 
 // `robots`: where to look for robots first; may be empty. Throws CallError where `file` cannot be
-// read, robot::DescriptionError where the robot is there but its file is wrong.
+// read, robot::DescriptionError where the robot is there but its file is wrong. What the names stand
+// for goes to `references`, as far as it is known.
 Analysis Analyze(const std::filesystem::path& file, const FileReader& read,
-                 const std::filesystem::path& robots);
+                 const std::filesystem::path& robots, References* references = nullptr);
 
 }  // namespace compiler

@@ -3,22 +3,9 @@
 #include <fmt/format.h>
 
 #include <string_view>
-#include <vector>
 
 namespace compiler {
 namespace {
-
-std::vector<std::filesystem::path> Folders(const std::filesystem::path& task,
-                                           const std::filesystem::path& first) {
-  std::vector<std::filesystem::path> folders;
-  if (!first.empty()) folders.push_back(first);
-  std::filesystem::path beside = task.parent_path();
-  folders.push_back(beside.empty() ? "." : beside);
-  for (std::filesystem::path& folder : robot::DefaultRobotFolders()) {
-    folders.push_back(std::move(folder));
-  }
-  return folders;
-}
 
 // A message and, behind `help:`, what to do.
 Diagnostic UnknownRobot(const Identifier& name, std::string_view what) {
@@ -32,13 +19,25 @@ Diagnostic UnknownRobot(const Identifier& name, std::string_view what) {
 
 }  // namespace
 
+std::vector<std::filesystem::path> RobotFolders(const std::filesystem::path& task,
+                                                const std::filesystem::path& first) {
+  std::vector<std::filesystem::path> folders;
+  if (!first.empty()) folders.push_back(first);
+  std::filesystem::path beside = task.parent_path();
+  folders.push_back(beside.empty() ? "." : beside);
+  for (std::filesystem::path& folder : robot::DefaultRobotFolders()) {
+    folders.push_back(std::move(folder));
+  }
+  return folders;
+}
+
 std::optional<robot::RobotDescription> FindRobot(const Identifier& name,
                                                  const std::filesystem::path& task,
                                                  const std::filesystem::path& first,
                                                  Diagnostics& diagnostics) {
   std::filesystem::path file;
   try {
-    file = robot::FindRobotFile(name.text, Folders(task, first));
+    file = robot::FindRobotFile(name.text, RobotFolders(task, first));
   } catch (const robot::DescriptionError& error) {
     diagnostics.Add(UnknownRobot(name, error.what()));
     return std::nullopt;

@@ -13,7 +13,7 @@
 namespace compiler {
 
 std::optional<CheckedTask> Check(const SyntaxTree& tree, const robot::RobotDescription* robot,
-                                 Diagnostics& diagnostics) {
+                                 Diagnostics& diagnostics, References* references) {
   assert(tree.robot.has_value() == (robot != nullptr));
   TaskScope scope{.has_robot = robot != nullptr,
                   .enumerations = EnumerationsOf(robot),
@@ -26,7 +26,8 @@ std::optional<CheckedTask> Check(const SyntaxTree& tree, const robot::RobotDescr
                   .statements = 0,
                   .is_too_long = false,
                   .refused = {},
-                  .around = nullptr};
+                  .around = nullptr,
+                  .references = references};
   if (scope.has_robot) scope.sensors = SensorCatalog::OfRobot(*robot, scope.enumerations);
 
   CheckedTask task;

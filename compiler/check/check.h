@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "compiler/check/checked_task.h"
+#include "compiler/check/references.h"
 #include "compiler/source/diagnostic.h"
 #include "compiler/syntax/syntax_tree.h"
 #include "plugins/robot/robot_description.h"
@@ -12,8 +13,9 @@ namespace compiler {
 
 // Checks names, types, shapes, index ranges and units. `robot` is the description of the robot that
 // the task names, or null if it names none. All mistakes go to `diagnostics`; returns nothing if
-// any of them was an error.
+// any of them was an error. What the names stand for goes to `references`, as far as it is known.
 std::optional<CheckedTask> Check(const SyntaxTree& tree, const robot::RobotDescription* robot,
-                                 Diagnostics& diagnostics);
+                                 Diagnostics& diagnostics,
+                                 References* references = nullptr);
 
 }  // namespace compiler

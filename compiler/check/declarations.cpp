@@ -84,6 +84,7 @@ void CheckOneSensor(const SensorDeclaration& sensor, std::map<std::string, Span>
            {.labels = {{first->second, "first declared here"}}});
     return;
   }
+  NoteReference(sensor.name, ReferenceKind::kSensor, scope);
   const auto declared = CheckDeclaredType(sensor.type, sensor.unit, scope);
   if (!declared) {
     scope.sensors.AddInvalid(name);
@@ -241,6 +242,7 @@ void CheckMetrics(const SyntaxTree& tree, TaskScope& scope, CheckedTask& task) {
       Report(scope.diagnostics, code::kRepeatedName, metric.name.span,
              fmt::format("there is already a metric `{}`", metric.name.text),
              {.labels = {{first->second, "first declared here"}}});
+    NoteReference(metric.name, ReferenceKind::kMetric, scope);
     auto value = CheckRealNumber(metric.value, "a metric", {Place::kMetric}, scope);
     if (value)
       task.metrics.push_back(

@@ -61,7 +61,8 @@ TaskScope ScopeInside(const TaskScope& task) {
                    .locals = {},
                    .diagnostics = task.diagnostics,
                    .refused = {},
-                   .around = &task};
+                   .around = &task,
+                   .references = task.references};
   for (uint32_t i = 0; i < task.functions.size(); ++i) {
     const Identifier& name = task.functions[i].name;
     inside.symbols.Declare(name.text,

@@ -5,6 +5,7 @@
 
 #include "compiler/check/conversion.h"
 #include "compiler/check/expressions.h"
+#include "compiler/check/names.h"
 #include "compiler/check/report.h"
 
 namespace compiler {
@@ -29,6 +30,7 @@ std::string_view WordOf(Reduction reduction) {
 }  // namespace
 
 std::optional<CheckedLog> LogTable::Check(const LogStatement& log, const Place& place) {
+  NoteReference(log.name, ReferenceKind::kLog, scope_);
   const uint32_t index = Declare(log);
   CheckReduction(log, task_.logs[index]);
   auto value = CheckRealNumber(log.value, "a log", place, scope_);

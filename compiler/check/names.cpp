@@ -212,6 +212,37 @@ bool ReportInvisibleLocal(const Identifier& name, const TaskScope& scope) {
   return true;
 }
 
+ReferenceKind ReferenceKindOf(SymbolKind kind) {
+  switch (kind) {
+    case SymbolKind::kParam:
+      return ReferenceKind::kParam;
+    case SymbolKind::kMemory:
+      return ReferenceKind::kMemory;
+    case SymbolKind::kLocal:
+      return ReferenceKind::kLocal;
+    case SymbolKind::kLoopPart:
+    case SymbolKind::kLoopNumber:
+      return ReferenceKind::kLoop;
+    case SymbolKind::kFunction:
+      return ReferenceKind::kFunction;
+    case SymbolKind::kArgument:
+      return ReferenceKind::kArgument;
+  }
+  return ReferenceKind::kLocal;
+}
+
+// A sensor of the robot has no definition in the task.
+void NoteSensor(const std::string& name, Span use, const CheckedSensor& sensor,
+                const TaskScope& scope) {
+  if (scope.references == nullptr) return;
+  Reference reference{ReferenceKind::kSensor, name, use, {}, sensor.type, sensor.unit};
+  if (scope.has_robot) {
+    scope.references->Add(reference);
+  } else {
+    scope.references->AddUnique(std::move(reference));
+  }
+}
+
 void ReportTakenName(const Identifier& name, std::string_view owner, Diagnostics& diagnostics) {
   Report(diagnostics, code::kTakenName, name.span,
          fmt::format("`{}` is {} and cannot be declared", name.text, owner),
@@ -247,6 +278,7 @@ std::optional<ResolvedPath> ResolvePath(const std::vector<Identifier>& path, con
     if (place.is_constant()) return NotConstant(name, span, place, scope);
     const uint32_t index = *scope.sensors.Find(name);
     const CheckedSensor& sensor = scope.sensors.list()[index];
+    NoteSensor(name, span, sensor, scope);
     return ResolvedPath{{span, sensor.type, sensor.unit, SensorRead{index}}, length};
   }
   if (ReportSensorOfRobot(path, scope)) return std::nullopt;
@@ -281,6 +313,7 @@ const FunctionSignature* ResolveFunction(const Identifier& name, const Place& pl
                                          const TaskScope& scope) {
   const Symbol* symbol = scope.symbols.Find(name.text);
   if (symbol != nullptr && symbol->kind == SymbolKind::kFunction) {
+    NoteReference(name, *symbol, scope);
     if (!place.is_constant()) return &scope.functions[symbol->index];
     NotConstant(name.text, name.span, place, scope);
     return nullptr;
@@ -312,6 +345,7 @@ std::string UsageOf(const FunctionSignature& function) {
 const Symbol* FindSymbol(const Identifier& name, const TaskScope& scope) {
   const Symbol* symbol = scope.symbols.Find(name.text);
   if (symbol != nullptr && IsLoopVariable(*symbol)) scope.loop_reads->push_back(name);
+  if (symbol != nullptr) NoteReference(name, *symbol, scope);
   return symbol;
 }
 
@@ -321,11 +355,25 @@ bool DeclareSymbol(const Identifier& name, Symbol symbol, TaskScope& scope) {
     return false;
   }
   symbol.span = name.span;
-  if (scope.symbols.Declare(name.text, symbol)) return true;
+  if (scope.symbols.Declare(name.text, symbol)) {
+    NoteReference(name, symbol, scope);
+    return true;
+  }
   Report(scope.diagnostics, code::kRepeatedName, name.span,
          fmt::format("there is already a `{}`", name.text),
          {.labels = {{scope.symbols.Find(name.text)->span, "first declared here"}}});
   return false;
+}
+
+void NoteReference(const Identifier& name, const Symbol& symbol, const TaskScope& scope) {
+  if (scope.references == nullptr) return;
+  scope.references->Add({ReferenceKindOf(symbol.kind), name.text, name.span, symbol.span,
+                         symbol.type, symbol.unit});
+}
+
+void NoteReference(const Identifier& name, ReferenceKind kind, const TaskScope& scope) {
+  if (scope.references == nullptr) return;
+  scope.references->AddUnique({.kind = kind, .name = name.text, .use = name.span});
 }
 
 bool IsTaken(const Identifier& name, const TaskScope& scope) {

@@ -51,6 +51,11 @@ std::string UsageOf(const FunctionSignature& function);
 // and the result false.
 bool DeclareSymbol(const Identifier& name, Symbol symbol, TaskScope& scope);
 
+// Notes what a name stands for, for those who want to know.
+void NoteReference(const Identifier& name, const Symbol& symbol, const TaskScope& scope);
+// The same for names that have no symbol: terms, metrics and the like.
+void NoteReference(const Identifier& name, ReferenceKind kind, const TaskScope& scope);
+
 // Reports a name that is the language's own or a sensor's: such a name cannot be declared.
 bool IsTaken(const Identifier& name, const TaskScope& scope);
 // The same, for the language's own names only.

@@ -101,6 +101,7 @@ class EventChecker {
   }
 
   void CheckNode(const RewardStatement& reward, Span span, CheckedBlock& block) {
+    NoteReference(reward.name, ReferenceKind::kTerm, scope_);
     auto value = CheckRealNumber(reward.value, "a reward", place_, scope_);
     if (reward.is_rate && !place_.has_time_step()) {
       Report(scope_.diagnostics, code::kMisplacedRate,
@@ -154,6 +155,7 @@ class EventChecker {
     scope_.diagnostics = found;
     scope_.symbols.OpenBlock();
     scope_.symbols.Declare(loop.variable.text, value.symbol);
+    NoteReference(loop.variable, value.symbol, scope_);
     CheckedBlock body = Check(loop.body);
     scope_.symbols.CloseBlock();
     scope_.diagnostics = outer;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "compiler/check/enumeration.h"
+#include "compiler/check/references.h"
 #include "compiler/check/sensor_catalog.h"
 #include "compiler/check/symbol_table.h"
 #include "compiler/source/diagnostic.h"
@@ -48,6 +49,7 @@ struct TaskScope {
   std::set<std::string, std::less<>> refused{};
   // In a function: the scope around it, of whose values it reads none.
   const TaskScope* around = nullptr;
+  References* references = nullptr;  // null: nobody wants to know
 };
 
 // Where an expression stands, as far as this decides what it may read.

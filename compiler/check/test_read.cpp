@@ -61,14 +61,17 @@ std::optional<CheckedExpression> CheckTestRead(const CallExpression& call, Span 
   CheckedExpression read{span, ScalarType(Scalar::kReal), {}, Constant{}};
   if (is_total) {
     if (const auto term = Find(task.terms, text)) {
+      NoteReference(name->name, ReferenceKind::kTerm, scope);
       read.node = TestRead{TestRead::kTotal, *term};
       return read;
     }
   } else if (const auto metric = Find(task.metrics, text)) {
+    NoteReference(name->name, ReferenceKind::kMetric, scope);
     read.unit = task.metrics[*metric].value.unit;
     read.node = TestRead{TestRead::kMetric, *metric};
     return read;
   } else if (const auto log = Find(task.logs, text)) {
+    NoteReference(name->name, ReferenceKind::kLog, scope);
     read.unit = task.logs[*log].unit;
     read.node = TestRead{TestRead::kLog, *log};
     return read;

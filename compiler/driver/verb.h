@@ -35,6 +35,7 @@ Action DeclareDoc(CLI::App& app, Session& session);
 Action DeclareTest(CLI::App& app, Session& session);
 Action DeclareEmit(CLI::App& app, Session& session);
 Action DeclareFmt(CLI::App& app, Session& session);
+Action DeclareLsp(CLI::App& app, Session& session);
 Action DeclareExplain(CLI::App& app, Session& session);
 Action DeclareNew(CLI::App& app, Session& session);
 

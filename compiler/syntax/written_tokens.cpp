@@ -80,6 +80,8 @@ bool BeginsLine(size_t rule) {
 // Goes down the parse tree from left to right.
 class Collector {
  public:
+  explicit Collector(uint32_t first_offset) : first_offset_(first_offset) {}
+
   void Visit(ParserRuleContext& context) {
     begins_line_ = begins_line_ || BeginsLine(context.getRuleIndex());
     for (ParseTree* child : context.children) {
@@ -97,12 +99,14 @@ class Collector {
   void Add(TerminalNode& node) {
     const TokenType type = node.getSymbol()->getType();
     if (type == TaskParser::LINE_END || type == antlr4::Token::EOF) return;
-    const auto begin = static_cast<uint32_t>(node.getSymbol()->getStartIndex());
-    const auto end = static_cast<uint32_t>(node.getSymbol()->getStopIndex() + 1);
-    tokens.push_back({RoleOf(node), {begin, end}, begins_line_});
+    const Span span = SpanOf(*node.getSymbol());
+    tokens.push_back({RoleOf(node),
+                      {span.begin - first_offset_, span.end - first_offset_},
+                      begins_line_});
     begins_line_ = false;
   }
 
+  const uint32_t first_offset_;  // of the file among its sources
   bool begins_line_ = false;
 };
 
@@ -116,7 +120,7 @@ std::optional<std::vector<WrittenToken>> ReadTokens(const SourceFile& source,
   if (file == nullptr) return std::nullopt;
   BuildSyntaxTree(*file, parser.docs(), report);  // finds errors of its own
   if (report.has_errors()) return std::nullopt;
-  Collector collector;
+  Collector collector(source.first_offset());
   collector.Visit(*file);
   return std::move(collector.tokens);
 }

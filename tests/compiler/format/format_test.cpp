@@ -146,6 +146,45 @@ TEST(Format, DropsAByteOrderMark) {
   EXPECT_EQ(Formatted("\xEF\xBB\xBF// c\ntask t"), "// c\ntask t\n");
 }
 
+TEST(Format, SetsFunctions) {
+  EXPECT_EQ(Formatted("fn  near ( d:real[m],e : vec3 )->real [1 / s]=1/s*exp( -d/1m)\n"),
+            "fn near(d: real [m], e: vec3) -> real [1/s] = 1 / s * exp(-d / 1 m)\n");
+  EXPECT_EQ(Formatted("fn twice(x: real)->real\n{ let y=x return 2*y }\n"),
+            "fn twice(x: real) -> real {\n  let y = x\n  return 2 * y\n}\n");
+  EXPECT_EQ(Formatted("fn one() -> real { return 1 }"), "fn one() -> real { return 1 }\n");
+}
+
+TEST(Format, SetsLoops) {
+  EXPECT_EQ(FormattedBlock("for l in{body,head}-feet{\na+=1 }"),
+            "for l in {body, head} - feet {\n  a += 1\n}\n");
+  EXPECT_EQ(FormattedLine("for i in 0 .. 3 { a[ i ]=1 }"), "for i in 0..3 { a[i] = 1 }");
+  EXPECT_EQ(FormattedLine("once   per action if a{b = 1}"), "once per action if a { b = 1 }");
+}
+
+TEST(Format, SetsLogsAndRequirements) {
+  EXPECT_EQ(FormattedLine("log max  speed=log ( x )"), "log max speed = log(x)");
+  EXPECT_EQ(FormattedLine("require x<1\"why\""), "require x < 1 \"why\"");
+  EXPECT_EQ(FormattedLine("touched [ feet ]=false"), "touched[feet] = false");
+  EXPECT_EQ(FormattedLine("place . xy+=1m"), "place.xy += 1 m");
+}
+
+TEST(Format, SetsTests) {
+  EXPECT_EQ(Formatted("task t\ntest   \"a\"\n{ given contact [head]=true "
+                      "fire end_of_action , 100*end_of_action\n\nexpect total( fall )==-4 }"),
+            "task t\ntest \"a\" {\n  given contact[head] = true\n"
+            "  fire end_of_action, 100 * end_of_action\n\n  expect total(fall) == -4\n}\n");
+}
+
+TEST(Format, SetsWhatATaskChangesOfAnother) {
+  EXPECT_EQ(Formatted("allow W0706 ,W0712\n\ntask t extends\"b.task\" for r\n"
+                      "import   \"a.task\"  override  param a=-1 in -2..2\n"
+                      "override reward rate b=1\n"
+                      "override on end_of_action{}\nsensor angle:real[rad]in -180deg..180deg\n"),
+            "allow W0706, W0712\n\ntask t extends \"b.task\" for r\nimport \"a.task\"\n"
+            "override param a = -1 in -2 .. 2\noverride reward rate b = 1\n"
+            "override on end_of_action {}\nsensor angle: real [rad] in -180 deg .. 180 deg\n");
+}
+
 TEST(Format, RefusesWhatItCannotRead) {
   Diagnostics diagnostics;
   EXPECT_FALSE(Format(SourceFile("a.task", "task t\nmemory a: = 0\n"), diagnostics));

@@ -1,0 +1,64 @@
+// What may be written at a place of a text that is being written.
+#pragma once
+
+#include <string>
+
+#include "compiler/language_server/text_tokens.h"
+
+namespace compiler {
+
+enum class Expected {
+  kNothing,  // a new name, a comment, a text
+  kDeclaration,
+  kStatement,  // of an event
+  kTestStatement,
+  kBodyStatement,  // of a function
+  kOverridden,     // behind `override`
+  kParamName,      // of the base, behind `override param`
+  kMetricName,
+  kFunctionName,
+  kValue,
+  kOperator,  // behind a value
+  kMember,    // behind `path.`
+  kIndex,     // inside `path[...]`, or behind `for x in`
+  kUnit,
+  kType,
+  kTypeIndex,  // `bool[...]`: an enumeration, or a unit
+  kEvent,
+  kPose,
+  kRobot,
+  kScope,
+  kReduction,
+  kOutcome,
+  kTerm,         // behind `reward`
+  kTarget,       // behind `given`
+  kExpectation,  // behind `expect`
+  kWarningCode,
+  kFile  // the name of a task file
+};
+
+struct CursorPlace {
+  Expected expected = Expected::kNothing;
+  std::string path;  // of kMember and kIndex: "base", "joint.angle"
+  Span word;         // what has been written of the word already
+};
+
+CursorPlace FindCursorPlace(const TextTokens& tokens, uint32_t offset);
+
+// The call whose arguments are being written at `offset`.
+struct OpenCall {
+  std::string function;  // empty: there is none
+  uint32_t argument = 0;
+};
+OpenCall FindOpenCall(const TextTokens& tokens, uint32_t offset);
+
+// The names with dots around `offset` that lead to the one there: `base.velocity` with the offset
+// in `velocity`. Empty where there is no name.
+struct PathAtCursor {
+  std::string path;
+  Span span{};  // of all of it
+  Span last{};  // of the name at the offset
+};
+PathAtCursor FindPath(const TextTokens& tokens, uint32_t offset);
+
+}  // namespace compiler

@@ -1,0 +1,95 @@
+#include "compiler/language_server/known_values.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "plugins/robot/sensors.h"
+
+namespace compiler {
+
+std::string TypeText(const Type& type, const Unit& unit) {
+  const std::string text = ToString(unit);
+  return text.empty() ? ToString(type) : fmt::format("{} [{}]", ToString(type), text);
+}
+
+KnownValues::KnownValues(const Document& document, Workspace& workspace)
+    : document_(document), good_(workspace.LastGood(document)) {
+  if (const robot::RobotDescription* robot = workspace.RobotOf(document)) {
+    enumerations_ = EnumerationsOf(robot);
+    for (const robot::SensorDescription& sensor : robot::Sensors()) {
+      const std::string unit = sensor.unit.empty() ? "" : fmt::format(" [{}]", sensor.unit);
+      robot_sensors_.push_back({std::string(sensor.name), NameKind::kSensor,
+                                std::string(sensor.type) + unit, std::string(sensor.doc)});
+    }
+  }
+  if (good_ != nullptr) AddInherited(*good_);
+}
+
+void KnownValues::AddInherited(const Findings& findings) {
+  const auto& files = findings.analysis.sources.files();
+  for (size_t i = 1; i < files.size(); ++i) {
+    const TextTokens tokens(files[i].text());
+    for (const DeclaredName& name : FindDeclaredNames(tokens)) {
+      const bool is_local = name.kind == NameKind::kArgument || name.kind == NameKind::kLet ||
+                            name.kind == NameKind::kLoop || name.kind == NameKind::kTask;
+      if (is_local) continue;
+      inherited_.push_back(
+          {name.name, name.kind, name.type, DocAbove(files[i].text(), name.span.begin)});
+    }
+  }
+}
+
+std::string KnownValues::TypeOf(const DeclaredName& name) const {
+  if (!name.type.empty() || good_ == nullptr) return name.type;
+  // A `let` has the type that the compiler last found for one of this name.
+  for (const auto& [place, reference] : good_->references.by_place()) {
+    const bool is_local =
+        reference.kind == ReferenceKind::kLocal || reference.kind == ReferenceKind::kLoop;
+    if (is_local && reference.name == name.name) return TypeText(reference.type, reference.unit);
+  }
+  return "";
+}
+
+std::vector<KnownValue> KnownValues::VisibleAt(uint32_t offset) const {
+  std::vector<KnownValue> values;
+  for (const DeclaredName& name : document_.names()) {
+    if (name.visible.begin > offset || offset > name.visible.end) continue;
+    values.push_back(
+        {name.name, name.kind, TypeOf(name), DocAbove(document_.text(), name.span.begin)});
+  }
+  values.insert(values.end(), inherited_.begin(), inherited_.end());
+  values.insert(values.end(), robot_sensors_.begin(), robot_sensors_.end());
+  return values;
+}
+
+std::optional<KnownValue> KnownValues::Find(std::string_view name, uint32_t offset) const {
+  const auto can_be_read = [](NameKind kind) {
+    return kind != NameKind::kTerm && kind != NameKind::kMetric && kind != NameKind::kLog &&
+           kind != NameKind::kEvent && kind != NameKind::kTest && kind != NameKind::kTask;
+  };
+  for (KnownValue& value : VisibleAt(offset)) {
+    if (value.name == name && can_be_read(value.kind)) return std::move(value);
+  }
+  return std::nullopt;
+}
+
+std::vector<KnownValue> KnownValues::Sensors() const {
+  std::vector<KnownValue> sensors = robot_sensors_;
+  for (const KnownValue& value : VisibleAt(0)) {
+    const bool is_new = std::ranges::find(sensors, value.name, &KnownValue::name) == sensors.end();
+    if (value.kind == NameKind::kSensor && is_new) sensors.push_back(value);
+  }
+  return sensors;
+}
+
+const Enumeration* KnownValues::IndexOf(std::string_view name, uint32_t offset) const {
+  const auto value = Find(name, offset);
+  if (!value) return nullptr;
+  const size_t open = value->type.find('[');
+  if (open == std::string::npos) return nullptr;
+  const size_t close = value->type.find(']', open);
+  return FindEnumeration(enumerations_, value->type.substr(open + 1, close - open - 1));
+}
+
+}  // namespace compiler
