@@ -46,7 +46,9 @@ const std::map<std::string, Folders> kMayInclude = {
      {"compiler/analyze", "compiler/bounds", "compiler/build", "compiler/check",
       "compiler/document", "compiler/emit", "compiler/format", "compiler/language_server",
       "compiler/report", "compiler/source", "compiler/syntax", "compiler/testing", "plugins/robot",
-      "plugins/text", "runtime/module"}},
+      "plugins/text"}},
+
+    {"runtime/module", {"plugins/robot", "plugins/text"}},
     {"runtime/task", {"plugins/robot", "plugins/seal", "runtime/module"}},
     {"runtime/agent", {"runtime/module"}},
     {"runtime/simulation", {"plugins/robot", "runtime/module"}},
