@@ -3,7 +3,6 @@
 
 #include "compiler/build/build_plugin.h"
 #include "compiler/build/file_io.h"
-#include "compiler/build/internal_error.h"
 #include "compiler/build/plugin_cache.h"
 #include "compiler/driver/verb.h"
 #include "compiler/emit/emit.h"
@@ -21,20 +20,14 @@ ExitStatus Build(const Options& options, Session& session) {
   Analysis analysis = session.Analyze(options.task);
   if (!analysis.task) return ExitStatus::kWrongTask;
   std::filesystem::path cache = options.cache.empty() ? DefaultCacheFolder() : options.cache;
-  try {
-    BuildResult built =
-        BuildPlugin(analysis.task->name, Emit(*analysis.task, analysis.sources), cache);
-    if (options.output.empty()) {
-      session.Say(built.plugin.string() + "\n");
-    } else {
-      CopyWholeFile(built.plugin, options.output);
-    }
-    session.Result()["plugin"] = (options.output.empty() ? built.plugin : options.output).string();
-  } catch (const InternalError& error) {
-    WriteWholeFile(error.evidence() / (analysis.task->name + ".task"),
-                   analysis.sources.main().text());
-    throw;
+  BuildResult built =
+      BuildPlugin(analysis.task->name, Emit(*analysis.task, analysis.sources), cache);
+  if (options.output.empty()) {
+    session.Say(built.plugin.string() + "\n");
+  } else {
+    CopyWholeFile(built.plugin, options.output);
   }
+  session.Result()["plugin"] = (options.output.empty() ? built.plugin : options.output).string();
   return ExitStatus::kOk;
 }
 

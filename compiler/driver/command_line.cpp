@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "compiler/build/internal_error.h"
+#include "compiler/driver/crash_report.h"
 #include "compiler/driver/print_error.h"
 #include "compiler/driver/session.h"
 #include "compiler/driver/verb.h"
@@ -59,6 +60,14 @@ Action Declare(const Verb& verb, CLI::App& app, Session& session) {
   return verb.declare(*command, session);
 }
 
+// A mistake of ours; `folder` may hold evidence of it already.
+void ReportMistake(const std::string& message, const std::filesystem::path& folder,
+                   Session& session) {
+  WriteCrashReport(folder, message);
+  session.Fail(fmt::format("internal error: {}; please report this with the folder {}", message,
+                           folder.string()));
+}
+
 ExitStatus RunGuarded(const Action& action, Session& session) {
   try {
     return action(session);
@@ -69,10 +78,9 @@ ExitStatus RunGuarded(const Action& action, Session& session) {
     session.Fail(error.what());
     return ExitStatus::kWrongCall;
   } catch (const InternalError& error) {
-    session.Fail(fmt::format("internal error: {}; please report this with the folder {}",
-                             error.what(), error.evidence().string()));
+    ReportMistake(error.what(), error.evidence(), session);
   } catch (const std::exception& error) {
-    session.Fail(fmt::format("internal error: {}; please report this with the task", error.what()));
+    ReportMistake(error.what(), CrashFolder(), session);
   }
   return ExitStatus::kInternalError;
 }

@@ -6,10 +6,12 @@
 #include <cstring>
 
 #include "compiler/driver/command_line.h"
+#include "compiler/driver/crash_report.h"
 #include "compiler/driver/print_error.h"
 
 int main(int argc, char** argv) {
   using namespace compiler;
+  ReportCrashes(argc, argv);
   ExitStatus status = RunCommandLine(argc, argv);
   if (std::fflush(stdout) != 0) {
     PrintError(fmt::format("cannot write to the standard output: {}", std::strerror(errno)));

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "compiler/driver/crash_report.h"
 #include "compiler/driver/print_error.h"
 
 namespace compiler {
@@ -23,6 +24,11 @@ std::string Count(size_t count, std::string_view what) {
   return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
 }
 
+std::optional<std::string> ReadAndRemember(const std::filesystem::path& file) {
+  RememberFile(file);
+  return ReadFromDisk(file);
+}
+
 // "2 errors, 1 warning"
 std::string Counts(size_t errors, size_t warnings) {
   if (warnings == 0) return Count(errors, "error");
@@ -33,7 +39,7 @@ std::string Counts(size_t errors, size_t warnings) {
 }  // namespace
 
 Analysis Session::Analyze(const std::string& file) {
-  Analysis analysis = compiler::Analyze(file, ReadFromDisk, robots);
+  Analysis analysis = compiler::Analyze(file, ReadAndRemember, robots);
   Report(analysis.sources, analysis.diagnostics);
   if (analysis.task) Result()["name"] = analysis.task->name;
   return analysis;

@@ -23,6 +23,8 @@ const std::vector<Verb> kVerbs = {
      "taskc test crawling.task\n"
      "taskc test crawling.task --filter fall   # those with `fall` in their names",
      DeclareTest},
+    {"watch", "Build tasks again whenever their files are saved",
+     "taskc watch crawling.task   # until Ctrl-C", DeclareWatch},
     {"emit", "Show the C++ that a task becomes",
      "taskc emit crawling.task\n"
      "taskc emit crawling.task -o crawling.cpp",

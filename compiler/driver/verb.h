@@ -38,6 +38,7 @@ Action DeclareFmt(CLI::App& app, Session& session);
 Action DeclareLsp(CLI::App& app, Session& session);
 Action DeclareExplain(CLI::App& app, Session& session);
 Action DeclareNew(CLI::App& app, Session& session);
+Action DeclareWatch(CLI::App& app, Session& session);
 
 // ---- Options that several verbs have ------------------------------------------------------------
 
