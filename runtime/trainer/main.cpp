@@ -32,6 +32,7 @@ int RunTrainer(int argc, char** argv) {
   int status = kSuccess;
   AddTrainCommand(app, status);
   AddResumeCommand(app, status);
+  AddStudyCommand(app, status);
   AddShowCommand(app, status);
   AddReportCommand(app, status);
   AddAgentCommand(app, status);

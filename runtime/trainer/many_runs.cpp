@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <thread>
 
 #include "runtime/run/run_database.h"
@@ -32,15 +33,25 @@ bool ComesBefore(const std::filesystem::path& a, const std::filesystem::path& b)
 
 }  // namespace
 
+std::filesystem::path SeedFolder(const std::filesystem::path& folder, uint64_t seed) {
+  return folder / fmt::format("seed{}", seed);
+}
+
 std::vector<std::filesystem::path> FindRuns(const std::filesystem::path& folder) {
-  std::vector<std::filesystem::path> runs;
+  std::vector<std::filesystem::path> folders;
   std::error_code error;
   for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
-    if (entry.is_directory(error) && RunDatabase::Exists(entry.path())) {
-      runs.push_back(entry.path());
+    if (entry.is_directory(error)) folders.push_back(entry.path());
+  }
+  std::ranges::sort(folders, ComesBefore);
+  std::vector<std::filesystem::path> runs;
+  for (const std::filesystem::path& each : folders) {
+    if (RunDatabase::Exists(each)) {
+      runs.push_back(each);
+    } else {
+      std::ranges::copy(FindRuns(each), std::back_inserter(runs));
     }
   }
-  std::ranges::sort(runs, ComesBefore);
   return runs;
 }
 
@@ -53,7 +64,7 @@ void AddJobsOption(CLI::App& command, int& jobs) {
 int TrainRuns(const std::filesystem::path& folder, int jobs, const OutputOptions& output) {
   if (jobs == 0) jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   RunTablePrinter printer(StyleOf(output), jobs, stdout, stderr);
-  Supervisor supervisor(FindRuns(folder), jobs, printer);
+  Supervisor supervisor(folder, FindRuns(folder), jobs, printer);
   printer.Follow(supervisor.runs());
   const StopRequest stop;
   const bool are_all_finished = supervisor.Run(stop);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
 #include <filesystem>
 #include <vector>
 
@@ -9,7 +10,11 @@
 
 namespace runtime {
 
-// The runs in the folders of `folder`, in the order of their names with numbers taken as numbers.
+// Of the run with this seed among many: FOLDER/seed3.
+std::filesystem::path SeedFolder(const std::filesystem::path& folder, uint64_t seed);
+
+// The runs in `folder`, and in the folders in it, in the order of their names with numbers taken as
+// numbers.
 std::vector<std::filesystem::path> FindRuns(const std::filesystem::path& folder);
 
 // --jobs; 0 stands for as many as there are cores.

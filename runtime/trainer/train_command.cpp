@@ -1,10 +1,8 @@
 #include <fmt/format.h>
 
-#include "runtime/run/body_json.h"
 #include "runtime/run/run_database.h"
-#include "runtime/run/run_files.h"
-#include "runtime/run/task_record.h"
 #include "runtime/trainer/commands.h"
+#include "runtime/trainer/create_run.h"
 #include "runtime/trainer/many_runs.h"
 #include "runtime/trainer/run_session.h"
 #include "runtime/trainer/task_setup.h"
@@ -14,67 +12,43 @@ namespace {
 
 struct TrainOptions {
   TaskOptions task;
-  int64_t episodes = 1000;
-  uint64_t seed = 0;
+  RunPlan plan;
   int64_t runs = 1;
   int jobs = 0;  // 0: one for each core
   std::filesystem::path out;
-  int64_t record_every = 50;
-  double checkpoint_seconds = 60;
   OutputOptions output;
 };
 
-RunRecord RecordOf(const TrainOptions& options, const TaskSetup& setup, uint64_t seed) {
-  RunRecord run;
-  DescribeTask(setup.plugin.table(), run);
-  run.robot = setup.robot.name;
-  run.robot_description = ReadText(setup.robot_file);
-  run.body = BodyJson(setup.robot);
-  run.agent = ToToml(setup.agent);
-  run.profile = std::get<std::string>(setup.network.Find("environment").Get("profile"));
-  run.version = TASKC_VERSION;
-  run.seed = seed;
-  run.episodes_planned = options.episodes;
-  run.record_every = options.record_every;
-  run.checkpoint_seconds = options.checkpoint_seconds;
-  return run;
+// `name`: of the folder, where the user names none.
+std::filesystem::path FolderOf(const TrainOptions& options, const std::string& name) {
+  return options.out.empty() ? std::filesystem::path("runs") / name : options.out;
 }
 
 int TrainOne(const TrainOptions& options, const std::filesystem::path& plugin) {
-  TaskSetup setup(options.task, plugin, options.seed);
-  RunRecord run = RecordOf(options, setup, options.seed);
-  std::filesystem::path folder = options.out;
-  if (folder.empty()) {
-    folder = std::filesystem::path("runs") /
-             fmt::format("{}-{}-seed{}", run.task, run.profile, run.seed);
-  }
+  TaskSetup setup(options.task, plugin, options.plan.seed);
+  RunRecord run = RecordOf(setup, options.plan);
+  const std::filesystem::path folder =
+      FolderOf(options, fmt::format("{}-{}-seed{}", run.task, run.profile, run.seed));
   RunDatabase::CheckIsFree(folder);
   setup.network.Start();  // the last that can be wrong: only now the folder is made
-  run.plugin = KeepPlugin(plugin, folder);
-  RunDatabase database = RunDatabase::Create(folder, run);
+  RunDatabase database = CreateRun(folder, setup, run);
   return RunSession(folder, setup.network, run, database, options.output.style());
 }
 
 // Makes all runs before the first one starts, so that they go on with the same task and agent
 // whatever becomes of the files; each is then trained as if it were resumed.
 int TrainMany(const TrainOptions& options, const std::filesystem::path& plugin) {
-  TaskSetup setup(options.task, plugin, options.seed);
-  RunRecord run = RecordOf(options, setup, options.seed);
-  std::filesystem::path folder = options.out;
-  if (folder.empty()) {
-    folder = std::filesystem::path("runs") / fmt::format("{}-{}", run.task, run.profile);
-  }
+  TaskSetup setup(options.task, plugin, options.plan.seed);
+  const RunRecord run = RecordOf(setup, options.plan);
+  const std::filesystem::path folder =
+      FolderOf(options, fmt::format("{}-{}", run.task, run.profile));
   setup.network.Start();
-  std::vector<std::filesystem::path> folders;
-  for (int64_t i = 0; i < options.runs; ++i) {
-    folders.push_back(folder / fmt::format("seed{}", options.seed + static_cast<uint64_t>(i)));
-    RunDatabase::CheckIsFree(folders.back());
+  std::vector<RunPlan> plans(static_cast<size_t>(options.runs), options.plan);
+  for (size_t i = 0; i < plans.size(); ++i) {
+    plans[i].seed += i;
+    RunDatabase::CheckIsFree(SeedFolder(folder, plans[i].seed));
   }
-  for (const std::filesystem::path& each : folders) {
-    run.plugin = KeepPlugin(plugin, each);
-    RunDatabase::Create(each, run).SetState(RunState::kInterrupted);
-    ++run.seed;
-  }
+  for (const RunPlan& plan : plans) PrepareRun(SeedFolder(folder, plan.seed), setup, plan);
   return TrainRuns(folder, options.jobs, options.output);
 }
 
@@ -91,11 +65,11 @@ void AddTrainCommand(CLI::App& app, int& status) {
   CLI::App* command =
       app.add_subcommand("train", "Starts a run, or many: trains a robot in a task.");
   options->task.AddTo(*command);
-  command->add_option("--episodes", options->episodes, "how many episodes to train")
+  command->add_option("--episodes", options->plan.episodes, "how many episodes to train")
       ->check(CLI::Range(int64_t{1}, int64_t{1'000'000'000}))
       ->capture_default_str();
   command
-      ->add_option("--seed", options->seed,
+      ->add_option("--seed", options->plan.seed,
                    "seed of all chance, of many runs the first one's; equal seeds give equal runs")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
@@ -107,12 +81,12 @@ void AddTrainCommand(CLI::App& app, int& status) {
                       "folder of the run; otherwise runs/TASK-PROFILE-seedSEED. Of many runs the "
                       "folder of their folders; otherwise runs/TASK-PROFILE");
   command
-      ->add_option("--record-every", options->record_every,
+      ->add_option("--record-every", options->plan.record_every,
                    "record every N-th episode besides the best ones; 0: only these")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   command
-      ->add_option("--checkpoint-every", options->checkpoint_seconds,
+      ->add_option("--checkpoint-every", options->plan.checkpoint_seconds,
                    "seconds between two checkpoints, at least")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();

@@ -1,10 +1,13 @@
 #include "runtime/workers/run_table.h"
 
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <iterator>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "runtime/run/progress.h"
 
@@ -54,7 +57,40 @@ std::string TimeLeft(const RunProgress& run) {
                       static_cast<double>(EpisodesLeft(run)));
 }
 
-std::string Summary(const std::vector<RunProgress>& runs, int jobs) {
+// Lines of the terminal; many where there is none.
+size_t TerminalHeight(int descriptor) {
+  winsize size{};
+  return ioctl(descriptor, TIOCGWINSZ, &size) == 0 && size.ws_row > 0 ? size.ws_row : 1000;
+}
+
+// What a user wants to see of runs that are too many for the screen.
+std::vector<RunProgress> OnlyActive(const std::vector<RunProgress>& runs) {
+  std::vector<RunProgress> active;
+  std::ranges::copy_if(runs, std::back_inserter(active), [](const RunProgress& run) {
+    return run.state == RunProgressState::kRunning || run.state == RunProgressState::kFailed;
+  });
+  return active;
+}
+
+}  // namespace
+
+std::string RunTable(const std::vector<RunProgress>& runs) {
+  size_t width = 8;
+  for (const RunProgress& run : runs) width = std::max(width, run.name.size());
+  std::string text = fmt::format("{:<{}}  {:<8}  {:>11}  {:>9}  {:>9}  {:>8}\n", "run", width,
+                                 "state", "episodes", "last", "best", "left");
+  for (const RunProgress& run : runs) {
+    std::string line = fmt::format(
+        "{:<{}}  {:<8}  {:>11}  {:>9}  {:>9}  {:>8}", run.name, width, NameOf(run.state),
+        fmt::format("{}/{}", run.episodes, run.episodes_planned), ReturnText(run, run.last_return),
+        ReturnText(run, run.best_return), TimeLeft(run));
+    line.erase(line.find_last_not_of(' ') + 1);
+    text += line + "\n";
+  }
+  return text;
+}
+
+std::string RunSummary(const std::vector<RunProgress>& runs, int jobs) {
   std::string text;
   for (const auto state : {RunProgressState::kRunning, RunProgressState::kFinished,
                            RunProgressState::kWaiting, RunProgressState::kStopped,
@@ -78,24 +114,6 @@ std::string Summary(const std::vector<RunProgress>& runs, int jobs) {
   return text;
 }
 
-}  // namespace
-
-std::string RunTable(const std::vector<RunProgress>& runs, int jobs) {
-  size_t width = 8;
-  for (const RunProgress& run : runs) width = std::max(width, run.name.size());
-  std::string text = fmt::format("{:<{}}  {:<8}  {:>11}  {:>9}  {:>9}  {:>8}\n", "run", width,
-                                 "state", "episodes", "last", "best", "left");
-  for (const RunProgress& run : runs) {
-    std::string line = fmt::format(
-        "{:<{}}  {:<8}  {:>11}  {:>9}  {:>9}  {:>8}", run.name, width, NameOf(run.state),
-        fmt::format("{}/{}", run.episodes, run.episodes_planned), ReturnText(run, run.last_return),
-        ReturnText(run, run.best_return), TimeLeft(run));
-    line.erase(line.find_last_not_of(' ') + 1);
-    text += line + "\n";
-  }
-  return text + Summary(runs, jobs) + "\n";
-}
-
 RunTablePrinter::RunTablePrinter(Style style, int jobs, std::FILE* output, std::FILE* warnings)
     : style_(style),
       jobs_(jobs),
@@ -111,14 +129,14 @@ void RunTablePrinter::Follow(const std::vector<RunProgress>& runs) {
 void RunTablePrinter::Finish() {
   if (style_ != Style::kText) return;
   Erase();
-  fmt::print(output_, "{}", RunTable(*runs_, jobs_));
+  fmt::print(output_, "{}{}\n", RunTable(*runs_), RunSummary(*runs_, jobs_));
   std::fflush(output_);
 }
 
 void RunTablePrinter::OnEpisode(const RunProgress& run, std::string_view json) {
   if (style_ == Style::kJson) {
     // The worker's object with one more member in front.
-    fmt::print(output_, "{{\"run\":\"{}\",{}\n", run.name, json.substr(1));
+    fmt::print(output_, "{{\"run\":{},{}\n", nlohmann::json(run.name).dump(), json.substr(1));
     std::fflush(output_);
     return;
   }
@@ -139,10 +157,13 @@ void RunTablePrinter::Refresh(bool at_once) {
   if (now - last_ < between && !(at_once && is_live_)) return;
   last_ = now;
   if (!is_live_) {
-    fmt::print(output_, "{}\n", Summary(*runs_, jobs_));
+    fmt::print(output_, "{}\n", RunSummary(*runs_, jobs_));
   } else {
     Erase();
-    const std::string table = RunTable(*runs_, jobs_);
+    constexpr size_t kBesidesRuns = 3;  // the head, the summary and the cursor's line
+    const bool all_fit = runs_->size() + kBesidesRuns <= TerminalHeight(fileno(output_));
+    const std::string table = RunTable(all_fit ? *runs_ : OnlyActive(*runs_)) +
+                              RunSummary(*runs_, jobs_) + "\n";
     fmt::print(output_, "{}", table);
     lines_shown_ = static_cast<int>(std::ranges::count(table, '\n'));
   }

@@ -10,15 +10,15 @@
 
 namespace runtime {
 
-// One line for each run and one for all of them, without colours:
+// A head and one line for each run, without colours:
 //
 //   run      state      episodes      last      best     left
-//   seed-1   running    340/1000     12.25     27.61    10:12
-//   ...
-//   2 running, 1 finished, 12 waiting   1340/15000 episodes   3:12:40 left
-//
-// `jobs`: how many run at a time, for the time left.
-std::string RunTable(const std::vector<RunProgress>& runs, int jobs);
+//   seed1    running    340/1000     12.25     27.61    10:12
+std::string RunTable(const std::vector<RunProgress>& runs);
+
+// "2 running, 1 finished, 12 waiting   1340/15000 episodes   3:12:40 left". `jobs`: how many run at
+// a time, for the time left.
+std::string RunSummary(const std::vector<RunProgress>& runs, int jobs);
 
 // Shows the table on a terminal, always up to date; elsewhere one line for each run that ends and
 // one for all every half minute. With JSON, each worker's lines with the name of the run.

@@ -27,8 +27,8 @@ struct Supervisor::Job {
 
 namespace {
 
-RunProgress ProgressOf(const std::filesystem::path& folder) {
-  RunProgress run{folder, folder.filename().string()};
+RunProgress ProgressOf(const std::filesystem::path& folder, std::string name) {
+  RunProgress run{folder, std::move(name)};
   const RunDatabase database = RunDatabase::OpenToRead(folder);
   run.episodes_planned = database.ReadRun().episodes_planned;
   run.best_return = -std::numeric_limits<double>::infinity();
@@ -50,10 +50,13 @@ std::string WhyItEnded(int status) {
 
 }  // namespace
 
-Supervisor::Supervisor(const std::vector<std::filesystem::path>& runs, int jobs,
+Supervisor::Supervisor(const std::filesystem::path& folder,
+                       const std::vector<std::filesystem::path>& runs, int jobs,
                        SupervisorListener& listener)
     : jobs_(static_cast<size_t>(std::max(jobs, 1))), listener_(listener) {
-  for (const std::filesystem::path& run : runs) runs_.push_back(ProgressOf(run));
+  for (const std::filesystem::path& run : runs) {
+    runs_.push_back(ProgressOf(run, run.lexically_relative(folder).string()));
+  }
 }
 
 Supervisor::~Supervisor() = default;

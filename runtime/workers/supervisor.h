@@ -20,7 +20,7 @@ enum class RunProgressState { kWaiting, kRunning, kFinished, kStopped, kFailed }
 // How far one run is.
 struct RunProgress {
   std::filesystem::path folder;
-  std::string name;  // of the folder
+  std::string name;  // of the folder, as seen from the one that all are in
   RunProgressState state = RunProgressState::kWaiting;
   int64_t episodes = 0;  // done
   int64_t episodes_planned = 0;
@@ -48,8 +48,8 @@ class Supervisor {
   // often in a row without a single new episode, and its run is given up.
   static constexpr int kMaxFruitlessStarts = 3;
 
-  // `runs`: their folders, each with a run. At most `jobs` workers at a time.
-  Supervisor(const std::vector<std::filesystem::path>& runs, int jobs,
+  // `runs`: their folders, each with a run, somewhere in `folder`. At most `jobs` workers at a time.
+  Supervisor(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& runs, int jobs,
              SupervisorListener& listener);
   ~Supervisor();
 

@@ -1,0 +1,36 @@
+#include "runtime/trainer/create_run.h"
+
+#include "runtime/run/body_json.h"
+#include "runtime/run/run_files.h"
+#include "runtime/run/task_record.h"
+
+namespace runtime {
+
+RunRecord RecordOf(const TaskSetup& setup, const RunPlan& plan) {
+  RunRecord run;
+  DescribeTask(setup.plugin.table(), run);
+  run.robot = setup.robot.name;
+  run.robot_description = ReadText(setup.robot_file);
+  run.body = BodyJson(setup.robot);
+  run.agent = ToToml(setup.agent);
+  run.profile = std::get<std::string>(setup.network.Find("environment").Get("profile"));
+  run.version = TASKC_VERSION;
+  run.seed = plan.seed;
+  run.episodes_planned = plan.episodes;
+  run.record_every = plan.record_every;
+  run.checkpoint_seconds = plan.checkpoint_seconds;
+  return run;
+}
+
+RunDatabase CreateRun(const std::filesystem::path& folder, const TaskSetup& setup, RunRecord& run) {
+  RunDatabase::CheckIsFree(folder);
+  run.plugin = KeepPlugin(setup.plugin_file, folder);
+  return RunDatabase::Create(folder, run);
+}
+
+void PrepareRun(const std::filesystem::path& folder, const TaskSetup& setup, const RunPlan& plan) {
+  RunRecord run = RecordOf(setup, plan);
+  CreateRun(folder, setup, run).SetState(RunState::kInterrupted);
+}
+
+}  // namespace runtime

@@ -1,0 +1,31 @@
+// A new run in its folder, ready to be trained by `trainer resume` or at once.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+
+#include "runtime/run/run_database.h"
+#include "runtime/run/run_records.h"
+#include "runtime/trainer/task_setup.h"
+
+namespace runtime {
+
+// What a run is besides its task and agent.
+struct RunPlan {
+  int64_t episodes = 1000;
+  uint64_t seed = 0;
+  int64_t record_every = 50;
+  double checkpoint_seconds = 60;
+};
+
+// All that is stored about the run but its plugin.
+RunRecord RecordOf(const TaskSetup& setup, const RunPlan& plan);
+
+// Makes the folder, and in it the run with all that it needs to go on whatever becomes of the task's
+// and the robot's files. Completes `run`. Throws UserError where there is a run already.
+RunDatabase CreateRun(const std::filesystem::path& folder, const TaskSetup& setup, RunRecord& run);
+
+// The same for a run that another process will train.
+void PrepareRun(const std::filesystem::path& folder, const TaskSetup& setup, const RunPlan& plan);
+
+}  // namespace runtime
