@@ -11,7 +11,8 @@ namespace {
 
 class AllowanceFilter {
  public:
-  explicit AllowanceFilter(const std::vector<Allowance>& allowances) : allowances_(allowances) {}
+  AllowanceFilter(const std::vector<Allowance>& allowances, const Sources& sources)
+      : allowances_(allowances), sources_(sources) {}
 
   // Does an `allow` around it name its code? All that do are of use.
   bool Silences(const Diagnostic& diagnostic) {
@@ -31,6 +32,7 @@ class AllowanceFilter {
     for (const Allowance& allowance : allowances_)
       for (const Identifier& code : allowance.codes) {
         if (used_.contains(&code) || (code.text == code::kUselessAllow) != of_itself) continue;
+        if (sources_.IndexOf(code.span) != 0) continue;
         useless.push_back(MakeDiagnostic(code::kUselessAllow, code.span,
                                          fmt::format("there is no {} here to allow", code.text)));
         useless.back().help = "remove it";
@@ -48,14 +50,16 @@ class AllowanceFilter {
   }
 
   const std::vector<Allowance>& allowances_;
+  const Sources& sources_;
   std::set<const Identifier*> used_;
 };
 
 }  // namespace
 
-Diagnostics ApplyAllowances(const std::vector<Allowance>& allowances, const Diagnostics& found) {
+Diagnostics ApplyAllowances(const std::vector<Allowance>& allowances, const Sources& sources,
+                            const Diagnostics& found) {
   Diagnostics left;
-  AllowanceFilter filter(allowances);
+  AllowanceFilter filter(allowances, sources);
   for (const Diagnostic& diagnostic : found.list()) {
     const bool is_warning = diagnostic.severity == Severity::kWarning;
     if (!is_warning || !filter.Silences(diagnostic)) left.Add(diagnostic);

@@ -30,7 +30,8 @@ Analysis Analyze(const std::filesystem::path& file, const FileReader& read,
             references);
   if (!analysis.task) return analysis;
   WarnOfBounds(*analysis.task, analysis.diagnostics);
-  analysis.diagnostics = ApplyAllowances(analysis.tree->allowances, analysis.diagnostics);
+  analysis.diagnostics = 
+      ApplyAllowances(analysis.tree->allowances, analysis.sources, analysis.diagnostics);
   return analysis;
 }
 
