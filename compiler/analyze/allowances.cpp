@@ -62,7 +62,8 @@ Diagnostics ApplyAllowances(const std::vector<Allowance>& allowances, const Sour
   AllowanceFilter filter(allowances, sources);
   for (const Diagnostic& diagnostic : found.list()) {
     const bool is_warning = diagnostic.severity == Severity::kWarning;
-    if (!is_warning || !filter.Silences(diagnostic)) left.Add(diagnostic);
+    const bool is_own = sources.IndexOf(diagnostic.span) == 0;
+    if (!is_warning || (is_own && !filter.Silences(diagnostic))) left.Add(diagnostic);
   }
   // `allow W0710` may silence what is said of other codes, and only then be useless itself.
   for (const bool of_itself : {false, true})

@@ -1,4 +1,4 @@
-// Warnings that a task's author has silenced.
+// Which warnings a task's author gets to see.
 #pragma once
 
 #include <vector>
@@ -10,8 +10,8 @@
 namespace compiler {
 
 // `found` without the warnings that an `allow` around their place names, and with a warning for
-// each code of an `allow` in the task's own file that silences nothing. What a file that the task
-// imports or extends allows may be of use to that file alone.
+// each code of an `allow` that silences nothing. All warnings are of the task's own file: those of
+// what it imports or extends are the business of these files' authors.
 Diagnostics ApplyAllowances(const std::vector<Allowance>& allowances, const Sources& sources,
                             const Diagnostics& found);
 

@@ -25,12 +25,11 @@ Analysis Analyze(const std::filesystem::path& file, const FileReader& read,
   Analysis analysis;
   analysis.tree = Compose(file, read, analysis.sources, analysis.diagnostics);
   if (!analysis.tree || !GetRobot(analysis, robots)) return analysis;
-  analysis.task =
-      Check(*analysis.tree, analysis.robot ? &*analysis.robot : nullptr, analysis.diagnostics,
-            references);
+  analysis.task = Check(*analysis.tree, analysis.robot ? &*analysis.robot : nullptr,
+                        analysis.diagnostics, references);
   if (!analysis.task) return analysis;
   WarnOfBounds(*analysis.task, analysis.diagnostics);
-  analysis.diagnostics = 
+  analysis.diagnostics =
       ApplyAllowances(analysis.tree->allowances, analysis.sources, analysis.diagnostics);
   return analysis;
 }

@@ -24,8 +24,8 @@ struct Analysis {
 };
 
 // `robots`: where to look for robots first; may be empty. Throws CallError where `file` cannot be
-// read, robot::DescriptionError where the robot is there but its file is wrong. What the names stand
-// for goes to `references`, as far as it is known.
+// read, robot::DescriptionError where the robot is there but its file is wrong. What the names
+// stand for goes to `references`, as far as it is known.
 Analysis Analyze(const std::filesystem::path& file, const FileReader& read,
                  const std::filesystem::path& robots, References* references = nullptr);
 

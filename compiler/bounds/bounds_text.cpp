@@ -7,7 +7,7 @@
 namespace compiler {
 
 std::string EndText(double end) {
-  return std::isinf(end) ? "unbounded" : fmt::format("{:.4g}", end);
+  return std::isinf(end) ? "unbounded" : fmt::format("{:.4g}", end + 0.0);  // 0 rather than -0
 }
 
 std::string RangeText(const Interval& range, const Unit& unit) {

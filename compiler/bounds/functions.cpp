@@ -114,33 +114,4 @@ Interval Atan(const Interval& x) {
   return Rising([](double value) { return std::atan(value); }, x, {});
 }
 
-Interval Wrap(const Interval& angle) {
-  if (!HasNumber(angle)) return angle;
-  constexpr double kMargin = 1e-9;
-  Interval wrapped = Widened({-kPi, kPi});
-  const bool stays = angle.low > -kPi + kMargin && angle.high < kPi - kMargin;
-  // Subtracting whole turns may round.
-  if (stays) wrapped = {angle.low - kMargin, angle.high + kMargin};
-  wrapped.may_be_nan = angle.may_be_nan || angle.may_be_infinite;
-  return wrapped;
-}
-
-Interval UnitCoordinate(const Interval& x) {
-  Interval coordinate = Widened({-1, 1});
-  if (x.low >= 0) coordinate.low = 0;
-  if (x.high <= 0) coordinate.high = 0;
-  coordinate.may_be_nan = x.may_be_nan || x.may_be_infinite;
-  return coordinate;
-}
-
-Interval Tolerance(const Interval& x, const Interval& low, const Interval& high,
-                   const Interval& margin) {
-  Interval tolerance{0, 1};
-  const bool is_inside = low.high <= x.low && x.high <= high.low;
-  if (is_inside) tolerance.low = 1;
-  tolerance.may_be_nan =
-      x.may_be_nan || low.may_be_nan || high.may_be_nan || margin.may_be_nan || !(margin.low > 0);
-  return tolerance;
-}
-
 }  // namespace compiler

@@ -15,12 +15,5 @@ Interval Tan(const Interval& angle);
 Interval Asin(const Interval& x);
 Interval Acos(const Interval& x);
 Interval Atan(const Interval& x);
-// To (-pi, pi].
-Interval Wrap(const Interval& angle);
-// From -1 to 1, of the same sign as `x`: a coordinate of a unit vector.
-Interval UnitCoordinate(const Interval& x);
-// 1 from `low` to `high`, outside a Gaussian that is 0.1 at the distance `margin`.
-Interval Tolerance(const Interval& x, const Interval& low, const Interval& high,
-                   const Interval& margin);
 
 }  // namespace compiler

@@ -15,7 +15,6 @@ namespace compiler {
 // the task names, or null if it names none. All mistakes go to `diagnostics`; returns nothing if
 // any of them was an error. What the names stand for goes to `references`, as far as it is known.
 std::optional<CheckedTask> Check(const SyntaxTree& tree, const robot::RobotDescription* robot,
-                                 Diagnostics& diagnostics,
-                                 References* references = nullptr);
+                                 Diagnostics& diagnostics, References* references = nullptr);
 
 }  // namespace compiler

@@ -121,7 +121,7 @@ enum class Builtin {
   kAcos,
   kAtan,
   kPow,
-  kSign,    // -1, 0 or 1, of each element
+  kSign,  // -1, 0 or 1, of each element
   kFloor,
   kCeil,
   kRound,   // half away from 0
@@ -336,8 +336,8 @@ struct CheckedTest {
 struct CheckedTask {
   std::string name;
   std::string doc;
-  std::string robot;                   // "" where the task declares its own sensors
-  std::string start_pose;              // "" where the task names none
+  std::string robot;       // "" where the task declares its own sensors
+  std::string start_pose;  // "" where the task names none
   // Of all events; infinite where no robot says [s].
   double longest_time_step = std::numeric_limits<double>::infinity();
   std::vector<CheckedSensor> sensors;  // those that something reads

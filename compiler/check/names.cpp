@@ -367,8 +367,8 @@ bool DeclareSymbol(const Identifier& name, Symbol symbol, TaskScope& scope) {
 
 void NoteReference(const Identifier& name, const Symbol& symbol, const TaskScope& scope) {
   if (scope.references == nullptr) return;
-  scope.references->Add({ReferenceKindOf(symbol.kind), name.text, name.span, symbol.span,
-                         symbol.type, symbol.unit});
+  scope.references->Add(
+      {ReferenceKindOf(symbol.kind), name.text, name.span, symbol.span, symbol.type, symbol.unit});
 }
 
 void NoteReference(const Identifier& name, ReferenceKind kind, const TaskScope& scope) {

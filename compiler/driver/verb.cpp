@@ -39,8 +39,7 @@ const std::vector<Verb> kVerbs = {
      "taskc doc crawling.task -o crawling.html    # one file, with the equations set",
      DeclareDoc},
     {"lsp", "Serve an editor by the Language Server Protocol",
-     "taskc lsp   # editors call it; docs/editors.md says how",
-     DeclareLsp},
+     "taskc lsp   # editors call it; docs/editors.md says how", DeclareLsp},
     {"explain", "Explain an error or a warning",
      "taskc explain E0203   # what it means, with examples\n"
      "taskc explain         # all codes with their titles",

@@ -113,8 +113,8 @@ Description BadCondition(const Failure& failure) {
   const bool has_head = failure.parent_rule == TaskParser::RuleBranches ||
                         failure.parent_rule == TaskParser::RuleLoop ||
                         failure.parent_rule == TaskParser::RuleOnce;
-  const bool is_behind_head = failure.rule == TaskParser::RuleBlock && has_head &&
-                              failure.expects(TaskParser::LEFT_BRACE);
+  const bool is_behind_head =
+      failure.rule == TaskParser::RuleBlock && has_head && failure.expects(TaskParser::LEFT_BRACE);
   if (!is_behind_head || !EndsOperand(failure.last_type())) return std::nullopt;
   Diagnostic diagnostic = Expected(failure, "an operator or `{`");
   if (failure.type() == TaskParser::ASSIGN) diagnostic.help = "to compare, write `==`";

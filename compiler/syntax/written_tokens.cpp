@@ -100,9 +100,8 @@ class Collector {
     const TokenType type = node.getSymbol()->getType();
     if (type == TaskParser::LINE_END || type == antlr4::Token::EOF) return;
     const Span span = SpanOf(*node.getSymbol());
-    tokens.push_back({RoleOf(node),
-                      {span.begin - first_offset_, span.end - first_offset_},
-                      begins_line_});
+    tokens.push_back(
+        {RoleOf(node), {span.begin - first_offset_, span.end - first_offset_}, begins_line_});
     begins_line_ = false;
   }
 

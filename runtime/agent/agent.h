@@ -90,7 +90,8 @@ Agent ParseAgent(std::string_view text, const std::string& name);
 
 // `agent` with the changes of another file: parameters replace those of the same name, modules with
 // a type of their own are added or replace the one of their name with all its parameters,
-// connections and composites are added; a composite replaces one of its name. Throws UserError for a change of a module that there is not.
+// connections and composites are added; a composite replaces one of its name. Throws UserError for
+// a change of a module that there is not.
 Agent Changed(Agent agent, const Agent& changes);
 // The same for two files that may both be changes of a third: what changes a module of neither is
 // kept.

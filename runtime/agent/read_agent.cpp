@@ -68,8 +68,8 @@ class AgentReader {
     std::vector<CompositeSetting> composites;
     for (const auto& [key, node] : table) {
       const std::string name(key.str());
-      composites.push_back(ReadComposite(
-          name, PlaceOf(key.source()), TableAt(node, fmt::format("the composite `{}`", name))));
+      composites.push_back(ReadComposite(name, PlaceOf(key.source()),
+                                         TableAt(node, fmt::format("the composite `{}`", name))));
     }
     SortByPlace(composites);
     return composites;
@@ -248,8 +248,8 @@ Agent ParseAgent(std::string_view text, const std::string& name) {
   const AgentReader reader(name);
   const toml::table root = Parse(text, reader);
   for (const AgentReader::Include& include : reader.ReadIncludes(root)) {
-    throw UserError(fmt::format("{}: only a file can include `{}`", include.place.ToText(),
-                                include.file));
+    throw UserError(
+        fmt::format("{}: only a file can include `{}`", include.place.ToText(), include.file));
   }
   return reader.Read(root);
 }

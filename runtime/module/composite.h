@@ -16,8 +16,8 @@ class Composite : public Module {
   // Takes over the modules and their connections.
   Composite(std::string name, Network inner);
 
-  // `inner`: "learner.reward", "learner.temperature". Throw UserError where there is no such port or
-  // parameter, or where `name` is taken.
+  // `inner`: "learner.reward", "learner.temperature". Throw UserError where there is no such port
+  // or parameter, or where `name` is taken.
   void ExportPort(const std::string& name, std::string_view inner);
   void ExportParameter(const std::string& name, std::string_view inner);
 

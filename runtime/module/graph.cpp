@@ -65,16 +65,16 @@ std::string GraphJson(const Network& network) {
   for (const auto& module : network.modules()) {
     json["modules"].push_back(ToJson(*module));
     ForEachConnection(*module, [&](const Port& from, const Port& to) {
-      json["connections"].push_back({{"from", from.full_name()},
-                                     {"to", to.full_name()},
-                                     {"type", from.type().text}});
+      json["connections"].push_back(
+          {{"from", from.full_name()}, {"to", to.full_name()}, {"type", from.type().text}});
     });
   }
   return json.dump(2) + "\n";
 }
 
 std::string GraphDot(const Network& network) {
-  std::string text = "digraph agent {\n  rankdir=LR;\n  node [shape=box, fontname=\"sans-serif\"];\n";
+  std::string text =
+      "digraph agent {\n  rankdir=LR;\n  node [shape=box, fontname=\"sans-serif\"];\n";
   text += "  edge [fontname=\"sans-serif\", fontsize=9];\n";
   for (const auto& module : network.modules()) {
     text += fmt::format("  \"{}\";\n", DotText(module->name()));
@@ -82,10 +82,10 @@ std::string GraphDot(const Network& network) {
   for (const auto& module : network.modules()) {
     ForEachConnection(*module, [&](const Port& from, const Port& to) {
       const bool is_value = from.kind() == PortKind::kOut;
-      text += fmt::format("  \"{}\" -> \"{}\" [taillabel=\"{}\", headlabel=\"{}\"{}];\n",
-                          DotText(from.owner().name()), DotText(to.owner().name()),
-                          DotText(from.name()), DotText(to.name()),
-                          is_value ? ", style=dashed" : "");
+      text +=
+          fmt::format("  \"{}\" -> \"{}\" [taillabel=\"{}\", headlabel=\"{}\"{}];\n",
+                      DotText(from.owner().name()), DotText(to.owner().name()),
+                      DotText(from.name()), DotText(to.name()), is_value ? ", style=dashed" : "");
     });
   }
   return text + "}\n";

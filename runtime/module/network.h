@@ -46,8 +46,8 @@ class Network {
 
   // Throws UserError if the name is taken, empty, or contains a '.'.
   Module& Add(std::unique_ptr<Module> module);
-  // Disconnects and destroys a module. Not from inside one of its own slots. Throws UserError for an
-  // unknown module.
+  // Disconnects and destroys a module. Not from inside one of its own slots. Throws UserError for
+  // an unknown module.
   void Remove(std::string_view module);
   // Throws UserError for an unknown module, with the nearest name.
   Module& Find(std::string_view module) const;

@@ -21,8 +21,8 @@ struct RunPlan {
 // All that is stored about the run but its plugin.
 RunRecord RecordOf(const TaskSetup& setup, const RunPlan& plan);
 
-// Makes the folder, and in it the run with all that it needs to go on whatever becomes of the task's
-// and the robot's files. Completes `run`. Throws UserError where there is a run already.
+// Makes the folder, and in it the run with all that it needs to go on whatever becomes of the
+// task's and the robot's files. Completes `run`. Throws UserError where there is a run already.
 RunDatabase CreateRun(const std::filesystem::path& folder, const TaskSetup& setup, RunRecord& run);
 
 // The same for a run that another process will train.

@@ -42,8 +42,8 @@ void Prepare(const Experiment& experiment, const std::filesystem::path& out,
   if (!task.plugin()) throw UserError(fmt::format("{}: its task has errors", experiment.place));
   TaskSetup setup(experiment.task, *task.plugin(), experiment.seeds.front());
   const RunRecord run = RecordOf(setup, experiment.plan);
-  const std::string name = experiment.name.empty() ? fmt::format("{}-{}", run.task, run.profile)
-                                                   : experiment.name;
+  const std::string name =
+      experiment.name.empty() ? fmt::format("{}-{}", run.task, run.profile) : experiment.name;
   if (!names.insert(name).second) {
     throw UserError(fmt::format("{}: two experiments are called `{}`; give this one another `name`",
                                 experiment.place, name));

@@ -68,7 +68,7 @@ class StudyReader {
     } else if (key == "record_every") {
       experiment.plan.record_every = Whole(node, 0);
     } else {
-      const std::vector<std::string> keys = {"task",  "agent", "profile",  "robot",       "name",
+      const std::vector<std::string> keys = {"task",  "agent",    "profile",  "robot",       "name",
                                              "seeds", "settings", "episodes", "record_every"};
       Fail(key.source(),
            fmt::format("an experiment has no `{}`{}", key.str(), Suggestion(key.str(), keys)));

@@ -20,7 +20,7 @@
 namespace runtime {
 
 struct Experiment {
-  std::string name;  // of its folder; "" where the file names none: TASK-PROFILE
+  std::string name;   // of its folder; "" where the file names none: TASK-PROFILE
   std::string place;  // "study.toml:5:1", for messages
   TaskOptions task;
   RunPlan plan;  // of each run, with its own seed

@@ -88,8 +88,7 @@ void TaskOptions::AddTo(CLI::App& command) {
       ->check(CLI::ExistingFile);
   command.add_option("--robot", robot, "robot, for a task that is for none in particular");
   command
-      .add_option("--set", settings,
-                  "change a parameter, MODULE.PARAMETER=VALUE; may be repeated")
+      .add_option("--set", settings, "change a parameter, MODULE.PARAMETER=VALUE; may be repeated")
       ->allow_extra_args(false);
 }
 

@@ -73,7 +73,8 @@ void AddTrainCommand(CLI::App& app, int& status) {
                    "seed of all chance, of many runs the first one's; equal seeds give equal runs")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
-  command->add_option("--runs", options->runs, "how many runs to train, each with a seed of its own")
+  command
+      ->add_option("--runs", options->runs, "how many runs to train, each with a seed of its own")
       ->check(CLI::Range(int64_t{1}, int64_t{10'000}))
       ->capture_default_str();
   AddJobsOption(*command, options->jobs);

@@ -5,8 +5,8 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <iterator>
 #include <cmath>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "runtime/run/progress.h"
@@ -92,9 +92,9 @@ std::string RunTable(const std::vector<RunProgress>& runs) {
 
 std::string RunSummary(const std::vector<RunProgress>& runs, int jobs) {
   std::string text;
-  for (const auto state : {RunProgressState::kRunning, RunProgressState::kFinished,
-                           RunProgressState::kWaiting, RunProgressState::kStopped,
-                           RunProgressState::kFailed}) {
+  for (const auto state :
+       {RunProgressState::kRunning, RunProgressState::kFinished, RunProgressState::kWaiting,
+        RunProgressState::kStopped, RunProgressState::kFailed}) {
     const auto count = std::ranges::count(runs, state, &RunProgress::state);
     if (count > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, NameOf(state));
   }
@@ -162,8 +162,8 @@ void RunTablePrinter::Refresh(bool at_once) {
     Erase();
     constexpr size_t kBesidesRuns = 3;  // the head, the summary and the cursor's line
     const bool all_fit = runs_->size() + kBesidesRuns <= TerminalHeight(fileno(output_));
-    const std::string table = RunTable(all_fit ? *runs_ : OnlyActive(*runs_)) +
-                              RunSummary(*runs_, jobs_) + "\n";
+    const std::string table =
+        RunTable(all_fit ? *runs_ : OnlyActive(*runs_)) + RunSummary(*runs_, jobs_) + "\n";
     fmt::print(output_, "{}", table);
     lines_shown_ = static_cast<int>(std::ranges::count(table, '\n'));
   }

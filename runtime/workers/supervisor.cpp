@@ -146,8 +146,9 @@ void Supervisor::OnEnd(Job& job) {
     return;
   }
   run.state = RunProgressState::kWaiting;
-  listener_.OnMessage(run, fmt::format("its worker ended by {}; it goes on from its last checkpoint",
-                                       WhyItEnded(status)));
+  listener_.OnMessage(run,
+                      fmt::format("its worker ended by {}; it goes on from its last checkpoint",
+                                  WhyItEnded(status)));
 }
 
 void Supervisor::StopWorkers(int signal) {

@@ -25,11 +25,11 @@ struct RunProgress {
   int64_t episodes = 0;  // done
   int64_t episodes_planned = 0;
   double last_return = 0;
-  double best_return = 0;       // -infinity before the first episode
-  double wall_seconds = 0;      // of the episodes done since the supervisor began
-  int64_t episodes_here = 0;    // as many are these
+  double best_return = 0;     // -infinity before the first episode
+  double wall_seconds = 0;    // of the episodes done since the supervisor began
+  int64_t episodes_here = 0;  // as many are these
   int restarts = 0;
-  std::string failure{};        // why it was given up
+  std::string failure{};  // why it was given up
 };
 
 // What a user gets to see, as it happens.
@@ -48,9 +48,10 @@ class Supervisor {
   // often in a row without a single new episode, and its run is given up.
   static constexpr int kMaxFruitlessStarts = 3;
 
-  // `runs`: their folders, each with a run, somewhere in `folder`. At most `jobs` workers at a time.
-  Supervisor(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& runs, int jobs,
-             SupervisorListener& listener);
+  // `runs`: their folders, each with a run, somewhere in `folder`. At most `jobs` workers at a
+  // time.
+  Supervisor(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& runs,
+             int jobs, SupervisorListener& listener);
   ~Supervisor();
 
   // Until all runs are finished or given up, or a stop is requested: then the workers end after

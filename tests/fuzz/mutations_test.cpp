@@ -8,12 +8,16 @@
 
 #include <cstring>
 #include <fstream>
+#include <ostream>
 #include <string>
 
 #include "fuzz/mutator.h"
 #include "fuzz/targets.h"
 
 namespace fuzz {
+// In the names of the tests.
+void PrintTo(const Target& target, std::ostream* out) { *out << target.name; }
+
 namespace {
 
 constexpr int kTexts = 1000;

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+#include <optional>
+#include <string>
+
 namespace compiler {
 namespace {
 
@@ -42,6 +46,22 @@ TEST(Analyze, HasNoTreeOfABrokenText) {
   Analysis analysis = Analyze("t.task", Only("task\n"), kRobots);
   EXPECT_FALSE(analysis.tree);
   EXPECT_TRUE(analysis.diagnostics.has_errors());
+}
+
+TEST(Analyze, WarnsOfTheOwnFileOnly) {
+  const std::map<std::string, std::string> files = {
+      {"library.task", "fn unused(x: real) -> real = 1\n"},
+      {"base.task",
+       "task base for humanoid\nparam idle: real = 1\n"
+       "on end_of_time_step { if time > 1 s { truncate_episode \"over\" } }\n"},
+      {"t.task", "task t extends \"base.task\"\nimport \"library.task\"\nparam own: real = 1\n"}};
+  const FileReader reader = [&](const std::filesystem::path& file) -> std::optional<std::string> {
+    const auto found = files.find(file.filename().string());
+    return found == files.end() ? std::nullopt : std::optional(found->second);
+  };
+  const Analysis analysis = Analyze("t.task", reader, kRobots);
+  ASSERT_EQ(analysis.diagnostics.list().size(), 1u);
+  EXPECT_EQ(analysis.diagnostics.list()[0].message, "the param `own` is never used");
 }
 
 TEST(Analyze, SaysWhyAFileCannotBeRead) {

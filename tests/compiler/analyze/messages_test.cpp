@@ -14,7 +14,9 @@ const std::filesystem::path kFolder = SOURCE_DIR "/tests/compiler/analyze/messag
 
 // Under a path that does not depend on where the project lies.
 Analysis AnalyzeFile(const std::filesystem::path& file) {
-  const auto read = [&](const std::filesystem::path&) { return golden::ReadFile(file); };
+  const auto read = [&](const std::filesystem::path& name) {
+    return golden::ReadFile(file.parent_path() / name);
+  };
   return Analyze(file.filename(), read, SOURCE_DIR "/plugins");
 }
 

@@ -64,11 +64,6 @@ TEST(Interval, OfAComparisonIsKnownWhereTheRangesAreApart) {
   EXPECT_EQ(Calculate(kLess, with_nan, {2, 3}), kAnyBool);
 }
 
-TEST(Interval, OfAnAngleThatStaysWithinATurnIsNotWrapped) {
-  EXPECT_NEAR(Wrap({-3, 2}).high, 2, 1e-6);
-  EXPECT_NEAR(Wrap({-3, 4}).high, 3.1415927, 1e-6);
-}
-
 TEST(Interval, OfATangentIsKnownBetweenItsPoles) {
   EXPECT_NEAR(Tan({-1, 1}).high, std::tan(1.0), 1e-12);
   EXPECT_FALSE(IsBounded(Tan({1, 2})));
@@ -197,7 +192,6 @@ TEST(Interval, HoldsWhateverANumberInsideGives) {
       {"floor", Floor, [](double x) { return std::floor(x); }},
       {"ceil", Ceil, [](double x) { return std::ceil(x); }},
       {"round", Round, [](double x) { return std::round(x); }},
-      {"wrap", Wrap, [](double x) { return std::remainder(x, 2 * std::acos(-1)); }},
   };
   RandomIntervals random;
   for (const Unary& function : functions)

@@ -3,12 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <utility>
 
 #include "compiler/check/check.h"
-#include "compiler/syntax/parse.h"
+#include "compiler/compose/compose.h"
 #include "plugins/robot/robot_description.h"
 
 namespace compiler {
@@ -19,15 +20,19 @@ inline const robot::RobotDescription& Humanoid() {
   return robot;
 }
 
-// A task that was parsed and checked, for the humanoid or for no robot.
+// A task that was parsed and checked, for the humanoid or for no robot. What it imports and extends
+// is on the disk.
 struct CheckedSource {
-  CheckedSource(std::string path, std::string text) : sources(std::move(path), std::move(text)) {
-    const auto tree = Parse(sources.main(), diagnostics);
+  CheckedSource(const std::string& path, const std::string& text) {
+    const FileReader read = [&](const std::filesystem::path& file) {
+      return file == path ? text : ReadFromDisk(file);
+    };
+    const auto tree = Compose(path, read, sources, diagnostics);
     if (!tree) return;
     is_parsed = true;
     task = Check(*tree, tree->robot ? &Humanoid() : nullptr, diagnostics);
   }
-  explicit CheckedSource(std::string text) : CheckedSource("a.task", std::move(text)) {}
+  explicit CheckedSource(const std::string& text) : CheckedSource("a.task", text) {}
 
   std::string Messages() const { return Render(sources, diagnostics, false); }
 
@@ -38,8 +43,8 @@ struct CheckedSource {
 };
 
 // A task that must be free of errors.
-inline CheckedTask CheckTask(std::string text) {
-  CheckedSource checked(std::move(text));
+inline CheckedTask CheckTask(const std::string& text) {
+  CheckedSource checked(text);
   EXPECT_TRUE(checked.task) << checked.Messages();
   return checked.task ? std::move(*checked.task) : CheckedTask{};
 }

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "compiler/source/diagnostic_table.h"
@@ -70,11 +71,15 @@ TEST(DiagnosticsPage, ExamplesProvokeWhatTheyExplain) {
   }
 }
 
-TEST(LanguageReference, ExamplesAreFreeOfErrors) {
-  const auto examples = ExamplesOf(golden::ReadFile(SOURCE_DIR "/docs/language.md"));
-  EXPECT_GT(examples.size(), 10u);
-  for (const std::string& example : examples)
-    EXPECT_THAT(CodesOf(example), testing::Each(testing::StartsWith("W"))) << example;
+TEST(Documentation, ExamplesAreFreeOfErrors) {
+  const std::pair<const char*, size_t> pages[] = {
+      {"/docs/language.md", 20}, {"/docs/tutorial.md", 9}, {"/docs/from-skyai.md", 1}};
+  for (const auto& [page, least] : pages) {
+    const auto examples = ExamplesOf(golden::ReadFile(std::string(SOURCE_DIR) + page));
+    EXPECT_GE(examples.size(), least) << page;
+    for (const std::string& example : examples)
+      EXPECT_THAT(CodesOf(example), testing::Each(testing::StartsWith("W"))) << example;
+  }
 }
 
 }  // namespace

@@ -78,8 +78,9 @@ void Compile(const std::string& cpp, const std::string& optimization,
 
 }  // namespace
 
-CompiledTask::CompiledTask(const std::string& text, const std::string& optimization) {
-  Compile(EmitText(text), optimization, folder_.path());
+CompiledTask::CompiledTask(const std::string& text, const std::string& optimization,
+                           const std::string& path) {
+  Compile(EmitText(text, path), optimization, folder_.path());
   library_ = dlopen((folder_.path() / "plugin.so").c_str(), RTLD_NOW | RTLD_LOCAL);
   if (library_ == nullptr) throw std::runtime_error(dlerror());
   auto entry = reinterpret_cast<taskc_plugin_entry>(dlsym(library_, TASKC_PLUGIN_ENTRY));

@@ -16,7 +16,8 @@ namespace compiler {
 class CompiledTask {
  public:
   // Checks, emits, compiles and loads `text`. `optimization` takes the place of -O2.
-  explicit CompiledTask(const std::string& text, const std::string& optimization = "-O2");
+  explicit CompiledTask(const std::string& text, const std::string& optimization = "-O2",
+                        const std::string& path = "test.task");
   ~CompiledTask();
   CompiledTask(const CompiledTask&) = delete;
   CompiledTask& operator=(const CompiledTask&) = delete;

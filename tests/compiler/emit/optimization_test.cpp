@@ -95,7 +95,8 @@ TEST(Optimization, DoesNotChangeABit) {
 TEST(Optimization, DoesNotChangeABitOfThePapersTasks) {
   for (const auto& file : golden::FilesIn(SOURCE_DIR "/tasks", "", ".task")) {
     std::string text = golden::ReadFile(file);
-    EXPECT_EQ(Results(CompiledTask(text, "-O0")), Results(CompiledTask(text, "-O2"))) << file;
+    EXPECT_EQ(Results(CompiledTask(text, "-O0", file)), Results(CompiledTask(text, "-O2", file)))
+        << file;
   }
 }
 

@@ -249,7 +249,7 @@ ports = {reward = "mind.second"}
 [composites.Head.modules.mind]
 type = "Mind"
 )",
-                                           "agent.toml"));
+                                     "agent.toml"));
   network.Connect("environment.reward", "head.reward");
   network.FindAs<Environment>("environment").reward(2);
   const auto& mind = network.FindAs<Composite>("head").inner().FindAs<Composite>("mind");
@@ -293,14 +293,14 @@ class IncludeTest : public testing::Test {
     }
   }
 
-  const std::filesystem::path folder_ = std::filesystem::path(testing::TempDir()) /
-                                        ("include-" + std::to_string(getpid()));
+  const std::filesystem::path folder_ =
+      std::filesystem::path(testing::TempDir()) / ("include-" + std::to_string(getpid()));
 };
 
 TEST_F(IncludeTest, BeginsWithWhatTheOtherFilesSay) {
   Write("parts/base.toml", kAgent);
-  const std::string file = Write(
-      "mine.toml", "include = ['parts/base.toml']\n[modules.learner]\ntemperature = 9\n");
+  const std::string file =
+      Write("mine.toml", "include = ['parts/base.toml']\n[modules.learner]\ntemperature = 9\n");
   const Agent agent = ReadAgent(file);
   EXPECT_EQ(Build(agent).FindAs<Learner>("learner").temperature, 9);
   EXPECT_THAT(NamesOf(agent.modules), ElementsAre("environment", "learner"));

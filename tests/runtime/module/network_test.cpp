@@ -147,8 +147,7 @@ TEST_F(NetworkTest, RemovedModuleIsDisconnected) {
 // Keeps one number in checkpoints.
 class Keeper : public Module {
  public:
-  explicit Keeper(std::string name, char initial = '0')
-      : Module(std::move(name)), value(initial) {}
+  explicit Keeper(std::string name, char initial = '0') : Module(std::move(name)), value(initial) {}
   void Save(std::ostream& stream) const override { stream.put(value); }
   void Load(std::istream& stream) override { stream.get(value); }
   char value;

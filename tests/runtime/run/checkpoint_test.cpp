@@ -55,7 +55,8 @@ TEST(Checkpoint, RefusesTheStateOfOtherModules) {
   AddCounter(two, "second", 2);
   Network other;
   AddCounter(other, "other", 1);
-  EXPECT_THAT(ErrorOf([&] { LoadModules(two, SaveModules(one)); }), testing::HasSubstr("another number of modules"));
+  EXPECT_THAT(ErrorOf([&] { LoadModules(two, SaveModules(one)); }),
+              testing::HasSubstr("another number of modules"));
   EXPECT_THAT(ErrorOf([&] { LoadModules(one, SaveModules(two)); }),
               testing::HasSubstr("another number of modules"));
   EXPECT_THAT(ErrorOf([&] { LoadModules(one, SaveModules(other)); }),

@@ -41,11 +41,10 @@ TEST(CheckFitsRobot, RefusesAnotherType) {
 }
 
 TEST(CheckFitsRobot, RefusesAnotherUnit) {
-  EXPECT_EQ(
-      MessageOfCheck("sensor_of_other_unit"),
-      "test.task: the task reads the sensor `base.velocity` as `vec3 [m]`, and the "
-      "robot `walker` gives `vec3 [m/s]`: correct the task, and build it again with `taskc "
-      "build`");
+  EXPECT_EQ(MessageOfCheck("sensor_of_other_unit"),
+            "test.task: the task reads the sensor `base.velocity` as `vec3 [m]`, and the "
+            "robot `walker` gives `vec3 [m/s]`: correct the task, and build it again with `taskc "
+            "build`");
 }
 
 TEST(CheckFitsRobot, RefusesABodyWithAnotherNumberOfLinks) {

@@ -34,8 +34,8 @@ class ManyRunsTest : public TrainerTest {
 // The process ids of the workers of `supervisor`, from the kernel's own list.
 std::vector<pid_t> WorkersOf(pid_t supervisor) {
   std::vector<pid_t> workers;
-  std::ifstream list("/proc/" + std::to_string(supervisor) + "/task/" +
-                     std::to_string(supervisor) + "/children");
+  std::ifstream list("/proc/" + std::to_string(supervisor) + "/task/" + std::to_string(supervisor) +
+                     "/children");
   for (pid_t worker; list >> worker;) workers.push_back(worker);
   return workers;
 }

@@ -16,10 +16,10 @@ class StudyTest : public TrainerTest {
   }
   // Two experiments with the task `leaning`.
   std::string TwoExperiments(const std::string& seeds, int episodes) const {
-    return Write("profile = 'fast'\nseeds = " + seeds +
-                 "\nepisodes = " + std::to_string(episodes) + "\n[[experiments]]\ntask = '" +
-                 TaskFile("leaning") + "'\n[[experiments]]\nname = 'cool'\ntask = '" +
-                 TaskFile("leaning") + "'\nsettings = ['learner.temperature=1']\n");
+    return Write("profile = 'fast'\nseeds = " + seeds + "\nepisodes = " + std::to_string(episodes) +
+                 "\n[[experiments]]\ntask = '" + TaskFile("leaning") +
+                 "'\n[[experiments]]\nname = 'cool'\ntask = '" + TaskFile("leaning") +
+                 "'\nsettings = ['learner.temperature=1']\n");
   }
   ProgramResult Study(const std::string& file) const {
     return Trainer({"study", file, "--out", RunFolder("study"), "--jobs", "2"});
@@ -52,9 +52,9 @@ TEST_F(StudyTest, CalledAgainAddsWhatIsNewAndRepeatsNothing) {
 
 TEST_F(StudyTest, RunsOfAnotherAgentAreNotMixedIn) {
   ASSERT_EQ(Study(TwoExperiments("[1]", 1)).exit_status, 0);
-  const std::string file = Write("seeds = [1, 2]\nepisodes = 1\n[[experiments]]\nname = 'cool'\n" +
-                                 std::string("profile = 'fast'\ntask = '") + TaskFile("leaning") +
-                                 "'\n");
+  const std::string file =
+      Write("seeds = [1, 2]\nepisodes = 1\n[[experiments]]\nname = 'cool'\n" +
+            std::string("profile = 'fast'\ntask = '") + TaskFile("leaning") + "'\n");
   const ProgramResult result = Study(file);
   EXPECT_EQ(result.exit_status, 1);
   EXPECT_THAT(result.errors, HasSubstr("study.toml:3:1: "));
@@ -68,7 +68,8 @@ TEST_F(StudyTest, MistakesAreReportedWithTheirPlace) {
       {"seeds = '3..1'\n[[experiments]]\n", "study.toml:1:9: this is no range of seeds"},
       {"[[experiments]]\nseeds = [1]\n", "study.toml:1:1: an experiment has a `task`"},
       {"[[experiments]]\ntask = 'x.task'\n", "there are no `seeds`"},
-      {"[[experiments]]\ntask = 'x.task'\nsed = [1]\n", "study.toml:3:1: an experiment has no `sed`"},
+      {"[[experiments]]\ntask = 'x.task'\nsed = [1]\n",
+       "study.toml:3:1: an experiment has no `sed`"},
       {"seeds = [1]\n", "a study has [[experiments]]"},
       {"seeds = [\n", "study.toml:"},
       {"[[experiments]]\nname = '../x'\n", "study.toml:2:8: this cannot name a folder"},
