@@ -6,6 +6,7 @@
 #include "compiler/bounds/causes.h"
 #include "compiler/bounds/expression_bounds.h"
 #include "compiler/bounds/narrowing.h"
+#include "compiler/check/assignment.h"
 #include "compiler/check/traversal.h"
 #include "compiler/check/type.h"
 
@@ -24,19 +25,6 @@ bool IsLasting(const CheckedExpression& expression,
     if (changes) is_lasting = false;
   });
   return is_lasting;
-}
-
-BinaryOperator OperatorOf(AssignOperator op) {
-  switch (op) {
-    case AssignOperator::kAdd:
-      return BinaryOperator::kAdd;
-    case AssignOperator::kSubtract:
-      return BinaryOperator::kSubtract;
-    case AssignOperator::kMultiply:
-      return BinaryOperator::kMultiply;
-    default:
-      return BinaryOperator::kDivide;
-  }
 }
 
 void JoinInto(std::optional<Interval>& all, const Interval& more) {

@@ -15,21 +15,6 @@
 namespace compiler {
 namespace {
 
-BinaryOperator OperatorOf(AssignOperator op) {
-  switch (op) {
-    case AssignOperator::kAdd:
-      return BinaryOperator::kAdd;
-    case AssignOperator::kSubtract:
-      return BinaryOperator::kSubtract;
-    case AssignOperator::kMultiply:
-      return BinaryOperator::kMultiply;
-    case AssignOperator::kDivide:
-    case AssignOperator::kSet:  // has no operator; never asked for
-      break;
-  }
-  return BinaryOperator::kDivide;
-}
-
 // The memory that is assigned to, or null after a message. A wrong declaration has had its own.
 const Symbol* FindMemory(const Identifier& target, const TaskScope& scope) {
   const Symbol* symbol = FindSymbol(target, scope);
@@ -79,6 +64,21 @@ std::optional<CheckedExpression> Combine(const AssignStatement& assign, CheckedE
 }
 
 }  // namespace
+
+BinaryOperator OperatorOf(AssignOperator op) {
+  switch (op) {
+    case AssignOperator::kAdd:
+      return BinaryOperator::kAdd;
+    case AssignOperator::kSubtract:
+      return BinaryOperator::kSubtract;
+    case AssignOperator::kMultiply:
+      return BinaryOperator::kMultiply;
+    case AssignOperator::kDivide:
+    case AssignOperator::kSet:  // has no operator; never asked for
+      break;
+  }
+  return BinaryOperator::kDivide;
+}
 
 std::optional<CheckedAssign> CheckAssignment(const AssignStatement& assign, const Place& place,
                                              const TaskScope& scope) {

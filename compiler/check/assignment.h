@@ -14,4 +14,7 @@ namespace compiler {
 std::optional<CheckedAssign> CheckAssignment(const AssignStatement& assign, const Place& place,
                                              const TaskScope& scope);
 
+// The operator of `+=`, `-=`, `*=` or `/=`.
+BinaryOperator OperatorOf(AssignOperator op);
+
 }  // namespace compiler

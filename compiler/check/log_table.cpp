@@ -7,28 +7,9 @@
 #include "compiler/check/expressions.h"
 #include "compiler/check/names.h"
 #include "compiler/check/report.h"
+#include "compiler/syntax/words.h"
 
 namespace compiler {
-namespace {
-
-std::string_view WordOf(Reduction reduction) {
-  switch (reduction) {
-    case Reduction::kLast:
-      return "last";
-    case Reduction::kSum:
-      return "sum";
-    case Reduction::kMax:
-      return "max";
-    case Reduction::kMin:
-      return "min";
-    case Reduction::kMean:
-      return "mean";
-  }
-  return "";
-}
-
-}  // namespace
-
 std::optional<CheckedLog> LogTable::Check(const LogStatement& log, const Place& place) {
   NoteReference(log.name, ReferenceKind::kLog, scope_);
   const uint32_t index = Declare(log);
@@ -63,10 +44,10 @@ uint32_t LogTable::Declare(const LogStatement& log) {
 
 void LogTable::CheckReduction(const LogStatement& log, const CheckedLogValue& first) const {
   if (log.reduction == first.reduction) return;
-  const std::string_view word = WordOf(first.reduction);
+  const std::string_view word = NameOf(first.reduction, kReductionNames);
   Report(scope_.diagnostics, code::kDifferentLogs, log.name.span,
          fmt::format("`{}` is logged as `{}` elsewhere", first.name, word),
-         {.note = fmt::format("here as `{}`", WordOf(log.reduction)),
+         {.note = fmt::format("here as `{}`", NameOf(log.reduction, kReductionNames)),
           .help = first.reduction == Reduction::kLast
                       ? "reduce it in the same way, or choose another name"
                       : fmt::format("write `log {} {} = ...`, or choose another name", word,

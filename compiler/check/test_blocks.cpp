@@ -16,19 +16,6 @@ namespace {
 
 constexpr Place kGivenPlace{Place::kGiven};
 
-// `end_episode failure "falls down"`
-std::string TextOf(EndKind kind, const std::string& reason) {
-  switch (kind) {
-    case EndKind::kSuccess:
-      return fmt::format("end_episode success \"{}\"", reason);
-    case EndKind::kFailure:
-      return fmt::format("end_episode failure \"{}\"", reason);
-    case EndKind::kTruncated:
-      return fmt::format("truncate_episode \"{}\"", reason);
-  }
-  return "";
-}
-
 // The statements of one test.
 class TestChecker {
  public:
@@ -133,14 +120,14 @@ class TestChecker {
   void ReportUnknownEnd(const EndStatement& end, Span span) {
     std::vector<std::string> known;
     for (const CheckedEndReason& reason : task_.ends)
-      known.push_back(TextOf(reason.kind, reason.reason));
-    const std::string text = TextOf(end.kind, end.reason);
+      known.push_back(EndText(reason.kind, reason.reason));
+    const std::string text = EndText(end.kind, end.reason);
     // The same reason is nearer than any spelling.
     const auto same = std::ranges::find(task_.ends, end.reason, &CheckedEndReason::reason);
     Report(scope_.diagnostics, code::kUnknownEnd, span,
            fmt::format("no event of this task has `{}`", text),
            {.help = same != task_.ends.end()
-                        ? fmt::format("write `expect {}`", TextOf(same->kind, same->reason))
+                        ? fmt::format("write `expect {}`", EndText(same->kind, same->reason))
                         : Suggest(text, known, "ends of this task")});
   }
 
@@ -157,6 +144,18 @@ class TestChecker {
 };
 
 }  // namespace
+
+std::string EndText(EndKind kind, const std::string& reason) {
+  switch (kind) {
+    case EndKind::kSuccess:
+      return fmt::format("end_episode success \"{}\"", reason);
+    case EndKind::kFailure:
+      return fmt::format("end_episode failure \"{}\"", reason);
+    case EndKind::kTruncated:
+      return fmt::format("truncate_episode \"{}\"", reason);
+  }
+  return "";
+}
 
 void CheckTests(const SyntaxTree& tree, const TaskScope& scope, CheckedTask& task) {
   std::map<std::string, Span> seen;

@@ -4,23 +4,16 @@
 #include <functional>
 #include <utility>
 
+#include "compiler/syntax/words.h"
+
 namespace compiler {
 namespace {
 
-const char* NameOf(MemoryScope scope) {
-  switch (scope) {
-    case MemoryScope::kPerRun:
-      return "run";
-    case MemoryScope::kPerEpisode:
-      return "episode";
-    case MemoryScope::kPerAction:
-      return "action";
-  }
-  return "";
+std::string OncePer(MemoryScope scope) {
+  return "once per " + std::string(NameOf(scope, kScopeNames));
 }
 
-// ---- Rewards: sums of what is paid
-// ---------------------------------------------------------------
+// ---- Rewards: sums of what is paid --------------------------------------------------------------
 
 // "r" and the term's name; the anonymous reward has none.
 std::string TermName(const std::string& name) {
@@ -112,8 +105,7 @@ class TermCollector {
   std::optional<Formula> Collect(const OnceStatement& once) const {
     const auto amount = Collect(once.body);
     if (!amount) return std::nullopt;
-    Formula condition{TextToLatex(std::string("once per ") + NameOf(once.scope) + ", ") +
-                      ToFormula(once.condition).text};
+    Formula condition{TextToLatex(OncePer(once.scope) + ", ") + ToFormula(once.condition).text};
     return Cases({{condition, *amount}}, {"0"});
   }
 
@@ -153,8 +145,7 @@ void Visit(const Block& block, const Conditions& conditions, const Visitor& visi
                    ToFormula(loop->items).text};
       VisitBody(loop->body, conditions, each, visitor);
     } else if (const auto* once = std::get_if<OnceStatement>(&statement.node)) {
-      Formula condition{TextToLatex(std::string("once per ") + NameOf(once->scope) + " ") +
-                        ToFormula(once->condition).text};
+      Formula condition{TextToLatex(OncePer(once->scope) + " ") + ToFormula(once->condition).text};
       VisitBody(once->body, conditions, condition, visitor);
     }
   }

@@ -8,6 +8,7 @@
 
 #include "compiler/bounds/bounds.h"
 #include "compiler/document/equations.h"
+#include "compiler/syntax/words.h"
 #include "plugins/robot/sensors.h"
 
 namespace compiler {
@@ -34,34 +35,6 @@ std::string ToText(double value) {
 std::string RangeText(double low, double high, const Unit& unit) {
   if (std::isinf(low) && std::isinf(high)) return "";
   return WithUnit(ToText(low) + " .. " + ToText(high), unit);
-}
-
-const char* NameOf(Reduction reduction) {
-  switch (reduction) {
-    case Reduction::kLast:
-      return "last";
-    case Reduction::kSum:
-      return "sum";
-    case Reduction::kMax:
-      return "max";
-    case Reduction::kMin:
-      return "min";
-    case Reduction::kMean:
-      return "mean";
-  }
-  return "";
-}
-
-const char* NameOf(MemoryScope scope) {
-  switch (scope) {
-    case MemoryScope::kPerRun:
-      return "run";
-    case MemoryScope::kPerEpisode:
-      return "episode";
-    case MemoryScope::kPerAction:
-      return "action";
-  }
-  return "";
 }
 
 const char* NameOf(EndKind kind) {
@@ -234,7 +207,8 @@ class PageWriter {
   void Metrics() {
     Table table{{"metric", "of an episode", "value", "meaning"}, {}};
     for (const MetricDeclaration* metric : All<MetricDeclaration>(tree_)) {
-      table.rows.push_back({Code(metric->name.text), Plain(NameOf(metric->reduction)),
+      table.rows.push_back({Code(metric->name.text),
+                            Plain(std::string(NameOf(metric->reduction, kReductionNames))),
                             Math(ToFormula(metric->value).text), FromDoc(metric->doc)});
     }
     if (table.rows.empty()) return;
@@ -262,7 +236,8 @@ class PageWriter {
     Table table{{"memory", "type", "begins as", "for each", "meaning"}, {}};
     for (const MemoryDeclaration* memory : All<MemoryDeclaration>(tree_)) {
       table.rows.push_back({Code(memory->name.text), Code(TypeOf(memory->name.text)),
-                            Math(ToFormula(memory->initial).text), Plain(NameOf(memory->scope)),
+                            Math(ToFormula(memory->initial).text),
+                            Plain(std::string(NameOf(memory->scope, kScopeNames))),
                             FromDoc(memory->doc)});
     }
     if (table.rows.empty()) return;
@@ -302,7 +277,8 @@ class PageWriter {
 
   std::string ReductionOf(const std::string& latex) const {
     for (const CheckedLogValue& log : task_.logs) {
-      if (NameToLatex(log.name) == latex) return NameOf(log.reduction);
+      if (NameToLatex(log.name) == latex)
+        return std::string(NameOf(log.reduction, kReductionNames));
     }
     return "";
   }

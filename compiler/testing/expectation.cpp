@@ -42,16 +42,4 @@ std::vector<SeenValue> Explain(const CheckedExpression& condition, const Evaluat
   return seen;
 }
 
-std::string EndText(EndKind kind, const std::string& reason) {
-  switch (kind) {
-    case EndKind::kSuccess:
-      return fmt::format("end_episode success \"{}\"", reason);
-    case EndKind::kFailure:
-      return fmt::format("end_episode failure \"{}\"", reason);
-    case EndKind::kTruncated:
-      break;
-  }
-  return fmt::format("truncate_episode \"{}\"", reason);
-}
-
 }  // namespace compiler

@@ -19,7 +19,4 @@ struct SeenValue {
 // `and`, those of the sides that are false. Constants tell nothing.
 std::vector<SeenValue> Explain(const CheckedExpression& condition, const Evaluator& evaluator);
 
-// "end_episode failure `falls down`", as it would be written.
-std::string EndText(EndKind kind, const std::string& reason);
-
 }  // namespace compiler

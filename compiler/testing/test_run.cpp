@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "compiler/check/test_blocks.h"
 #include "compiler/testing/rest_values.h"
 #include "compiler/testing/side_by_side.h"
 
