@@ -18,7 +18,7 @@ std::string TomlValue(const std::string& value) {
 
 }  // namespace
 
-Agent ParseSetting(const std::string& setting) {
+Agent ParseSetting(const std::string& setting, const std::string& origin) {
   const size_t equals = setting.find('=');
   const size_t dot = setting.find('.');
   if (equals == std::string::npos || dot == std::string::npos || dot == 0 || dot + 1 >= equals) {
@@ -30,7 +30,7 @@ Agent ParseSetting(const std::string& setting) {
     Agent change = ParseAgent(fmt::format("modules.{} = {}", setting.substr(0, equals),
                                           TomlValue(setting.substr(equals + 1))),
                               "--set");
-    const SourcePlace place{"--set " + setting};
+    const SourcePlace place{origin.empty() ? "--set " + setting : origin};
     for (ModuleSetting& module : change.modules) {
       module.place = place;
       for (ParameterSetting& parameter : module.parameters) parameter.place = place;
@@ -45,7 +45,8 @@ Agent ParseSetting(const std::string& setting) {
 Agent AgentLayers::Merge() const {
   Agent agent = ReadAgent(robot_file.parent_path() / "agent.toml");
   if (!start_pose.empty()) {
-    agent = Changed(std::move(agent), ParseSetting("environment.start_pose=" + start_pose));
+    agent = Changed(std::move(agent),
+                    ParseSetting("environment.start_pose=" + start_pose, "start pose of the task"));
   }
   std::filesystem::path task_agent = task_file;
   task_agent.replace_extension(".agent.toml");

@@ -23,6 +23,7 @@ TEST_F(AgentShowTest, SaysWhereEverythingComesFrom) {
   ASSERT_EQ(result.exit_status, 0) << result.errors;
   EXPECT_THAT(result.output, ContainsRegex("temperature = 2.0 +# --set learner.temperature=2\n"));
   EXPECT_THAT(result.output, ContainsRegex("discount = 0.9 +# .*agent.toml:[0-9]+:1\n"));
+  EXPECT_THAT(result.output, ContainsRegex("start_pose = .* # start pose of the task\n"));
   EXPECT_THAT(result.output, ContainsRegex("net_seed = [0-9]+ +# default\n"));
 }
 
