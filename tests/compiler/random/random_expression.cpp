@@ -11,6 +11,8 @@ namespace compiler {
 namespace {
 
 constexpr Unit kRadian{.radian = 1};
+const Type kVec3{Scalar::kReal, Shape::kVector, 3};
+const Type kQuaternion{Scalar::kReal, Shape::kQuaternion, 4};
 
 struct Factor {
   std::string_view name;
@@ -178,7 +180,10 @@ RandomExpressions::Text RandomExpressions::Make(const Type& type, const Unit& un
     if (std::string call = Call(type, unit, depth); !call.empty()) return {call};
   }
   if (type.shape == Shape::kMatrix) return MakeMatrix(type, unit, depth);
-  if (type.shape == Shape::kQuaternion) return {Read(type, {})};
+  if (type.shape == Shape::kQuaternion) {
+    const std::string read = Read(type, {});
+    return {random_.OneIn(3) ? fmt::format("inverse({})", read) : read};
+  }
   if (IsRow(type)) return MakeRow(type, unit, depth);
   switch (type.scalar) {
     case Scalar::kBool:
@@ -254,7 +259,18 @@ RandomExpressions::Text RandomExpressions::MakeInt(int depth) {
 RandomExpressions::Text RandomExpressions::MakeReal(const Unit& unit, int depth) {
   if (random_.OneIn(3)) return MakeReduction(unit, depth);
   if (IsPlain(unit) && random_.OneIn(3)) {
-    switch (random_.Below(5)) {
+    switch (random_.Below(8)) {
+      case 5:
+        return {fmt::format("sign({})", VariableReal(RandomUnit(), depth - 1))};
+      case 6:
+        return {
+            fmt::format("pow({}, {})", VariableReal({}, depth - 1), VariableReal({}, depth - 1))};
+      case 7: {
+        const Unit common = RandomUnit();
+        return {fmt::format("tolerance({}, {}, {}, {})", VariableReal(common, depth - 1),
+                            VariableReal(common, depth - 1), VariableReal(common, depth - 1),
+                            VariableReal(common, depth - 1))};
+      }
       case 0:
         return {fmt::format("{}({})",
                             random_.OneOf({"exp", "log", "tanh", "floor", "ceil", "round"}),
@@ -278,6 +294,13 @@ RandomExpressions::Text RandomExpressions::MakeReal(const Unit& unit, int depth)
                           VariableReal({}, depth - 1))};
     }
     if (random_.OneIn(4)) return {fmt::format("wrap({})", VariableReal(kRadian, depth - 1))};
+    if (const std::string turn = Read(kQuaternion, {}); !turn.empty() && random_.OneIn(4)) {
+      return {fmt::format("{}({})", random_.OneOf({"roll", "pitch", "yaw"}), turn)};
+    }
+    if (random_.OneIn(4) && !Read(kVec3, {}).empty()) {
+      return {fmt::format("angle_between({}, {})", Make(kVec3, RandomUnit(), depth - 2).text,
+                          Make(kVec3, RandomUnit(), depth - 2).text)};
+    }
     const Unit common = RandomUnit();
     return {fmt::format("atan2({}, {})", VariableReal(common, depth - 1),
                         VariableReal(common, depth - 1))};
@@ -288,7 +311,10 @@ RandomExpressions::Text RandomExpressions::MakeReal(const Unit& unit, int depth)
 RandomExpressions::Text RandomExpressions::MakeRealOfReals(const Unit& unit, int depth) {
   const Type real = ScalarType(Scalar::kReal);
   const auto part = [&] { return Make(real, unit, depth - 1); };
-  switch (random_.Below(8)) {
+  switch (random_.Below(9)) {
+    case 8:
+      return {fmt::format("select({}, {}, {})", Variable(ScalarType(Scalar::kBool), {}, depth - 1),
+                          part().text, part().text)};
     case 0: {
       const Text left = part();
       return {fmt::format("(-{})", left.text), left.is_constant};
@@ -336,7 +362,7 @@ RandomExpressions::Text RandomExpressions::MakeReduction(const Unit& unit, int d
                           Make(*row, other, depth - 2).text)};
     }
   }
-  return {fmt::format("{}({})", random_.OneOf({"sum", "norm", "min", "max"}),
+  return {fmt::format("{}({})", random_.OneOf({"sum", "norm", "min", "max", "mean"}),
                       Make(*row, unit, depth - 2).text)};
 }
 
@@ -347,6 +373,7 @@ RandomExpressions::Text RandomExpressions::MakeRow(const Type& type, const Unit&
   if (type.scalar == Scalar::kBool || (depth <= 0 && !read.empty())) {
     return {read};
   }
+  if (type == kVec3 && depth > 0 && random_.OneIn(4)) return MakeVec3(unit, depth);
   const Type element = ScalarType(type.scalar);
   switch (depth <= 0 ? 0 : random_.Below(7)) {
     case 0: {
@@ -385,6 +412,18 @@ RandomExpressions::Text RandomExpressions::MakeRow(const Type& type, const Unit&
   }
 }
 
+RandomExpressions::Text RandomExpressions::MakeVec3(const Unit& unit, int depth) {
+  const std::string turn = Read(kQuaternion, {});
+  if (!turn.empty() && random_.OneIn(3)) {
+    return {fmt::format("rotate({}, {})", turn, Make(kVec3, unit, depth - 1).text)};
+  }
+  if (IsPlain(unit) && random_.OneIn(2)) {
+    return {fmt::format("normalize({})", Make(kVec3, RandomUnit(), depth - 1).text)};
+  }
+  return {fmt::format("vec3({}, {}, {})", VariableReal(unit, depth - 1),
+                      VariableReal(unit, depth - 1), VariableReal(unit, depth - 1))};
+}
+
 RandomExpressions::Text RandomExpressions::MakeMatrix(const Type& type, const Unit& unit,
                                                       int depth) {
   const auto part = [&] { return Make(type, unit, depth - 1).text; };
@@ -393,11 +432,13 @@ RandomExpressions::Text RandomExpressions::MakeMatrix(const Type& type, const Un
     if (!read.empty()) return {read};
     return {fmt::format("({} * {})", Read(type, {}), Literal(Scalar::kReal, unit).text)};
   }
-  switch (random_.Below(4)) {
+  switch (random_.Below(5)) {
     case 0:
       return {fmt::format("({} {} {})", part(), random_.OneOf({"+", "-"}), part())};
     case 1:
       return {fmt::format("(-{})", part())};
+    case 3:
+      return {fmt::format("transpose({})", part())};
     case 2:
       return {fmt::format("({} * {})", Make(type, {}, depth - 1).text,
                           Make(ScalarType(Scalar::kReal), unit, depth - 1).text)};

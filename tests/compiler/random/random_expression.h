@@ -57,6 +57,7 @@ class RandomExpressions {
   Text MakeRealOfReals(const Unit& unit, int depth);
   Text MakeReduction(const Unit& unit, int depth);
   Text MakeRow(const Type& type, const Unit& unit, int depth);
+  Text MakeVec3(const Unit& unit, int depth);
   Text MakeMatrix(const Type& type, const Unit& unit, int depth);
   Text Literal(Scalar scalar, const Unit& unit);
   // Not a constant.
