@@ -9,6 +9,8 @@
 #include "runtime/run/progress.h"
 #include "runtime/run/run_database.h"
 #include "runtime/trainer/commands.h"
+#include "runtime/trainer/many_runs.h"
+#include "runtime/workers/run_table.h"
 
 namespace runtime {
 namespace {
@@ -157,6 +159,48 @@ void PrintJson(const Summary& summary) {
   fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
 }
 
+RunProgressState StateOf(const RunProgress& run) {
+  if (run.state == RunProgressState::kFinished) return run.state;
+  const RunState state = RunDatabase::OpenToRead(run.folder).ReadState();
+  if (state == RunState::kRunning) return RunProgressState::kRunning;
+  return run.episodes > 0 ? RunProgressState::kStopped : RunProgressState::kWaiting;
+}
+
+std::vector<RunProgress> ProgressOf(const std::filesystem::path& folder,
+                                    const std::vector<std::filesystem::path>& runs) {
+  std::vector<RunProgress> progress;
+  for (const std::filesystem::path& run : runs) {
+    progress.push_back(ReadProgress(run, run.lexically_relative(folder).string()));
+    progress.back().state = StateOf(progress.back());
+  }
+  return progress;
+}
+
+void PrintJson(const std::vector<RunProgress>& runs) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (const RunProgress& run : runs) {
+    json.push_back({{"run", run.name},
+                    {"state", NameOf(run.state)},
+                    {"episodes", run.episodes},
+                    {"episodes_planned", run.episodes_planned}});
+    if (run.episodes > 0) {
+      json.back()["last_return"] = run.last_return;
+      json.back()["best_return"] = run.best_return;
+    }
+  }
+  fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+}
+
+void ShowMany(const std::vector<RunProgress>& runs, bool as_json) {
+  if (as_json) return PrintJson(runs);
+  fmt::print("{}{}\n", RunTable(runs), RunSummary(runs, 1));
+}
+
+void ShowOne(const std::filesystem::path& folder, bool as_json) {
+  const Summary summary = Summarise(folder);
+  as_json ? PrintJson(summary) : PrintText(summary);
+}
+
 }  // namespace
 
 void AddShowCommand(CLI::App& app, int& status) {
@@ -165,12 +209,17 @@ void AddShowCommand(CLI::App& app, int& status) {
     bool json = false;
   };
   const auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("show", "Prints what a run is and how far it got.");
-  command->add_option("DIR", options->folder, "folder of the run")->required();
+  CLI::App* command = app.add_subcommand(
+      "show", "Prints what a run is and how far it got; or how far all runs of a folder are.");
+  command->add_option("DIR", options->folder, "folder of the run, or of many")->required();
   command->add_flag("--json", options->json, "print JSON");
   command->callback([options, &status] {
-    const Summary summary = Summarise(options->folder);
-    options->json ? PrintJson(summary) : PrintText(summary);
+    const std::vector<std::filesystem::path> runs = FindRuns(options->folder);
+    if (runs.empty() || RunDatabase::Exists(options->folder)) {
+      ShowOne(options->folder, options->json);
+    } else {
+      ShowMany(ProgressOf(options->folder, runs), options->json);
+    }
     status = kSuccess;
   });
 }

@@ -14,22 +14,6 @@
 namespace runtime {
 namespace {
 
-std::string_view NameOf(RunProgressState state) {
-  switch (state) {
-    case RunProgressState::kWaiting:
-      return "waiting";
-    case RunProgressState::kRunning:
-      return "running";
-    case RunProgressState::kFinished:
-      return "finished";
-    case RunProgressState::kStopped:
-      return "stopped";
-    case RunProgressState::kFailed:
-      break;
-  }
-  return "failed";
-}
-
 std::string ReturnText(const RunProgress& run, double value) {
   return run.episodes == 0 || !std::isfinite(value) ? "-" : fmt::format("{:.2f}", value);
 }
@@ -73,6 +57,22 @@ std::vector<RunProgress> OnlyActive(const std::vector<RunProgress>& runs) {
 }
 
 }  // namespace
+
+std::string_view NameOf(RunProgressState state) {
+  switch (state) {
+    case RunProgressState::kWaiting:
+      return "waiting";
+    case RunProgressState::kRunning:
+      return "running";
+    case RunProgressState::kFinished:
+      return "finished";
+    case RunProgressState::kStopped:
+      return "stopped";
+    case RunProgressState::kFailed:
+      break;
+  }
+  return "failed";
+}
 
 std::string RunTable(const std::vector<RunProgress>& runs) {
   size_t width = 8;

@@ -4,11 +4,15 @@
 #include <chrono>
 #include <cstdio>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "runtime/workers/supervisor.h"
 
 namespace runtime {
+
+// "running"
+std::string_view NameOf(RunProgressState state);
 
 // A head and one line for each run, without colours:
 //

@@ -27,7 +27,16 @@ struct Supervisor::Job {
 
 namespace {
 
-RunProgress ProgressOf(const std::filesystem::path& folder, std::string name) {
+std::string WhyItEnded(int status) {
+  if (WIFSIGNALED(status)) {
+    return fmt::format("signal {} ({})", WTERMSIG(status), strsignal(WTERMSIG(status)));
+  }
+  return fmt::format("exit status {}", WEXITSTATUS(status));
+}
+
+}  // namespace
+
+RunProgress ReadProgress(const std::filesystem::path& folder, std::string name) {
   RunProgress run{folder, std::move(name)};
   const RunDatabase database = RunDatabase::OpenToRead(folder);
   run.episodes_planned = database.ReadRun().episodes_planned;
@@ -41,21 +50,12 @@ RunProgress ProgressOf(const std::filesystem::path& folder, std::string name) {
   return run;
 }
 
-std::string WhyItEnded(int status) {
-  if (WIFSIGNALED(status)) {
-    return fmt::format("signal {} ({})", WTERMSIG(status), strsignal(WTERMSIG(status)));
-  }
-  return fmt::format("exit status {}", WEXITSTATUS(status));
-}
-
-}  // namespace
-
 Supervisor::Supervisor(const std::filesystem::path& folder,
                        const std::vector<std::filesystem::path>& runs, int jobs,
                        SupervisorListener& listener)
     : jobs_(static_cast<size_t>(std::max(jobs, 1))), listener_(listener) {
   for (const std::filesystem::path& run : runs) {
-    runs_.push_back(ProgressOf(run, run.lexically_relative(folder).string()));
+    runs_.push_back(ReadProgress(run, run.lexically_relative(folder).string()));
   }
 }
 

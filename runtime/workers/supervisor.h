@@ -32,6 +32,9 @@ struct RunProgress {
   std::string failure{};  // why it was given up
 };
 
+// How far the run in `folder` is; it is waiting, or finished.
+RunProgress ReadProgress(const std::filesystem::path& folder, std::string name);
+
 // What a user gets to see, as it happens.
 class SupervisorListener {
  public:

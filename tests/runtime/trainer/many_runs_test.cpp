@@ -58,6 +58,17 @@ TEST_F(ManyRunsTest, EndsWithOneTableOfAllRuns) {
   EXPECT_THAT(result.output, Not(HasSubstr("\x1b")));
 }
 
+TEST_F(ManyRunsTest, ShowTellsOfAllRunsOfAFolder) {
+  ASSERT_EQ(TrainMany("many", 2, 2, {"--quiet"}).exit_status, 0);
+  const ProgramResult text = Trainer({"show", RunFolder("many")});
+  EXPECT_THAT(text.output, HasSubstr("\nseed4     finished          2/2 "));
+  EXPECT_THAT(text.output, HasSubstr("\n2 finished   4/4 episodes\n"));
+  const auto json = nlohmann::json::parse(Trainer({"show", RunFolder("many"), "--json"}).output);
+  ASSERT_EQ(json.size(), 2u);
+  EXPECT_EQ(json[1]["run"], "seed4");
+  EXPECT_EQ(json[1]["episodes"], 2);
+}
+
 TEST_F(ManyRunsTest, JsonNamesTheRunOfEachEpisode) {
   const ProgramResult result = TrainMany("many", 2, 2, {"--json"});
   std::map<std::string, int> episodes;
