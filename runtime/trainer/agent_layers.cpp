@@ -52,6 +52,10 @@ Agent AgentLayers::Merge() const {
   task_agent.replace_extension(".agent.toml");
   if (std::filesystem::exists(task_agent)) agent = Changed(std::move(agent), ReadAgent(task_agent));
   if (!file.empty()) agent = Changed(std::move(agent), ReadAgent(file));
+  if (!profile.empty()) {
+    agent = Changed(std::move(agent),
+                    ParseSetting("environment.profile=" + profile, "--profile " + profile));
+  }
   for (const std::string& setting : settings) {
     agent = Changed(std::move(agent), ParseSetting(setting));
   }

@@ -15,12 +15,14 @@ namespace runtime {
 Agent ParseSetting(const std::string& setting, const std::string& origin = "");
 
 // In this order, later ones win: robot's agent.toml, start pose of the task ("": none), agent file
-// of the task (NAME.agent.toml beside NAME.task, if it is there), `file` ("": none), `settings`.
+// of the task (NAME.agent.toml beside NAME.task, if it is there), `file` ("": none), `profile` ("":
+// none), `settings`.
 struct AgentLayers {
   std::filesystem::path robot_file;
   std::string start_pose;
   std::filesystem::path task_file;  // .task or .so
   std::filesystem::path file;
+  std::string profile;
   std::vector<std::string> settings;
 
   Agent Merge() const;

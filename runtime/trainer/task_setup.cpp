@@ -56,11 +56,8 @@ std::string RobotName(const TaskOptions& options, const taskc_plugin& plugin) {
 
 AgentLayers LayersOf(const TaskOptions& options, const taskc_plugin& plugin,
                      const std::filesystem::path& robot_file) {
-  AgentLayers layers{robot_file, plugin.start_pose, options.task, options.agent, options.settings};
-  if (!options.profile.empty()) {
-    layers.settings.insert(layers.settings.begin(), "environment.profile=" + options.profile);
-  }
-  return layers;
+  return {robot_file,    plugin.start_pose, options.task,
+          options.agent, options.profile,   options.settings};
 }
 
 const Plugin& Checked(const Plugin& plugin) {

@@ -19,10 +19,11 @@ class AgentShowTest : public TrainerTest {
 };
 
 TEST_F(AgentShowTest, SaysWhereEverythingComesFrom) {
-  const ProgramResult result = Show({"--set", "learner.temperature=2"});
+  const ProgramResult result = Show({"--set", "learner.temperature=2", "--profile", "fast"});
   ASSERT_EQ(result.exit_status, 0) << result.errors;
   EXPECT_THAT(result.output, ContainsRegex("temperature = 2.0 +# --set learner.temperature=2\n"));
   EXPECT_THAT(result.output, ContainsRegex("discount = 0.9 +# .*agent.toml:[0-9]+:1\n"));
+  EXPECT_THAT(result.output, ContainsRegex("profile = \"fast\" +# --profile fast\n"));
   EXPECT_THAT(result.output, ContainsRegex("start_pose = .* # start pose of the task\n"));
   EXPECT_THAT(result.output, ContainsRegex("net_seed = [0-9]+ +# default\n"));
 }
