@@ -34,15 +34,7 @@ Json ToJson(const Module& module) {
   return json;
 }
 
-// Inside quotes.
-std::string DotText(const std::string& text) {
-  std::string escaped;
-  for (const char c : text) {
-    if (c == '"' || c == '\\') escaped += '\\';
-    escaped += c;
-  }
-  return escaped;
-}
+std::string Quoted(const std::string& name) { return ToText(ParameterValue(name)); }
 
 }  // namespace
 
@@ -77,15 +69,14 @@ std::string GraphDot(const Network& network) {
       "digraph agent {\n  rankdir=LR;\n  node [shape=box, fontname=\"sans-serif\"];\n";
   text += "  edge [fontname=\"sans-serif\", fontsize=9];\n";
   for (const auto& module : network.modules()) {
-    text += fmt::format("  \"{}\";\n", DotText(module->name()));
+    text += fmt::format("  {};\n", Quoted(module->name()));
   }
   for (const auto& module : network.modules()) {
     ForEachConnection(*module, [&](const Port& from, const Port& to) {
       const bool is_value = from.kind() == PortKind::kOut;
-      text +=
-          fmt::format("  \"{}\" -> \"{}\" [taillabel=\"{}\", headlabel=\"{}\"{}];\n",
-                      DotText(from.owner().name()), DotText(to.owner().name()),
-                      DotText(from.name()), DotText(to.name()), is_value ? ", style=dashed" : "");
+      text += fmt::format("  {} -> {} [taillabel={}, headlabel={}{}];\n",
+                          Quoted(from.owner().name()), Quoted(to.owner().name()),
+                          Quoted(from.name()), Quoted(to.name()), is_value ? ", style=dashed" : "");
     });
   }
   return text + "}\n";

@@ -28,8 +28,9 @@ RunDatabase CreateRun(const std::filesystem::path& folder, const TaskSetup& setu
   return RunDatabase::Create(folder, run);
 }
 
-void PrepareRun(const std::filesystem::path& folder, const TaskSetup& setup, const RunPlan& plan) {
-  RunRecord run = RecordOf(setup, plan);
+void PrepareRun(const std::filesystem::path& folder, const TaskSetup& setup, RunRecord run,
+                uint64_t seed) {
+  run.seed = seed;
   CreateRun(folder, setup, run).SetState(RunState::kInterrupted);
 }
 

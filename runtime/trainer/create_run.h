@@ -25,7 +25,8 @@ RunRecord RecordOf(const TaskSetup& setup, const RunPlan& plan);
 // task's and the robot's files. Completes `run`. Throws UserError where there is a run already.
 RunDatabase CreateRun(const std::filesystem::path& folder, const TaskSetup& setup, RunRecord& run);
 
-// The same for a run that another process will train.
-void PrepareRun(const std::filesystem::path& folder, const TaskSetup& setup, const RunPlan& plan);
+// The same for a run that another process will train, with the seed `seed`.
+void PrepareRun(const std::filesystem::path& folder, const TaskSetup& setup, RunRecord run,
+                uint64_t seed);
 
 }  // namespace runtime

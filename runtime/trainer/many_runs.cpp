@@ -15,11 +15,6 @@
 namespace runtime {
 namespace {
 
-RunTablePrinter::Style StyleOf(const OutputOptions& output) {
-  if (output.json) return RunTablePrinter::Style::kJson;
-  return output.quiet ? RunTablePrinter::Style::kQuiet : RunTablePrinter::Style::kText;
-}
-
 // Shorter names first among those of equal beginnings: seed2 before seed10.
 bool ComesBefore(const std::filesystem::path& a, const std::filesystem::path& b) {
   const std::string first = a.filename().string();
@@ -63,7 +58,7 @@ void AddJobsOption(CLI::App& command, int& jobs) {
 
 int TrainRuns(const std::filesystem::path& folder, int jobs, const OutputOptions& output) {
   if (jobs == 0) jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-  RunTablePrinter printer(StyleOf(output), jobs, stdout, stderr);
+  RunTablePrinter printer(output.style(), jobs, stdout, stderr);
   Supervisor supervisor(folder, FindRuns(folder), jobs, printer);
   printer.Follow(supervisor.runs());
   const StopRequest stop;

@@ -159,19 +159,11 @@ void PrintJson(const Summary& summary) {
   fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
 }
 
-RunProgressState StateOf(const RunProgress& run) {
-  if (run.state == RunProgressState::kFinished) return run.state;
-  const RunState state = RunDatabase::OpenToRead(run.folder).ReadState();
-  if (state == RunState::kRunning) return RunProgressState::kRunning;
-  return run.episodes > 0 ? RunProgressState::kStopped : RunProgressState::kWaiting;
-}
-
 std::vector<RunProgress> ProgressOf(const std::filesystem::path& folder,
                                     const std::vector<std::filesystem::path>& runs) {
   std::vector<RunProgress> progress;
   for (const std::filesystem::path& run : runs) {
     progress.push_back(ReadProgress(run, run.lexically_relative(folder).string()));
-    progress.back().state = StateOf(progress.back());
   }
   return progress;
 }

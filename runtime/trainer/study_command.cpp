@@ -51,12 +51,10 @@ void Prepare(const Experiment& experiment, const std::filesystem::path& out,
   setup.network.Start();
   for (const uint64_t seed : experiment.seeds) {
     const std::filesystem::path folder = SeedFolder(out / name, seed);
-    RunPlan plan = experiment.plan;
-    plan.seed = seed;
     if (RunDatabase::Exists(folder)) {
       TakeOver(folder, run, experiment.place);
     } else {
-      PrepareRun(folder, setup, plan);
+      PrepareRun(folder, setup, run, seed);
     }
   }
 }

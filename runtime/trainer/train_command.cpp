@@ -43,12 +43,13 @@ int TrainMany(const TrainOptions& options, const std::filesystem::path& plugin) 
   const std::filesystem::path folder =
       FolderOf(options, fmt::format("{}-{}", run.task, run.profile));
   setup.network.Start();
-  std::vector<RunPlan> plans(static_cast<size_t>(options.runs), options.plan);
-  for (size_t i = 0; i < plans.size(); ++i) {
-    plans[i].seed += i;
-    RunDatabase::CheckIsFree(SeedFolder(folder, plans[i].seed));
+  const uint64_t end = run.seed + static_cast<uint64_t>(options.runs);
+  for (uint64_t seed = run.seed; seed < end; ++seed) {
+    RunDatabase::CheckIsFree(SeedFolder(folder, seed));
   }
-  for (const RunPlan& plan : plans) PrepareRun(SeedFolder(folder, plan.seed), setup, plan);
+  for (uint64_t seed = run.seed; seed < end; ++seed) {
+    PrepareRun(SeedFolder(folder, seed), setup, run, seed);
+  }
   return TrainRuns(folder, options.jobs, options.output);
 }
 

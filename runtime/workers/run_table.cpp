@@ -9,8 +9,6 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "runtime/run/progress.h"
-
 namespace runtime {
 namespace {
 
@@ -114,12 +112,13 @@ std::string RunSummary(const std::vector<RunProgress>& runs, int jobs) {
   return text;
 }
 
-RunTablePrinter::RunTablePrinter(Style style, int jobs, std::FILE* output, std::FILE* warnings)
+RunTablePrinter::RunTablePrinter(ProgressStyle style, int jobs, std::FILE* output,
+                                 std::FILE* warnings)
     : style_(style),
       jobs_(jobs),
       output_(output),
       warnings_(warnings),
-      is_live_(style == Style::kText && isatty(fileno(output)) != 0) {}
+      is_live_(style == ProgressStyle::kText && isatty(fileno(output)) != 0) {}
 
 void RunTablePrinter::Follow(const std::vector<RunProgress>& runs) {
   runs_ = &runs;
@@ -127,14 +126,14 @@ void RunTablePrinter::Follow(const std::vector<RunProgress>& runs) {
 }
 
 void RunTablePrinter::Finish() {
-  if (style_ != Style::kText) return;
+  if (style_ != ProgressStyle::kText) return;
   Erase();
   fmt::print(output_, "{}{}\n", RunTable(*runs_), RunSummary(*runs_, jobs_));
   std::fflush(output_);
 }
 
 void RunTablePrinter::OnEpisode(const RunProgress& run, std::string_view json) {
-  if (style_ == Style::kJson) {
+  if (style_ == ProgressStyle::kJson) {
     // The worker's object with one more member in front.
     fmt::print(output_, "{{\"run\":{},{}\n", nlohmann::json(run.name).dump(), json.substr(1));
     std::fflush(output_);
@@ -151,7 +150,7 @@ void RunTablePrinter::OnMessage(const RunProgress& run, std::string_view text) {
 }
 
 void RunTablePrinter::Refresh(bool at_once) {
-  if (style_ != Style::kText) return;
+  if (style_ != ProgressStyle::kText) return;
   const auto now = std::chrono::steady_clock::now();
   const auto between = is_live_ ? std::chrono::milliseconds(200) : std::chrono::seconds(30);
   if (now - last_ < between && !(at_once && is_live_)) return;

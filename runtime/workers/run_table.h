@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "runtime/run/progress.h"
 #include "runtime/workers/supervisor.h"
 
 namespace runtime {
@@ -28,8 +29,7 @@ std::string RunSummary(const std::vector<RunProgress>& runs, int jobs);
 // one for all every half minute. With JSON, each worker's lines with the name of the run.
 class RunTablePrinter : public SupervisorListener {
  public:
-  enum class Style { kText, kJson, kQuiet };
-  RunTablePrinter(Style style, int jobs, std::FILE* output, std::FILE* warnings);
+  RunTablePrinter(ProgressStyle style, int jobs, std::FILE* output, std::FILE* warnings);
 
   // `runs` are those of the supervisor, and live as long as this.
   void Follow(const std::vector<RunProgress>& runs);
@@ -43,7 +43,7 @@ class RunTablePrinter : public SupervisorListener {
   void Refresh(bool at_once);
   void Erase();
 
-  const Style style_;
+  const ProgressStyle style_;
   const int jobs_;
   std::FILE* output_;
   std::FILE* warnings_;

@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "runtime/module/user_error.h"
+#include "runtime/run/return_statistics.h"
 #include "runtime/run/run_database.h"
 
 namespace runtime {
@@ -34,19 +35,26 @@ std::string WhyItEnded(int status) {
   return fmt::format("exit status {}", WEXITSTATUS(status));
 }
 
+RunProgressState StateOf(const RunProgress& run, RunState state) {
+  if (run.episodes >= run.episodes_planned) return RunProgressState::kFinished;
+  if (state == RunState::kRunning) return RunProgressState::kRunning;
+  return run.episodes > 0 ? RunProgressState::kStopped : RunProgressState::kWaiting;
+}
+
 }  // namespace
 
 RunProgress ReadProgress(const std::filesystem::path& folder, std::string name) {
   RunProgress run{folder, std::move(name)};
   const RunDatabase database = RunDatabase::OpenToRead(folder);
   run.episodes_planned = database.ReadRun().episodes_planned;
-  run.best_return = -std::numeric_limits<double>::infinity();
-  if (const auto checkpoint = database.ReadCheckpoint()) run.episodes = checkpoint->episode;
+  ReturnStatistics returns;
   for (const EpisodeRecord& episode : database.ReadEpisodes()) {
-    run.last_return = episode.episode_return;
-    run.best_return = std::max(run.best_return, episode.episode_return);
+    returns.Add(episode);
+    run.episodes = episode.number;
   }
-  if (run.episodes >= run.episodes_planned) run.state = RunProgressState::kFinished;
+  run.last_return = returns.last();
+  run.best_return = returns.best();
+  run.state = StateOf(run, database.ReadState());
   return run;
 }
 
@@ -55,7 +63,10 @@ Supervisor::Supervisor(const std::filesystem::path& folder,
                        SupervisorListener& listener)
     : jobs_(static_cast<size_t>(std::max(jobs, 1))), listener_(listener) {
   for (const std::filesystem::path& run : runs) {
-    runs_.push_back(ReadProgress(run, run.lexically_relative(folder).string()));
+    RunProgress& progress =
+        runs_.emplace_back(ReadProgress(run, run.lexically_relative(folder).string()));
+    const bool is_finished = progress.state == RunProgressState::kFinished;
+    if (!is_finished) progress.state = RunProgressState::kWaiting;
   }
 }
 

@@ -32,7 +32,7 @@ struct RunProgress {
   std::string failure{};  // why it was given up
 };
 
-// How far the run in `folder` is; it is waiting, or finished.
+// How far the run in `folder` is, and whether a trainer works on it.
 RunProgress ReadProgress(const std::filesystem::path& folder, std::string name);
 
 // What a user gets to see, as it happens.
