@@ -59,8 +59,7 @@ bool AreOfTheSame(const Declaration& a, const Declaration& b) {
   return KindOf(a) == "start" || NameOf(a).text == NameOf(b).text;
 }
 
-// ---- Statements
-// ----------------------------------------------------------------------------------
+// ---- Statements ---------------------------------------------------------------------------------
 
 template <typename Visitor>
 void ForEachReward(Block& block, const Visitor& visit);

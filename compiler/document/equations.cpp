@@ -112,8 +112,7 @@ class TermCollector {
   std::string term_;
 };
 
-// ---- All else: statements and their conditions
-// ----------------------------------------------------
+// ---- All else: statements and their conditions --------------------------------------------------
 
 // The conditions under which a statement runs, from the outside in.
 using Conditions = std::vector<Formula>;

@@ -57,20 +57,6 @@ ExitStatus CheckOne(const std::string& file, bool shows_bounds, Session& session
   return ExitStatus::kOk;
 }
 
-// A file that cannot be read does not keep the others from being checked.
-ExitStatus Check(const Options& options, Session& session) {
-  ExitStatus status = ExitStatus::kOk;
-  for (const std::string& file : options.tasks) {
-    try {
-      status = Worse(status, CheckOne(file, options.shows_bounds, session));
-    } catch (const CallError& error) {
-      session.Fail(error.what());
-      status = Worse(status, ExitStatus::kWrongCall);
-    }
-  }
-  return status;
-}
-
 }  // namespace
 
 Action DeclareCheck(CLI::App& app, Session& session) {
@@ -80,7 +66,11 @@ Action DeclareCheck(CLI::App& app, Session& session) {
                "show how small and how large each reward, metric and log can get");
   AddRobots(app, session);
   AddReport(app, session);
-  return [options](Session& call) { return Check(*options, call); };
+  return [options](Session& call) {
+    return ForEachTask(options->tasks, call, [&](const std::string& file) {
+      return CheckOne(file, options->shows_bounds, call);
+    });
+  };
 }
 
 }  // namespace compiler

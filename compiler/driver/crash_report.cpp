@@ -34,8 +34,7 @@ State& TheState() {
   return state;
 }
 
-// ---- Only calls that a signal's handler may make
-// -------------------------------------------------
+// ---- Only calls that a signal's handler may make ------------------------------------------------
 
 void Write(int file, const char* bytes, size_t size) {
   while (size > 0) {
@@ -88,8 +87,7 @@ void OnCrash(int signal) {
   _exit(static_cast<int>(ExitStatus::kInternalError));
 }
 
-// ---- Before a crash
-// -------------------------------------------------------------------------------
+// ---- Before a crash -----------------------------------------------------------------------------
 
 void CatchSignals() {
   // Its own stack, for the case that the program's is used up.

@@ -53,21 +53,6 @@ ExitStatus FormatStandardInput(bool check, Session& session) {
   return check && *formatted != sources.main().text() ? ExitStatus::kWrongTask : ExitStatus::kOk;
 }
 
-// A file that cannot be read or written does not keep the others from being formatted.
-ExitStatus FormatAll(const Options& options, Session& session) {
-  ExitStatus status = ExitStatus::kOk;
-  for (const std::string& file : options.tasks) {
-    try {
-      status = Worse(status, file == "-" ? FormatStandardInput(options.check, session)
-                                         : FormatFile(file, options.check, session));
-    } catch (const CallError& error) {
-      session.Fail(error.what());
-      status = Worse(status, ExitStatus::kWrongCall);
-    }
-  }
-  return status;
-}
-
 }  // namespace
 
 Action DeclareFmt(CLI::App& app, Session& session) {
@@ -76,7 +61,12 @@ Action DeclareFmt(CLI::App& app, Session& session) {
   app.add_flag("--check", options->check,
                "change nothing, list the files that would change; status 1 if there are any");
   AddReport(app, session);
-  return [options](Session& call) { return FormatAll(*options, call); };
+  return [options](Session& call) {
+    return ForEachTask(options->tasks, call, [&](const std::string& file) {
+      return file == "-" ? FormatStandardInput(options->check, call)
+                         : FormatFile(file, options->check, call);
+    });
+  };
 }
 
 }  // namespace compiler

@@ -59,20 +59,6 @@ ExitStatus TestOne(const std::string& file, const Options& options, Session& ses
   return report.failed() == 0 ? ExitStatus::kOk : ExitStatus::kWrongTask;
 }
 
-// A file that cannot be read does not keep the others from being tested.
-ExitStatus Test(const Options& options, Session& session) {
-  ExitStatus status = ExitStatus::kOk;
-  for (const std::string& file : options.tasks) {
-    try {
-      status = Worse(status, TestOne(file, options, session));
-    } catch (const CallError& error) {
-      session.Fail(error.what());
-      status = Worse(status, ExitStatus::kWrongCall);
-    }
-  }
-  return status;
-}
-
 }  // namespace
 
 Action DeclareTest(CLI::App& app, Session& session) {
@@ -83,7 +69,10 @@ Action DeclareTest(CLI::App& app, Session& session) {
   app.add_option("--cache", options->cache, "the folder of built plugins")->type_name("DIR");
   AddRobots(app, session);
   AddReport(app, session);
-  return [options](Session& call) { return Test(*options, call); };
+  return [options](Session& call) {
+    return ForEachTask(options->tasks, call,
+                       [&](const std::string& file) { return TestOne(file, *options, call); });
+  };
 }
 
 }  // namespace compiler

@@ -51,6 +51,20 @@ const std::vector<Verb> kVerbs = {
      DeclareCompletion},
 };
 
+ExitStatus ForEachTask(const std::vector<std::string>& files, Session& session,
+                       const std::function<ExitStatus(const std::string& file)>& action) {
+  ExitStatus status = ExitStatus::kOk;
+  for (const std::string& file : files) {
+    try {
+      status = Worse(status, action(file));
+    } catch (const CallError& error) {
+      session.Fail(error.what());
+      status = Worse(status, ExitStatus::kWrongCall);
+    }
+  }
+  return status;
+}
+
 void AddTask(CLI::App& app, std::string& task) {
   app.add_option("FILE.task", task, "the task")->required()->type_name("");
 }

@@ -40,6 +40,11 @@ Action DeclareExplain(CLI::App& app, Session& session);
 Action DeclareNew(CLI::App& app, Session& session);
 Action DeclareWatch(CLI::App& app, Session& session);
 
+// Calls `action` for each file and returns the worst status. A file that cannot be read or written
+// (CallError) does not keep the others from their turn.
+ExitStatus ForEachTask(const std::vector<std::string>& files, Session& session,
+                       const std::function<ExitStatus(const std::string& file)>& action);
+
 // ---- Options that several verbs have ------------------------------------------------------------
 
 void AddTask(CLI::App& app, std::string& task);

@@ -16,10 +16,6 @@ namespace {
 
 using grammar::TaskParser;
 
-struct ForeignWord {
-  std::string_view text;
-  std::string_view help;
-};
 constexpr std::string_view kFunctionHelp =
     "a function is declared by `fn half(x: real) -> real = 0.5 * x`";
 constexpr std::string_view kImportHelp = "write `import \"NAME.task\"`";
@@ -45,9 +41,8 @@ constexpr const char* kHeaderHelp =
     "a file begins with the task's name and its robot: `task crawling for humanoid`";
 
 std::string HelpForDeclaration(const std::string& word) {
-  for (const ForeignWord& foreign : kForeignWords) {
-    if (foreign.text == word) return std::string(foreign.help);
-  }
+  std::string help = HelpForForeign(word, kForeignWords);
+  if (!help.empty()) return help;
   const std::vector<std::string> keywords = DeclarationKeywords();
   const std::string guess = DidYouMean(word, keywords);
   return guess.empty() ? fmt::format("declarations begin with {}", fmt::join(keywords, ", "))

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "compiler/source/diagnostic.h"
@@ -13,8 +15,7 @@ namespace compiler {
 
 using Description = std::optional<Diagnostic>;
 
-// ---- Names, operands and units
-// -------------------------------------------------------------------
+// ---- Names, operands and units ------------------------------------------------------------------
 
 Description ReservedName(const Failure& failure);
 Description MisplacedSet(const Failure& failure);
@@ -27,8 +28,7 @@ Description MissingOperand(const Failure& failure);
 
 Diagnostic UnknownUnit(const antlr4::Token& token);
 
-// ---- Statements
-// ----------------------------------------------------------------------------------
+// ---- Statements ---------------------------------------------------------------------------------
 
 Description BadCondition(const Failure& failure);
 Description BadLoop(const Failure& failure);
@@ -41,8 +41,7 @@ Description BadStatement(const Failure& failure);
 Description BadTestStatement(const Failure& failure);
 Description BadBodyStatement(const Failure& failure);
 
-// ---- Declarations
-// --------------------------------------------------------------------------------
+// ---- Declarations -------------------------------------------------------------------------------
 
 Description MissingHeader(const Failure& failure);
 Description BadHeader(const Failure& failure);
@@ -51,6 +50,14 @@ Description BadOverride(const Failure& failure);
 Description BadPath(const Failure& failure);
 Description BadAllow(const Failure& failure);
 Description BadDeclaration(const Failure& failure);
+
+// A word of other languages, and what is written here.
+struct ForeignWord {
+  std::string_view text;
+  std::string_view help;
+};
+// The help for `word`, or "" where it is none of these.
+std::string HelpForForeign(std::string_view word, std::span<const ForeignWord> words);
 
 // "did you mean `x`?", or nothing.
 std::string DidYouMean(const std::string& name, const std::vector<std::string>& candidates);

@@ -17,11 +17,6 @@ namespace {
 
 using grammar::TaskParser;
 
-// Words of other languages, and what is written here.
-struct ForeignWord {
-  std::string_view text;
-  std::string_view help;
-};
 constexpr std::string_view kLoopHelp =
     "a loop goes through a set: `for i in 0..3 { ... }`; what repeats in time stands in an event";
 constexpr std::string_view kBranchHelp = "write `if ... { ... } else if ... { ... }`";
@@ -46,13 +41,6 @@ constexpr std::array<ForeignWord, 28> kForeignWords = {{
     {"print", kLogHelp},     {"printf", kLogHelp},
     {"echo", kLogHelp},      {"assert", "write `require CONDITION`"},
 }};
-
-std::string HelpForForeign(const std::string& word) {
-  for (const ForeignWord& foreign : kForeignWords) {
-    if (foreign.text == word) return std::string(foreign.help);
-  }
-  return "";
-}
 
 Diagnostic Misplaced(const Failure& failure, const std::string& where, std::string help) {
   return WithHelp(MakeDiagnostic(code::kUnknownStatement, SpanOf(failure.found),
@@ -188,7 +176,7 @@ Description UnknownStatement(const Failure& failure) {
     return WithHelp(Expected(failure, "`=`"),
                     fmt::format("a local value is `let {} = ...`, without a type", name));
   }
-  std::string help = HelpForForeign(name);
+  std::string help = HelpForForeign(name, kForeignWords);
   if (help.empty() && failure.type() == TaskParser::LEFT_PARENTHESIS) {
     return WithHelp(MakeDiagnostic(code::kUnknownStatement, SpanOf(begin),
                                    fmt::format("the value of `{}` is not used", name)),

@@ -19,6 +19,13 @@ std::string DidYouMean(const std::string& name, const std::vector<std::string>& 
   return nearest && *nearest != name ? fmt::format("did you mean `{}`?", *nearest) : "";
 }
 
+std::string HelpForForeign(std::string_view word, std::span<const ForeignWord> words) {
+  for (const ForeignWord& foreign : words) {
+    if (foreign.text == word) return std::string(foreign.help);
+  }
+  return "";
+}
+
 namespace {
 
 using grammar::TaskParser;

@@ -122,8 +122,7 @@ RandomExpressions::Text RandomExpressions::Literal(Scalar scalar, const Unit& un
   return {"(" + random_.OneOf(numbers) + UnitOfLiteral(unit) + ")", true};
 }
 
-// ---- Names and their elements
-// --------------------------------------------------------------------
+// ---- Names and their elements -------------------------------------------------------------------
 
 std::string RandomExpressions::ElementOf(const Readable& whole) {
   const Type& type = whole.type;
@@ -166,8 +165,7 @@ std::string RandomExpressions::VariableReal(const Unit& unit, int depth) {
   return Variable(ScalarType(Scalar::kReal), unit, depth);
 }
 
-// ---- By type
-// -------------------------------------------------------------------------------------
+// ---- By type ------------------------------------------------------------------------------------
 
 RandomExpressions::Text RandomExpressions::Make(const Type& type, const Unit& unit, int depth) {
   if (depth <= 0 || random_.OneIn(8)) {
