@@ -57,6 +57,7 @@ const std::map<std::string, Folders> kMayInclude = {
      {"plugins/robot", "plugins/seal", "runtime/learning", "runtime/module", "runtime/simulation",
       "runtime/task"}},
     {"runtime/report", {"runtime/module", "runtime/run"}},
+    {"runtime/control", {"runtime/module"}},
     {"runtime/workers", {"runtime/module", "runtime/run"}},
     {"runtime/trainer",
      {"plugins/robot", "plugins/text", "runtime/agent", "runtime/module", "runtime/report",

@@ -1,0 +1,39 @@
+// What a client asks of a running trainer, and what it is told.
+#pragma once
+
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace runtime {
+
+struct Request {
+  std::string command;       // one of kCommands (command_table.h)
+  nlohmann::json arguments;  // an object, checked by CheckArguments()
+};
+
+struct Reply {
+  bool ok = true;
+  nlohmann::json value;  // of a request that was done
+  std::string error;     // of one that was not: a message for the user, of one or more lines
+};
+
+// Called once for each request, on any thread.
+using ReplyHandler = std::function<void(Reply)>;
+
+class RequestHandler {
+ public:
+  virtual ~RequestHandler() = default;
+  // Any thread; returns at once. What is asked for is done later, and then `reply` is called.
+  virtual void Handle(Request request, ReplyHandler reply) = 0;
+};
+
+// Where the trainer tells all clients that listen what happens: objects with a member `event`.
+class EventSink {
+ public:
+  virtual ~EventSink() = default;
+  // Any thread; returns at once. A client that does not keep up misses events.
+  virtual void Publish(const nlohmann::json& event) = 0;
+};
+
+}  // namespace runtime
