@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <limits>
 #include <map>
 #include <string>
 #include <utility>
@@ -14,6 +13,7 @@
 #include "runtime/report/agent_modules.h"
 #include "runtime/report/base64.h"
 #include "runtime/report/report_recordings.h"
+#include "runtime/report/task_curves.h"
 #include "runtime/run/run_database.h"
 
 namespace runtime {
@@ -23,8 +23,7 @@ using nlohmann::json;
 
 // What the run notes of itself and the page shows as it is.
 constexpr const char* kRunKeys[] = {
-    "task",    "task_file", "task_hash",  "robot",       "profile", "seed", "episodes_planned",
-    "version", "compiler",  "started_at", "finished_at",
+    "robot", "profile", "seed", "episodes_planned", "version", "started_at", "finished_at",
 };
 
 template <class Value>
@@ -36,54 +35,23 @@ std::string EncodeSeries(const std::vector<EpisodeRecord>& episodes, Value value
   return EncodeFloats(values);
 }
 
-// The series `member`[`index`]; an episode that lacks it has a NaN there.
-std::string EncodeElement(const std::vector<EpisodeRecord>& episodes,
-                          std::vector<double> EpisodeRecord::*member, size_t index) {
-  return EncodeSeries(episodes, [&](const EpisodeRecord& episode) {
-    const std::vector<double>& values = episode.*member;
-    return index < values.size() ? values[index] : std::numeric_limits<double>::quiet_NaN();
-  });
-}
-
-json RunTexts(const RunDatabase& database) {
-  json texts = json::object();
+// The task is the one that was active last.
+json RunTexts(const RunDatabase& database, const TaskRecord& task) {
+  json texts = {{"task", task.task},
+                {"task_file", task.task_file},
+                {"task_hash", task.task_hash},
+                {"compiler", task.compiler}};
   for (const char* key : kRunKeys) texts[key] = database.ReadValue(key);
   texts["state"] = RunStateName(database.ReadState());
   return texts;
 }
 
-json Terms(const RunRecord& run, const std::vector<EpisodeRecord>& episodes) {
-  json terms = json::array();
-  for (const TermRecord& term : run.terms) {
-    terms.push_back({{"name", term.name},
-                     {"unit", ""},
-                     {"reduction", ""},
-                     {"doc", term.doc},
-                     {"values", EncodeElement(episodes, &EpisodeRecord::terms, terms.size())}});
-  }
-  return terms;
-}
-
-json Sources(const RunRecord& run) {
+json Sources(const TaskRecord& task) {
   json sources = json::array();
-  for (const SourceRecord& source : run.sources) {
+  for (const SourceRecord& source : task.sources) {
     sources.push_back({{"file", source.file}, {"text", source.text}});
   }
   return sources;
-}
-
-// Metrics or logs.
-json Curves(const std::vector<CurveRecord>& records, const std::vector<EpisodeRecord>& episodes,
-            std::vector<double> EpisodeRecord::*member) {
-  json curves = json::array();
-  for (const CurveRecord& record : records) {
-    curves.push_back({{"name", record.name},
-                      {"unit", record.unit},
-                      {"reduction", record.reduction},
-                      {"doc", record.doc},
-                      {"values", EncodeElement(episodes, member, curves.size())}});
-  }
-  return curves;
 }
 
 // The different ends with their counts, in the order of their first episodes, and for each episode
@@ -94,9 +62,9 @@ void AddEnds(const std::vector<EpisodeRecord>& episodes, json& data) {
   std::map<std::pair<std::string, std::string>, size_t> index;
   for (const EpisodeRecord& episode : episodes) {
     const auto [found, is_new] =
-        index.try_emplace({episode.end_kind, episode.end_reason}, ends.size());
+        index.try_emplace({episode.active.end_kind, episode.active.end_reason}, ends.size());
     if (is_new) {
-      ends.push_back({{"kind", episode.end_kind}, {"reason", episode.end_reason}, {"count", 0}});
+      ends.push_back({{"kind", found->first.first}, {"reason", found->first.second}, {"count", 0}});
     }
     json& count = ends[found->second]["count"];
     count = count.get<int64_t>() + 1;
@@ -114,8 +82,8 @@ void AddTotals(const std::vector<EpisodeRecord>& episodes, json& data) {
   for (const EpisodeRecord& episode : episodes) {
     simulated += episode.simulated_seconds;
     wall += episode.wall_seconds;
-    faults += episode.faults;
-    violations += episode.violations;
+    faults += episode.active.faults;
+    violations += episode.active.violations;
   }
   data["simulatedSeconds"] = simulated;
   data["wallSeconds"] = wall;
@@ -135,18 +103,20 @@ json CollectReportData(const std::filesystem::path& run_dir) {
         run_dir.string()));
   }
   json data;
-  data["run"] = RunTexts(database);
-  data["sources"] = Sources(run);
+  const TaskRecord& task = TaskWithId(run, episodes.back().active.task);
+  data["run"] = RunTexts(database, task);
+  data["sources"] = Sources(task);
   data["agentText"] = run.agent;
   data["modules"] = AgentModules(run.agent);
   data["madeAt"] =
       fmt::format("{:%Y-%m-%dT%H:%M:%SZ}",
                   std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now()));
   data["episode"] = EncodeSeries(episodes, [](const EpisodeRecord& e) { return e.number; });
-  data["returns"] = EncodeSeries(episodes, [](const EpisodeRecord& e) { return e.episode_return; });
-  data["terms"] = Terms(run, episodes);
-  data["metrics"] = Curves(run.metrics, episodes, &EpisodeRecord::metrics);
-  data["logs"] = Curves(run.logs, episodes, &EpisodeRecord::logs);
+  data["returns"] =
+      EncodeSeries(episodes, [](const EpisodeRecord& e) { return e.active.episode_return; });
+  data["terms"] = TermCurves(run, episodes);
+  data["metrics"] = MetricCurves(run, episodes);
+  data["logs"] = LogCurves(run, episodes);
   AddEnds(episodes, data);
   AddTotals(episodes, data);
   AddRecordings(run_dir, database, run.body, episodes, data);

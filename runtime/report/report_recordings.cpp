@@ -35,8 +35,8 @@ std::vector<RecordingEntry> ListRecordings(const std::filesystem::path& run_dir,
                                            const std::vector<EpisodeRecord>& episodes) {
   const SqliteDatabase database(run_dir / "run.db", SqliteAccess::kRead);
   SqliteStatement query(database,
-                        "SELECT recording.episode, return, frames FROM recording JOIN episode "
-                        "ON number = recording.episode ORDER BY recording.episode",
+                        "SELECT episode, return, frames FROM recording JOIN evaluation "
+                        "USING (episode) WHERE is_active ORDER BY episode",
                         "list the recordings");
   std::vector<RecordingEntry> entries;
   while (query.Step() && query.Integer(0) <= episodes.back().number) {

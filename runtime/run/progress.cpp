@@ -28,13 +28,23 @@ std::string BestText(double best_return) {
   return std::isfinite(best_return) ? fmt::format("{:.4g}", best_return) : "none";
 }
 
+using Json = nlohmann::ordered_json;
+
 // `values` under the names of their `records`.
 template <class Record>
-nlohmann::ordered_json ByName(const std::vector<Record>& records,
-                              const std::vector<double>& values) {
-  nlohmann::ordered_json json = nlohmann::ordered_json::object();
+Json ByName(const std::vector<Record>& records, const std::vector<double>& values) {
+  Json json = Json::object();
   for (size_t i = 0; i < values.size(); ++i) json[records[i].name] = values[i];
   return json;
+}
+
+Json EvaluationJson(const Evaluation& evaluation, const TaskRecord& task) {
+  return {{"task", task.task},
+          {"return", evaluation.episode_return},
+          {"end", {{"kind", evaluation.end_kind}, {"reason", evaluation.end_reason}}},
+          {"terms", ByName(task.terms, evaluation.terms)},
+          {"metrics", ByName(task.metrics, evaluation.metrics)},
+          {"logs", ByName(task.logs, evaluation.logs)}};
 }
 
 }  // namespace
@@ -57,19 +67,19 @@ std::string ProgressLine(const ProgressValues& values) {
 }
 
 std::string EpisodeJson(const EpisodeRecord& episode, const RunRecord& run) {
-  const nlohmann::ordered_json json = {
-      {"episode", episode.number},
-      {"return", episode.episode_return},
-      {"end", {{"kind", episode.end_kind}, {"reason", episode.end_reason}}},
-      {"terms", ByName(run.terms, episode.terms)},
-      {"metrics", ByName(run.metrics, episode.metrics)},
-      {"logs", ByName(run.logs, episode.logs)},
-      {"steps", episode.steps},
-      {"actions", episode.actions},
-      {"simulated_seconds", episode.simulated_seconds},
-      {"wall_seconds", episode.wall_seconds},
-      {"faults", episode.faults},
-      {"violations", episode.violations}};
+  const Evaluation& active = episode.active;
+  Json json = {{"episode", episode.number}};
+  json.update(EvaluationJson(active, TaskWithId(run, active.task)));
+  json.update({{"steps", episode.steps},
+               {"actions", episode.actions},
+               {"simulated_seconds", episode.simulated_seconds},
+               {"wall_seconds", episode.wall_seconds},
+               {"faults", active.faults},
+               {"violations", active.violations}});
+  for (const Evaluation& shadow : episode.shadows) {
+    const TaskRecord& task = TaskWithId(run, shadow.task);
+    json["shadows"][task.module] = EvaluationJson(shadow, task);
+  }
   return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 

@@ -32,7 +32,10 @@ std::string ProgressLine(const ProgressValues& values);
 // "0:05", "6:40", "1:02:03"
 std::string DurationText(double seconds);
 
-// One line, without its end: {"episode": 1, "return": ..., "end": {...}, "terms": {...}, ...}
+// One line, without its end: {"episode": 1, "task": "crawling", "return": ..., "end": {...},
+// "terms":
+// {...}, ...}; with shadows also "shadows": {"MODULE": {"task": ..., "return": ..., ...}}. The
+// tasks are those of `run`.
 std::string EpisodeJson(const EpisodeRecord& episode, const RunRecord& run);
 
 class Progress {

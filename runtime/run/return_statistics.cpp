@@ -5,16 +5,17 @@
 namespace runtime {
 
 bool ReturnStatistics::IsBest(const EpisodeRecord& episode) const {
-  return episode.end_kind != EndKindName(EndKind::kDiverged) && episode.episode_return > best_;
+  const Evaluation& active = episode.active;
+  return active.end_kind != EndKindName(EndKind::kDiverged) && active.episode_return > best_;
 }
 
 void ReturnStatistics::Add(const EpisodeRecord& episode) {
   if (IsBest(episode)) {
-    best_ = episode.episode_return;
+    best_ = episode.active.episode_return;
     best_episode_ = episode.number;
   }
   if (last_returns_.size() == kMeanOver) last_returns_.erase(last_returns_.begin());
-  last_returns_.push_back(episode.episode_return);
+  last_returns_.push_back(episode.active.episode_return);
 }
 
 double ReturnStatistics::mean() const {

@@ -12,7 +12,7 @@
 namespace runtime {
 namespace {
 
-constexpr int kSchemaVersion = 2;
+constexpr int kSchemaVersion = 3;
 constexpr int kApplicationId = 0x74736b63;  // "tskc"
 
 constexpr const char* kOpening = "open the run";
@@ -147,31 +147,61 @@ void RunDatabase::Impl::WriteRun(const RunRecord& run) {
   Set("checkpoint_seconds", fmt::format("{}", run.checkpoint_seconds));
   Set("started_at", Now());
   Set("state", std::string(RunStateName(RunState::kRunning)));
-  SqliteStatement term(*database, "INSERT INTO term VALUES (?, ?, ?)", "make the run");
-  for (size_t i = 0; i < run.terms.size(); ++i) {
-    term.Bind(static_cast<int64_t>(i), std::string_view(run.terms[i].name),
-              std::string_view(run.terms[i].doc))
-        .Run();
-  }
-  SqliteStatement source(*database, "INSERT INTO source VALUES (?, ?, ?)", "make the run");
-  for (size_t i = 0; i < run.sources.size(); ++i) {
-    source
-        .Bind(static_cast<int64_t>(i), std::string_view(run.sources[i].file),
-              std::string_view(run.sources[i].text))
-        .Run();
-  }
-  WriteCurves("INSERT INTO metric VALUES (?, ?, ?, ?, ?)", run.metrics);
-  WriteCurves("INSERT INTO log VALUES (?, ?, ?, ?, ?)", run.logs);
+  for (const TaskRecord& task : run.tasks) WriteTask(task);
 }
 
-void RunDatabase::Impl::WriteCurves(const char* insert, const std::vector<CurveRecord>& curves) {
-  SqliteStatement row(*database, insert, "make the run");
-  for (size_t i = 0; i < curves.size(); ++i) {
-    const CurveRecord& curve = curves[i];
-    row.Bind(static_cast<int64_t>(i), std::string_view(curve.name), std::string_view(curve.unit),
-             std::string_view(curve.reduction), std::string_view(curve.doc))
+int64_t RunDatabase::Impl::WriteTask(const TaskRecord& task) {
+  SqliteStatement row(*database, "INSERT INTO task VALUES (NULL, ?, ?, ?, ?, ?, ?)", "note a task");
+  row.Bind(std::string_view(task.module), std::string_view(task.task),
+           std::string_view(task.task_file), std::string_view(task.task_hash),
+           std::string_view(task.plugin), std::string_view(task.compiler))
+      .Run();
+  const int64_t id = sqlite3_last_insert_rowid(database->handle());
+  SqliteStatement term(*database, "INSERT INTO term VALUES (?, ?, ?, ?)", "note a task");
+  for (size_t i = 0; i < task.terms.size(); ++i) {
+    term.Bind(id, static_cast<int64_t>(i), std::string_view(task.terms[i].name),
+              std::string_view(task.terms[i].doc))
         .Run();
   }
+  SqliteStatement source(*database, "INSERT INTO source VALUES (?, ?, ?, ?)", "note a task");
+  for (size_t i = 0; i < task.sources.size(); ++i) {
+    source
+        .Bind(id, static_cast<int64_t>(i), std::string_view(task.sources[i].file),
+              std::string_view(task.sources[i].text))
+        .Run();
+  }
+  WriteCurves("INSERT INTO metric VALUES (?, ?, ?, ?, ?, ?)", id, task.metrics);
+  WriteCurves("INSERT INTO log VALUES (?, ?, ?, ?, ?, ?)", id, task.logs);
+  return id;
+}
+
+void RunDatabase::Impl::WriteCurves(const char* insert, int64_t task,
+                                    const std::vector<CurveRecord>& curves) {
+  SqliteStatement row(*database, insert, "note a task");
+  for (size_t i = 0; i < curves.size(); ++i) {
+    const CurveRecord& curve = curves[i];
+    row.Bind(task, static_cast<int64_t>(i), std::string_view(curve.name),
+             std::string_view(curve.unit), std::string_view(curve.reduction),
+             std::string_view(curve.doc))
+        .Run();
+  }
+}
+
+void RunDatabase::Impl::WriteEvaluation(int64_t episode, const Evaluation& evaluation,
+                                        bool is_active) {
+  write->evaluation
+      .Bind(episode, evaluation.task, is_active ? 1 : 0, evaluation.episode_return,
+            std::string_view(evaluation.end_kind), std::string_view(evaluation.end_reason),
+            evaluation.faults, evaluation.violations)
+      .Run();
+  const auto add = [&](SqliteStatement& row, const std::vector<double>& values) {
+    for (size_t i = 0; i < values.size(); ++i) {
+      row.Bind(episode, evaluation.task, static_cast<int64_t>(i), values[i]).Run();
+    }
+  };
+  add(write->term, evaluation.terms);
+  add(write->metric, evaluation.metrics);
+  add(write->log, evaluation.logs);
 }
 
 void RunDatabase::AddEpisode(const EpisodeRecord& episode,
@@ -180,18 +210,13 @@ void RunDatabase::AddEpisode(const EpisodeRecord& episode,
   WriteStatements& write = *impl_->write;
   SqliteTransaction transaction(*impl_->database, fmt::format("save episode {}", episode.number));
   write.episode
-      .Bind(episode.number, episode.episode_return, std::string_view(episode.end_kind),
-            std::string_view(episode.end_reason), episode.steps, episode.actions,
-            episode.simulated_seconds, episode.wall_seconds, episode.faults, episode.violations)
+      .Bind(episode.number, episode.steps, episode.actions, episode.simulated_seconds,
+            episode.wall_seconds)
       .Run();
-  const auto add = [&](SqliteStatement& row, const std::vector<double>& values) {
-    for (size_t i = 0; i < values.size(); ++i) {
-      row.Bind(episode.number, static_cast<int64_t>(i), values[i]).Run();
-    }
-  };
-  add(write.term, episode.terms);
-  add(write.metric, episode.metrics);
-  add(write.log, episode.logs);
+  impl_->WriteEvaluation(episode.number, episode.active, true);
+  for (const Evaluation& shadow : episode.shadows) {
+    impl_->WriteEvaluation(episode.number, shadow, false);
+  }
   if (recording) {
     write.recording
         .Bind(episode.number, recording->is_best ? 1 : 0, recording->frames,
@@ -204,6 +229,22 @@ void RunDatabase::AddEpisode(const EpisodeRecord& episode,
 
 void RunDatabase::WriteCheckpoint(const Checkpoint& checkpoint) {
   impl_->WriteCheckpoint(checkpoint);
+}
+
+int64_t RunDatabase::AddTask(const TaskRecord& task) {
+  SqliteTransaction transaction(*impl_->database, "note a task");
+  const int64_t id = impl_->WriteTask(task);
+  transaction.Commit();
+  return id;
+}
+
+int64_t RunDatabase::AddChange(const ChangeRecord& change) {
+  SqliteStatement row(*impl_->database, "INSERT INTO change VALUES (NULL, ?, ?, ?, ?, ?, ?)",
+                      "note a change");
+  row.Bind(change.episode, change.step, std::string_view(change.at), std::string_view(change.kind),
+           std::string_view(change.text), std::string_view(change.data))
+      .Run();
+  return sqlite3_last_insert_rowid(impl_->database->handle());
 }
 
 void RunDatabase::DeleteEpisodesAfter(int64_t episode) {

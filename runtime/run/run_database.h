@@ -36,6 +36,7 @@ class RunDatabase {
   RunState ReadState() const;
   std::string ReadValue(const std::string& key) const;  // of the table `run`; "" if there is none
   std::vector<EpisodeRecord> ReadEpisodes() const;      // ascending, with all their values
+  std::vector<ChangeRecord> ReadChanges() const;        // in the order in which they were added
   std::optional<Checkpoint> ReadCheckpoint() const;
   std::optional<Recording> ReadRecording(int64_t episode) const;
 
@@ -43,7 +44,10 @@ class RunDatabase {
   void AddEpisode(const EpisodeRecord& episode, const std::optional<Recording>& recording,
                   const std::optional<Checkpoint>& checkpoint);
   void WriteCheckpoint(const Checkpoint& checkpoint);
-  // Deletes the episodes after `episode` with all that belongs to them.
+  // Returns the id that the task, or the change, has from now on; the record's own does not count.
+  int64_t AddTask(const TaskRecord& task);
+  int64_t AddChange(const ChangeRecord& change);
+  // Deletes the episodes after `episode` with all that belongs to them. Changes stay.
   void DeleteEpisodesAfter(int64_t episode);
   // Also notes the time at which the run was finished or interrupted.
   void SetState(RunState state);

@@ -16,28 +16,27 @@ struct TextKey {
   std::string RunRecord::*member;
 };
 inline constexpr TextKey kTexts[] = {
-    {"task", &RunRecord::task},           {"task_file", &RunRecord::task_file},
-    {"task_hash", &RunRecord::task_hash}, {"plugin", &RunRecord::plugin},
-    {"robot", &RunRecord::robot},         {"robot_description", &RunRecord::robot_description},
-    {"agent", &RunRecord::agent},         {"profile", &RunRecord::profile},
-    {"version", &RunRecord::version},     {"compiler", &RunRecord::compiler},
-    {"body", &RunRecord::body},
+    {"robot", &RunRecord::robot}, {"robot_description", &RunRecord::robot_description},
+    {"agent", &RunRecord::agent}, {"profile", &RunRecord::profile},
+    {"body", &RunRecord::body},   {"version", &RunRecord::version},
 };
 
 // The statements that run once per episode.
 struct WriteStatements {
   explicit WriteStatements(const SqliteDatabase& database)
-      : episode(database, "INSERT INTO episode VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)",
-                "save an episode"),
-        term(database, "INSERT INTO episode_term VALUES (?, ?, ?)", "save an episode"),
-        metric(database, "INSERT INTO episode_metric VALUES (?, ?, ?)", "save an episode"),
-        log(database, "INSERT INTO episode_log VALUES (?, ?, ?)", "save an episode"),
+      : episode(database, "INSERT INTO episode VALUES (?, ?, ?, ?, ?)", "save an episode"),
+        evaluation(database, "INSERT INTO evaluation VALUES (?, ?, ?, ?, ?, ?, ?, ?)",
+                   "save an episode"),
+        term(database, "INSERT INTO evaluation_term VALUES (?, ?, ?, ?)", "save an episode"),
+        metric(database, "INSERT INTO evaluation_metric VALUES (?, ?, ?, ?)", "save an episode"),
+        log(database, "INSERT INTO evaluation_log VALUES (?, ?, ?, ?)", "save an episode"),
         recording(database, "INSERT INTO recording VALUES (?, ?, ?, ?, ?)", "save a recording"),
         checkpoint(database, "INSERT OR REPLACE INTO checkpoint VALUES (1, ?, ?)",
                    "save a checkpoint"),
         set_value(database, "INSERT OR REPLACE INTO run VALUES (?, ?)", "save the run's state") {}
 
   SqliteStatement episode;
+  SqliteStatement evaluation;
   SqliteStatement term;
   SqliteStatement metric;
   SqliteStatement log;
@@ -67,7 +66,9 @@ struct RunDatabase::Impl {
     write->set_value.Bind(std::string_view(key), std::string_view(value)).Run();
   }
   void WriteRun(const RunRecord& run);
-  void WriteCurves(const char* insert, const std::vector<CurveRecord>& curves);
+  int64_t WriteTask(const TaskRecord& task);
+  void WriteCurves(const char* insert, int64_t task, const std::vector<CurveRecord>& curves);
+  void WriteEvaluation(int64_t episode, const Evaluation& evaluation, bool is_active);
   void WriteCheckpoint(const Checkpoint& checkpoint);
 };
 

@@ -30,4 +30,8 @@ std::string_view EndKindName(EndKind kind) {
   std::abort();
 }
 
+const TaskRecord& TaskWithId(const RunRecord& run, int64_t id) {
+  return run.tasks.at(static_cast<size_t>(id - 1));
+}
+
 }  // namespace runtime

@@ -33,43 +33,73 @@ struct CurveRecord {
   std::string doc;
 };
 
-// What makes a run what it is: with it, the plugin's file and the last checkpoint a run goes on.
-struct RunRecord {
+// A plugin that was loaded in a run under a module's name.
+struct TaskRecord {
+  int64_t id = 0;      // from 1, in the order of loading; 1 is the task that the run began with
+  std::string module;  // name of the task module: "task"
   std::string task;
   std::string task_file;
   std::string task_hash;  // SHA-256 of the sources
   std::string plugin;     // file name of the shared object in the run's folder
-  std::string robot;
-  std::string robot_description;  // text of the robot's file
-  std::string agent;              // resolved agent file, TOML
-  std::string profile;
-  std::string version;   // of the trainer
-  std::string compiler;  // of the task
-  std::string body;      // links' names and shapes, JSON
-  uint64_t seed = 0;
-  int64_t episodes_planned = 0;
-  int64_t record_every = 0;       // 0: only the best episodes
-  double checkpoint_seconds = 0;  // at most one checkpoint in this time
+  std::string compiler;
   std::vector<TermRecord> terms;
   std::vector<CurveRecord> metrics;
   std::vector<CurveRecord> logs;
   std::vector<SourceRecord> sources;  // the task's own first
 };
 
-struct EpisodeRecord {
-  int64_t number = 0;  // from 1
+// What makes a run what it is: with it, the plugins' files, the changes and the last checkpoint a
+// run goes on.
+struct RunRecord {
+  std::string robot;
+  std::string robot_description;  // text of the robot's file
+  std::string agent;              // resolved agent file, TOML
+  std::string profile;
+  std::string version;  // of the trainer
+  std::string body;     // links' names and shapes, JSON
+  uint64_t seed = 0;
+  int64_t episodes_planned = 0;
+  int64_t record_every = 0;       // 0: only the best episodes
+  double checkpoint_seconds = 0;  // at most one checkpoint in this time
+  std::vector<TaskRecord> tasks;  // by their ids, so that the first is the one at the start
+};
+
+// The task with this id, which the run must have.
+const TaskRecord& TaskWithId(const RunRecord& run, int64_t id);
+
+// What one task says of one episode.
+struct Evaluation {
+  int64_t task = 0;  // TaskRecord::id
   double episode_return = 0;
   std::string end_kind;
   std::string end_reason;
+  int64_t faults = 0;
+  int64_t violations = 0;
+  std::vector<double> terms;    // one for each term of the task
+  std::vector<double> metrics;  // one for each metric of the task
+  std::vector<double> logs;     // one for each log of the task; NaN where nothing was logged
+};
+
+struct EpisodeRecord {
+  int64_t number = 0;  // from 1
   int64_t steps = 0;
   int64_t actions = 0;
   double simulated_seconds = 0;
   double wall_seconds = 0;
-  int64_t faults = 0;
-  int64_t violations = 0;
-  std::vector<double> terms;    // one for each term of the run
-  std::vector<double> metrics;  // one for each metric of the run
-  std::vector<double> logs;     // one for each log of the run; NaN where nothing was logged
+  Evaluation active;  // of the task that paid the learner at the episode's end
+  std::vector<Evaluation> shadows;
+};
+
+// What a client did to the run that has an effect on learning or on the record. The changes are the
+// journal that is repeated when a run goes on from a checkpoint.
+struct ChangeRecord {
+  int64_t id = 0;       // from 1
+  int64_t episode = 0;  // in which it took effect; the next one, for a change between two episodes
+  int64_t step = 0;     // control steps done in that episode before it
+  std::string at;       // ISO 8601
+  std::string kind;     // "swap"
+  std::string text;     // for a person: "swap task: crawling.task (a1b2c3d4)"
+  std::string data;     // the request with all that is needed to repeat it, JSON
 };
 
 struct Recording {

@@ -1,78 +1,124 @@
 -- One run of the trainer: the file run.db in the run's folder. SI units. PRAGMA user_version holds
 -- the version of this schema, PRAGMA application_id marks the file as ours (run_database.cpp).
 
--- What the run is: task, task_file, task_hash, robot, robot_description, agent,
--- profile, seed, episodes_planned, record_every, checkpoint_seconds, plugin, version, compiler,
--- started_at, finished_at, state (running, interrupted or finished), body (body_json.h).
+-- What the run is: robot, robot_description, agent, profile, seed, episodes_planned, record_every,
+-- checkpoint_seconds, version, started_at, finished_at, state (running, interrupted or finished),
+-- body (body_json.h).
 CREATE TABLE run (
   key TEXT PRIMARY KEY,
   value TEXT NOT NULL
 );
 
--- The texts that the task is made of: its own first, then those it imports and extends.
-CREATE TABLE source (
+-- The plugins that were loaded, in the order of loading: 1 is the task that the run began with.
+CREATE TABLE task (
   id INTEGER PRIMARY KEY,
+  module TEXT NOT NULL,     -- name of the task module
+  name TEXT NOT NULL,
   file TEXT NOT NULL,
-  text TEXT NOT NULL
+  hash TEXT NOT NULL,       -- SHA-256 of the sources
+  plugin TEXT NOT NULL,     -- file name of the shared object in the run's folder
+  compiler TEXT NOT NULL
 );
 
--- The named parts of the reward, in the order of the plugin.
+-- The texts that a task is made of: its own first, then those it imports and extends.
+CREATE TABLE source (
+  task INTEGER NOT NULL REFERENCES task,
+  id INTEGER NOT NULL,
+  file TEXT NOT NULL,
+  text TEXT NOT NULL,
+  PRIMARY KEY (task, id)
+) WITHOUT ROWID;
+
+-- The named parts of a task's reward, in the order of its plugin.
 CREATE TABLE term (
-  id INTEGER PRIMARY KEY,
+  task INTEGER NOT NULL REFERENCES task,
+  id INTEGER NOT NULL,
   name TEXT NOT NULL,
-  doc TEXT NOT NULL
-);
+  doc TEXT NOT NULL,
+  PRIMARY KEY (task, id)
+) WITHOUT ROWID;
 
 CREATE TABLE metric (
-  id INTEGER PRIMARY KEY,
+  task INTEGER NOT NULL REFERENCES task,
+  id INTEGER NOT NULL,
   name TEXT NOT NULL,
   unit TEXT NOT NULL,
   reduction TEXT NOT NULL,  -- last, sum, max, min or mean
-  doc TEXT NOT NULL
-);
+  doc TEXT NOT NULL,
+  PRIMARY KEY (task, id)
+) WITHOUT ROWID;
 
 CREATE TABLE log (
-  id INTEGER PRIMARY KEY,
+  task INTEGER NOT NULL REFERENCES task,
+  id INTEGER NOT NULL,
   name TEXT NOT NULL,
   unit TEXT NOT NULL,
   reduction TEXT NOT NULL,  -- last, sum, max, min or mean
-  doc TEXT NOT NULL
-);
+  doc TEXT NOT NULL,
+  PRIMARY KEY (task, id)
+) WITHOUT ROWID;
 
--- Numbered from 1. A value that is not a number is NULL.
+-- Numbered from 1.
 CREATE TABLE episode (
   number INTEGER PRIMARY KEY,
-  return REAL,
-  end_kind TEXT NOT NULL,   -- success, failure, truncated or diverged
-  end_reason TEXT NOT NULL,
   steps INTEGER NOT NULL,   -- control steps
   actions INTEGER NOT NULL,
   simulated_seconds REAL NOT NULL,
-  wall_seconds REAL NOT NULL,
-  faults INTEGER NOT NULL,  -- reward values that were not finite and so not paid
-  violations INTEGER NOT NULL  -- callbacks in which something that the task requires did not hold
+  wall_seconds REAL NOT NULL
 );
 
-CREATE TABLE episode_term (
+-- What each task that was there at the episode's end says of it. A value that is not a number is
+-- NULL.
+CREATE TABLE evaluation (
   episode INTEGER NOT NULL REFERENCES episode ON DELETE CASCADE,
-  term INTEGER NOT NULL REFERENCES term,
+  task INTEGER NOT NULL REFERENCES task,
+  is_active INTEGER NOT NULL,  -- 1: its reward reached the learner; 0: a shadow
+  return REAL,
+  end_kind TEXT NOT NULL,      -- success, failure, truncated or diverged
+  end_reason TEXT NOT NULL,
+  faults INTEGER NOT NULL,     -- reward values that were not finite and so not paid
+  violations INTEGER NOT NULL, -- callbacks in which something that the task requires did not hold
+  PRIMARY KEY (episode, task)
+) WITHOUT ROWID;
+
+CREATE TABLE evaluation_term (
+  episode INTEGER NOT NULL,
+  task INTEGER NOT NULL,
+  id INTEGER NOT NULL,         -- of the task's term
   sum REAL,
-  PRIMARY KEY (episode, term)
+  PRIMARY KEY (episode, task, id),
+  FOREIGN KEY (episode, task) REFERENCES evaluation ON DELETE CASCADE
 ) WITHOUT ROWID;
 
-CREATE TABLE episode_metric (
-  episode INTEGER NOT NULL REFERENCES episode ON DELETE CASCADE,
-  metric INTEGER NOT NULL REFERENCES metric,
+CREATE TABLE evaluation_metric (
+  episode INTEGER NOT NULL,
+  task INTEGER NOT NULL,
+  id INTEGER NOT NULL,         -- of the task's metric
   value REAL,
-  PRIMARY KEY (episode, metric)
+  PRIMARY KEY (episode, task, id),
+  FOREIGN KEY (episode, task) REFERENCES evaluation ON DELETE CASCADE
 ) WITHOUT ROWID;
 
-CREATE TABLE episode_log (
-  episode INTEGER NOT NULL REFERENCES episode ON DELETE CASCADE,
-  log INTEGER NOT NULL REFERENCES log,
-  value REAL,               -- NULL where nothing was logged
-  PRIMARY KEY (episode, log)
+CREATE TABLE evaluation_log (
+  episode INTEGER NOT NULL,
+  task INTEGER NOT NULL,
+  id INTEGER NOT NULL,         -- of the task's log
+  value REAL,                  -- NULL where nothing was logged
+  PRIMARY KEY (episode, task, id),
+  FOREIGN KEY (episode, task) REFERENCES evaluation ON DELETE CASCADE
 ) WITHOUT ROWID;
+
+-- What clients did to the run, in the order in which it took effect: the journal that is repeated
+-- when the run goes on from a checkpoint. Stays when episodes are deleted for that.
+CREATE TABLE change (
+  id INTEGER PRIMARY KEY,
+  episode INTEGER NOT NULL,    -- in which it took effect; the next one, if between two episodes
+  step INTEGER NOT NULL,       -- control steps done in that episode before it
+  at TEXT NOT NULL,            -- ISO 8601
+  kind TEXT NOT NULL,          -- swap, set, ...
+  text TEXT NOT NULL,          -- for a person
+  data TEXT NOT NULL           -- JSON: the request with all that is needed to repeat it
+);
 
 -- `poses`: zstd of little-endian float32 [frames][links][7]: x y z qw qx qy qz of each link's frame
 -- at its centre, world frame.

@@ -1,6 +1,7 @@
 #include "runtime/run/task_record.h"
 
 #include <cstdlib>
+#include <utility>
 
 namespace runtime {
 namespace {
@@ -23,25 +24,28 @@ const char* ReductionName(taskc_int32 reduction) {
 
 }  // namespace
 
-void DescribeTask(const taskc_plugin& plugin, RunRecord& run) {
-  run.task = plugin.name;
-  run.task_file = plugin.sources[0].file;
-  run.task_hash = plugin.source_hash;
-  run.compiler = plugin.compiler;
+TaskRecord DescribeTask(const taskc_plugin& plugin, std::string module) {
+  TaskRecord task;
+  task.module = std::move(module);
+  task.task = plugin.name;
+  task.task_file = plugin.sources[0].file;
+  task.task_hash = plugin.source_hash;
+  task.compiler = plugin.compiler;
   for (taskc_uint32 i = 0; i < plugin.term_count; ++i) {
-    run.terms.push_back({plugin.terms[i].name, plugin.terms[i].doc});
+    task.terms.push_back({plugin.terms[i].name, plugin.terms[i].doc});
   }
   for (taskc_uint32 i = 0; i < plugin.metric_count; ++i) {
     const taskc_metric& metric = plugin.metrics[i];
-    run.metrics.push_back({metric.name, metric.unit, ReductionName(metric.reduction), metric.doc});
+    task.metrics.push_back({metric.name, metric.unit, ReductionName(metric.reduction), metric.doc});
   }
   for (taskc_uint32 i = 0; i < plugin.log_count; ++i) {
     const taskc_log& log = plugin.logs[i];
-    run.logs.push_back({log.name, log.unit, ReductionName(log.reduction), log.doc});
+    task.logs.push_back({log.name, log.unit, ReductionName(log.reduction), log.doc});
   }
   for (taskc_uint32 i = 0; i < plugin.source_count; ++i) {
-    run.sources.push_back({plugin.sources[i].file, plugin.sources[i].text});
+    task.sources.push_back({plugin.sources[i].file, plugin.sources[i].text});
   }
+  return task;
 }
 
 }  // namespace runtime

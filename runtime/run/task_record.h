@@ -2,12 +2,14 @@
 
 #include <taskc/plugin.h>
 
+#include <string>
+
 #include "runtime/run/run_records.h"
 
 namespace runtime {
 
-// Notes in `run` what the plugin says about its task: name, sources, compiler, terms, metrics and
-// logs.
-void DescribeTask(const taskc_plugin& plugin, RunRecord& run);
+// What the plugin in the task module `module` says about its task. It has no id, and no file in a
+// run's folder, yet.
+TaskRecord DescribeTask(const taskc_plugin& plugin, std::string module);
 
 }  // namespace runtime

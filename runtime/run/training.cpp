@@ -71,17 +71,19 @@ EpisodeRecord Training::RunEpisode(const StopRequest& stop) {
     }
   }
   const EpisodeEnd& end = learner_.episode_end();
-  episode.episode_return = learner_.episode_return();
-  episode.end_kind = EndKindName(end.kind);
-  episode.end_reason = end.reason;
+  episode.active.task = run_.tasks.front().id;
+  episode.active.episode_return = learner_.episode_return();
+  episode.active.end_kind = EndKindName(end.kind);
+  episode.active.end_reason = end.reason;
   episode.actions = learner_.action_count();
   episode.simulated_seconds = environment_.time();
   episode.wall_seconds = std::chrono::duration<double>(Clock::now() - start).count();
-  episode.faults = task_.fault_count();
-  for (const Incidents& violations : task_.violations()) episode.violations += violations.count;
-  episode.terms.assign(task_.term_sums().begin(), task_.term_sums().end());
-  episode.metrics.assign(task_.metrics().begin(), task_.metrics().end());
-  episode.logs.assign(task_.logs().begin(), task_.logs().end());
+  episode.active.faults = task_.fault_count();
+  for (const Incidents& violations : task_.violations())
+    episode.active.violations += violations.count;
+  episode.active.terms.assign(task_.term_sums().begin(), task_.term_sums().end());
+  episode.active.metrics.assign(task_.metrics().begin(), task_.metrics().end());
+  episode.active.logs.assign(task_.logs().begin(), task_.logs().end());
   return episode;
 }
 
@@ -91,24 +93,25 @@ void Training::CaptureFrame() {
 }
 
 void Training::WarnAbout(const EpisodeRecord& episode) {
-  if (episode.end_kind == EndKindName(EndKind::kDiverged)) {
+  if (episode.active.end_kind == EndKindName(EndKind::kDiverged)) {
     progress_.Warn(fmt::format(
         "warning: episode {}: the simulation diverged after {:.3f} s; its last action was not "
         "learned from",
         episode.number, episode.simulated_seconds));
   }
-  if (episode.faults > 0) WarnAboutFaults(episode);
-  if (episode.violations > 0) WarnAboutViolations(episode);
+  if (episode.active.faults > 0) WarnAboutFaults(episode);
+  if (episode.active.violations > 0) WarnAboutViolations(episode);
 }
 
 void Training::WarnAboutFaults(const EpisodeRecord& episode) {
   std::string terms;
-  for (size_t i = 0; i < run_.terms.size(); ++i) {
+  for (size_t i = 0; i < run_.tasks.front().terms.size(); ++i) {
     const Incidents& faults = task_.faults()[i];
     if (faults.count == 0) continue;
-    terms += fmt::format(
-        "{}`{}` ({}) {}x, first at {:.3f} s", terms.empty() ? "" : "; ", run_.terms[i].name,
-        PlaceText(task_.plugin(), task_.plugin().terms[i].place), faults.count, faults.first_time);
+    terms += fmt::format("{}`{}` ({}) {}x, first at {:.3f} s", terms.empty() ? "" : "; ",
+                         run_.tasks.front().terms[i].name,
+                         PlaceText(task_.plugin(), task_.plugin().terms[i].place), faults.count,
+                         faults.first_time);
   }
   progress_.Warn(
       fmt::format("warning: episode {}: not finite and so not paid: {}", episode.number, terms));
@@ -124,8 +127,8 @@ void Training::WarnAboutViolations(const EpisodeRecord& episode) {
     progress_.Warn(fmt::format(
         "warning: episode {}: {} requires `{}` ({}), which did not hold at {:.3f} s; such episodes "
         "are truncated and counted, and this is said once",
-        episode.number, run_.task, requirement.reason, PlaceText(task_.plugin(), requirement.place),
-        violations.first_time));
+        episode.number, run_.tasks.front().task, requirement.reason,
+        PlaceText(task_.plugin(), requirement.place), violations.first_time));
   }
 }
 

@@ -8,7 +8,8 @@ namespace runtime {
 
 RunRecord RecordOf(const TaskSetup& setup, const RunPlan& plan) {
   RunRecord run;
-  DescribeTask(setup.plugin.table(), run);
+  run.tasks = {DescribeTask(setup.plugin.table(), "task")};
+  run.tasks.front().id = 1;
   run.robot = setup.robot.name;
   run.robot_description = ReadText(setup.robot_file);
   run.body = BodyJson(setup.robot);
@@ -24,7 +25,7 @@ RunRecord RecordOf(const TaskSetup& setup, const RunPlan& plan) {
 
 RunDatabase CreateRun(const std::filesystem::path& folder, const TaskSetup& setup, RunRecord& run) {
   RunDatabase::CheckIsFree(folder);
-  run.plugin = KeepPlugin(setup.plugin_file, folder);
+  run.tasks.front().plugin = KeepPlugin(setup.plugin_file, folder);
   return RunDatabase::Create(folder, run);
 }
 

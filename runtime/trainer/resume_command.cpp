@@ -56,7 +56,7 @@ int ResumeOne(const ResumeOptions& options) {
                "warning: the run was started by trainer {}, this is {}: it may go on differently\n",
                run.version, TASKC_VERSION);
   }
-  const std::filesystem::path plugin = FindKeptPlugin(options.folder, run.plugin);
+  const std::filesystem::path plugin = FindKeptPlugin(options.folder, run.tasks.front().plugin);
   const robot::RobotDescription robot = ReadKeptRobot(options.folder, run.robot_description);
   ModuleTypes types;
   RegisterModuleTypes(types);

@@ -26,7 +26,7 @@ int RunSession(const std::filesystem::path& folder, Network& network, const RunR
   Training training(network, run, database, progress);
   training.Restore();
   progress.Note(fmt::format("{}: task {}, robot {}, profile {}, seed {}, episodes {} to {}", name,
-                            run.task, run.robot, run.profile, run.seed,
+                            run.tasks.front().task, run.robot, run.profile, run.seed,
                             training.episodes_done() + 1, run.episodes_planned));
   const StopRequest stop;
   try {

@@ -29,21 +29,24 @@ struct Summary {
   double wall_seconds = 0;
   int64_t faults = 0;
   int64_t violations = 0;
-  std::vector<double> metrics;  // each one's mean over the last episodes
+  TaskRecord task;              // the one that was active last
+  std::vector<double> metrics;  // of this task, each one's mean over the last episodes
   std::vector<double> logs;
   Ends ends;
 };
 
-// Over the last episodes that have a value there; not a number where none has.
+// Over those of the last episodes that have a value there and were paid by the last one's task; not
+// a number where none has.
 std::vector<double> LastMeans(std::span<const EpisodeRecord> episodes, size_t count,
-                              std::vector<double> EpisodeRecord::*member) {
+                              std::vector<double> Evaluation::*member) {
   constexpr size_t kMeanOver = ReturnStatistics::kMeanOver;
   std::vector<double> means;
   for (size_t i = 0; i < count; ++i) {
     double sum = 0;
     int64_t values = 0;
     for (const EpisodeRecord& episode : episodes.last(std::min(episodes.size(), kMeanOver))) {
-      const double value = (episode.*member)[i];
+      if (episode.active.task != episodes.back().active.task) continue;
+      const double value = (episode.active.*member)[i];
       if (std::isnan(value)) continue;
       sum += value;
       ++values;
@@ -61,17 +64,19 @@ Summary Summarise(const std::filesystem::path& folder) {
   summary.started_at = database.ReadValue("started_at");
   summary.finished_at = database.ReadValue("finished_at");
   const std::vector<EpisodeRecord> episodes = database.ReadEpisodes();
+  summary.task = episodes.empty() ? summary.run.tasks.front()
+                                  : TaskWithId(summary.run, episodes.back().active.task);
   summary.episodes = static_cast<int64_t>(episodes.size());
   for (const EpisodeRecord& episode : episodes) {
     summary.returns.Add(episode);
     summary.simulated_seconds += episode.simulated_seconds;
     summary.wall_seconds += episode.wall_seconds;
-    summary.faults += episode.faults;
-    summary.violations += episode.violations;
-    ++summary.ends[{episode.end_kind, episode.end_reason}];
+    summary.faults += episode.active.faults;
+    summary.violations += episode.active.violations;
+    ++summary.ends[{episode.active.end_kind, episode.active.end_reason}];
   }
-  summary.metrics = LastMeans(episodes, summary.run.metrics.size(), &EpisodeRecord::metrics);
-  summary.logs = LastMeans(episodes, summary.run.logs.size(), &EpisodeRecord::logs);
+  summary.metrics = LastMeans(episodes, summary.task.metrics.size(), &Evaluation::metrics);
+  summary.logs = LastMeans(episodes, summary.task.logs.size(), &Evaluation::logs);
   return summary;
 }
 
@@ -97,7 +102,7 @@ nlohmann::ordered_json MeansByName(const std::vector<CurveRecord>& curves,
 
 void PrintText(const Summary& summary) {
   const RunRecord& run = summary.run;
-  PrintLine("task", fmt::format("{} ({})", run.task, run.task_file));
+  PrintLine("task", fmt::format("{} ({})", summary.task.task, summary.task.task_file));
   PrintLine("robot", fmt::format("{}, profile {}", run.robot, run.profile));
   PrintLine("seed", fmt::format("{}", run.seed));
   PrintLine("state",
@@ -110,8 +115,8 @@ void PrintText(const Summary& summary) {
                                   summary.returns.best_episode()));
   }
   PrintLine("last 20", fmt::format("{:.6g} on average", summary.returns.mean()));
-  PrintMeans("metric", run.metrics, summary.metrics);
-  PrintMeans("log", run.logs, summary.logs);
+  PrintMeans("metric", summary.task.metrics, summary.metrics);
+  PrintMeans("log", summary.task.logs, summary.logs);
   PrintLine("time", fmt::format("{} simulated in {}", DurationText(summary.simulated_seconds),
                                 DurationText(summary.wall_seconds)));
   if (summary.faults > 0) {
@@ -132,9 +137,9 @@ void PrintJson(const Summary& summary) {
   for (const auto& [end, count] : summary.ends) {
     ends.push_back({{"kind", end.first}, {"reason", end.second}, {"count", count}});
   }
-  nlohmann::ordered_json json = {{"task", run.task},
-                                 {"task_file", run.task_file},
-                                 {"task_hash", run.task_hash},
+  nlohmann::ordered_json json = {{"task", summary.task.task},
+                                 {"task_file", summary.task.task_file},
+                                 {"task_hash", summary.task.task_hash},
                                  {"robot", run.robot},
                                  {"profile", run.profile},
                                  {"agent", run.agent},
@@ -149,8 +154,8 @@ void PrintJson(const Summary& summary) {
                                  {"faults", summary.faults},
                                  {"violations", summary.violations},
                                  {"mean_of_last_20", summary.returns.mean()},
-                                 {"metrics", MeansByName(run.metrics, summary.metrics)},
-                                 {"logs", MeansByName(run.logs, summary.logs)},
+                                 {"metrics", MeansByName(summary.task.metrics, summary.metrics)},
+                                 {"logs", MeansByName(summary.task.logs, summary.logs)},
                                  {"ends", ends}};
   if (summary.returns.best_episode() > 0) {
     json["best"] = {{"episode", summary.returns.best_episode()},

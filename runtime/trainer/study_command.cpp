@@ -22,7 +22,8 @@ struct StudyOptions {
 void TakeOver(const std::filesystem::path& folder, const RunRecord& wanted,
               const std::string& place) {
   const RunRecord run = RunDatabase::OpenToRead(folder).ReadRun();
-  const bool is_same = run.task_hash == wanted.task_hash && run.agent == wanted.agent &&
+  const bool is_same = run.tasks.front().task_hash == wanted.tasks.front().task_hash &&
+                       run.agent == wanted.agent &&
                        run.robot_description == wanted.robot_description;
   if (!is_same) {
     throw UserError(
@@ -42,8 +43,9 @@ void Prepare(const Experiment& experiment, const std::filesystem::path& out,
   if (!task.plugin()) throw UserError(fmt::format("{}: its task has errors", experiment.place));
   TaskSetup setup(experiment.task, *task.plugin(), experiment.seeds.front());
   const RunRecord run = RecordOf(setup, experiment.plan);
-  const std::string name =
-      experiment.name.empty() ? fmt::format("{}-{}", run.task, run.profile) : experiment.name;
+  const std::string name = experiment.name.empty()
+                               ? fmt::format("{}-{}", run.tasks.front().task, run.profile)
+                               : experiment.name;
   if (!names.insert(name).second) {
     throw UserError(fmt::format("{}: two experiments are called `{}`; give this one another `name`",
                                 experiment.place, name));

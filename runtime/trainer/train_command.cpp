@@ -28,7 +28,7 @@ int TrainOne(const TrainOptions& options, const std::filesystem::path& plugin) {
   TaskSetup setup(options.task, plugin, options.plan.seed);
   RunRecord run = RecordOf(setup, options.plan);
   const std::filesystem::path folder =
-      FolderOf(options, fmt::format("{}-{}-seed{}", run.task, run.profile, run.seed));
+      FolderOf(options, fmt::format("{}-{}-seed{}", run.tasks.front().task, run.profile, run.seed));
   RunDatabase::CheckIsFree(folder);
   setup.network.Start();  // the last that can be wrong: only now the folder is made
   RunDatabase database = CreateRun(folder, setup, run);
@@ -41,7 +41,7 @@ int TrainMany(const TrainOptions& options, const std::filesystem::path& plugin) 
   TaskSetup setup(options.task, plugin, options.plan.seed);
   const RunRecord run = RecordOf(setup, options.plan);
   const std::filesystem::path folder =
-      FolderOf(options, fmt::format("{}-{}", run.task, run.profile));
+      FolderOf(options, fmt::format("{}-{}", run.tasks.front().task, run.profile));
   setup.network.Start();
   const uint64_t end = run.seed + static_cast<uint64_t>(options.runs);
   for (uint64_t seed = run.seed; seed < end; ++seed) {

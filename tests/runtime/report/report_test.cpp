@@ -30,15 +30,16 @@ constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 EpisodeRecord Episode(int64_t number, double value) {
   EpisodeRecord episode;
   episode.number = number;
-  episode.episode_return = value;
-  episode.end_kind = "truncated";
-  episode.end_reason = "time is up";
+  episode.active.task = 1;
+  episode.active.episode_return = value;
+  episode.active.end_kind = "truncated";
+  episode.active.end_reason = "time is up";
   episode.simulated_seconds = 20;
   episode.wall_seconds = 2;
-  episode.terms = {value + 1, -1, 0};
-  episode.metrics = {0.5, 0};
-  episode.logs = {number == 1 ? 0.25 : NAN};
-  episode.violations = number;
+  episode.active.terms = {value + 1, -1, 0};
+  episode.active.metrics = {0.5, 0};
+  episode.active.logs = {number == 1 ? 0.25 : NAN};
+  episode.active.violations = number;
   return episode;
 }
 
@@ -94,8 +95,8 @@ TEST_F(WriteReportTest, TellsTheValuesOfEachEpisode) {
 TEST_F(WriteReportTest, CountsTheEndsByKindAndReason) {
   RunDatabase database = Create();
   EpisodeRecord fall = Episode(2, 0);
-  fall.end_kind = "failure";
-  fall.end_reason = "falls";
+  fall.active.end_kind = "failure";
+  fall.active.end_reason = "falls";
   database.AddEpisode(Episode(1, 0), std::nullopt, std::nullopt);
   database.AddEpisode(fall, std::nullopt, std::nullopt);
   database.AddEpisode(Episode(3, 0), std::nullopt, std::nullopt);
@@ -115,7 +116,7 @@ TEST_F(WriteReportTest, TellsWhereTheRunComesFrom) {
   EXPECT_EQ(data["run"]["seed"], "1");
   EXPECT_EQ(data["run"]["state"], "running");
   ASSERT_THAT(data["sources"], SizeIs(2));
-  EXPECT_EQ(data["sources"][0]["text"], run_.sources[0].text);
+  EXPECT_EQ(data["sources"][0]["text"], run_.tasks[0].sources[0].text);
   EXPECT_EQ(data["sources"][1]["file"], "tasks/shaping.task");
   EXPECT_EQ(data["agentText"], run_.agent);
   EXPECT_EQ(data["modules"]["learner"]["type"], "PengQLambda");

@@ -54,41 +54,50 @@ EpisodeRecord SampleEpisode(int64_t number, int64_t episodes, std::mt19937& rand
   const double falls = std::floor(std::max(0., (1 - progress) * 9 + noise(random)));
   EpisodeRecord episode;
   episode.number = number;
-  episode.terms = {forward, turning, -4 * falls};
-  episode.episode_return = forward + turning - 4 * falls;
-  const bool fails = episode.episode_return < -25;
-  episode.end_kind = fails ? "failure" : "truncated";
-  episode.end_reason = fails ? "falls too often" : "time is up";
+  episode.active.task = 1;
+  episode.active.terms = {forward, turning, -4 * falls};
+  episode.active.episode_return = forward + turning - 4 * falls;
+  const bool fails = episode.active.episode_return < -25;
+  episode.active.end_kind = fails ? "failure" : "truncated";
+  episode.active.end_reason = fails ? "falls too often" : "time is up";
   episode.simulated_seconds = fails ? 8.3 : 20.005;
   episode.wall_seconds = episode.simulated_seconds / 14;
   episode.steps = std::lround(episode.simulated_seconds / 0.005);
   episode.actions = episode.steps / 30;
-  episode.metrics = {speed * episode.simulated_seconds, falls};
-  episode.logs = {speed};
+  episode.active.metrics = {speed * episode.simulated_seconds, falls};
+  episode.active.logs = {speed};
   return episode;
 }
 
 }  // namespace
 
+TaskRecord SampleTask() {
+  TaskRecord task;
+  task.id = 1;
+  task.module = "task";
+  task.task = "crawling";
+  task.task_file = "tasks/crawling.task";
+  task.task_hash = "8f2d0c5b7a1e";
+  task.compiler = "g++ 12.2.0";
+  task.terms = {{"forward", "speed along the body's heading"}, {"turning", ""}, {"fall", ""}};
+  task.metrics = {{"distance", "m", "last", ""}, {"falls", "", "sum", "actions with a fall"}};
+  task.logs = {{"speed", "m/s", "mean", "of the body, forward"}};
+  task.sources = {{task.task_file, CrawlingSource()},
+                  {"tasks/shaping.task", "fn double(x: real) -> real = 2 * x\n"}};
+  return task;
+}
+
 RunRecord SampleRunRecord() {
   RunRecord run;
-  run.task = "crawling";
-  run.task_file = "tasks/crawling.task";
-  run.sources = {{run.task_file, CrawlingSource()},
-                 {"tasks/shaping.task", "fn double(x: real) -> real = 2 * x\n"}};
-  run.task_hash = "8f2d0c5b7a1e";
   run.robot = "humanoid";
   run.agent = kAgent;
   run.profile = "paper";
   run.version = "0.1.0";
-  run.compiler = "g++ 12.2.0";
   run.body = BodyJson(Humanoid());
   run.seed = 1;
   run.episodes_planned = 2000;
   run.record_every = 100;
-  run.terms = {{"forward", "speed along the body's heading"}, {"turning", ""}, {"fall", ""}};
-  run.metrics = {{"distance", "m", "last", ""}, {"falls", "", "sum", "actions with a fall"}};
-  run.logs = {{"speed", "m/s", "mean", "of the body, forward"}};
+  run.tasks = {SampleTask()};
   return run;
 }
 
@@ -107,10 +116,11 @@ void WriteSampleRun(const std::filesystem::path& folder, const SampleSize& size)
   for (int64_t number = 1; number <= size.episodes; ++number) {
     const EpisodeRecord episode = SampleEpisode(number, size.episodes, random);
     std::optional<Recording> recording;
-    const bool is_best = episode.episode_return > best;
-    best = std::max(best, episode.episode_return);
+    const bool is_best = episode.active.episode_return > best;
+    best = std::max(best, episode.active.episode_return);
     if (size.record_every > 0 && (is_best || number % size.record_every == 0)) {
-      recording = SampleRecording(size.duration, episode.metrics[0] / episode.simulated_seconds);
+      recording =
+          SampleRecording(size.duration, episode.active.metrics[0] / episode.simulated_seconds);
       recording->is_best = is_best;
     }
     database.AddEpisode(episode, recording, std::nullopt);

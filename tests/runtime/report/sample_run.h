@@ -8,6 +8,9 @@
 
 namespace runtime {
 
+// The task `crawling` as a run notes it.
+TaskRecord SampleTask();
+
 // What a run of `crawling` notes about itself; `body` is that of the humanoid.
 RunRecord SampleRunRecord();
 

@@ -74,12 +74,13 @@ TEST(DurationText, ShowsHoursOnlyWhereThereAreSome) {
 
 TEST(EpisodeJson, NamesTermsMetricsAndLogs) {
   EpisodeRecord episode = SampleEpisode(7);
-  episode.end_reason = "fell \"badly\"";
-  episode.metrics = {std::nan("")};
-  episode.logs[1] = std::nan("");
+  episode.active.end_reason = "fell \"badly\"";
+  episode.active.metrics = {std::nan("")};
+  episode.active.logs[1] = std::nan("");
   const nlohmann::json json = nlohmann::json::parse(EpisodeJson(episode, SampleRun()));
   EXPECT_EQ(json["episode"], 7);
-  EXPECT_EQ(json["return"].get<double>(), episode.episode_return);
+  EXPECT_EQ(json["task"], "crawling");
+  EXPECT_EQ(json["return"].get<double>(), episode.active.episode_return);
   EXPECT_EQ(json["end"]["kind"], "truncated");
   EXPECT_EQ(json["end"]["reason"], "fell \"badly\"");
   EXPECT_EQ(json["terms"]["speed"].get<double>(), 1.0 / 3.0);
@@ -91,6 +92,23 @@ TEST(EpisodeJson, NamesTermsMetricsAndLogs) {
   EXPECT_EQ(json["steps"], 4007);
   EXPECT_EQ(json["actions"], 80);
   EXPECT_EQ(json["faults"], 2);
+  EXPECT_FALSE(json.contains("shadows"));
+}
+
+TEST(EpisodeJson, TellsWhatShadowsSay) {
+  RunRecord run = SampleRun();
+  run.tasks.push_back(SampleVersion());
+  run.tasks.back().module = "careful";
+  EpisodeRecord episode = SampleEpisode(7);
+  episode.shadows = {SampleShadow()};
+  const nlohmann::json json = nlohmann::json::parse(EpisodeJson(episode, run));
+  const nlohmann::json& shadow = json["shadows"]["careful"];
+  EXPECT_EQ(shadow["return"], -1.5);
+  EXPECT_EQ(shadow["end"]["kind"], "failure");
+  EXPECT_EQ(shadow["end"]["reason"], "fell");
+  EXPECT_EQ(shadow["terms"], (nlohmann::json{{"effort", 0.5}, {"speed", 1}, {"fall", -4}}));
+  EXPECT_EQ(shadow["metrics"], (nlohmann::json{{"distance", 0.75}}));
+  EXPECT_EQ(shadow["logs"], nlohmann::json::object());
 }
 
 TEST(Progress, WritesPlainLinesWhereThereIsNoTerminal) {

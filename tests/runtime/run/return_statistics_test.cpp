@@ -9,7 +9,7 @@ namespace {
 
 EpisodeRecord EpisodeWith(int64_t number, double episode_return) {
   EpisodeRecord episode = SampleEpisode(number);
-  episode.episode_return = episode_return;
+  episode.active.episode_return = episode_return;
   return episode;
 }
 
@@ -44,7 +44,7 @@ TEST(ReturnStatistics, KnowTheFirstOfTheBestEpisodes) {
 TEST(ReturnStatistics, TakeNoDivergedEpisodeForTheBest) {
   ReturnStatistics statistics;
   EpisodeRecord diverged = EpisodeWith(1, 1e9);
-  diverged.end_kind = "diverged";
+  diverged.active.end_kind = "diverged";
   EXPECT_FALSE(statistics.IsBest(diverged));
   statistics.Add(diverged);
   EXPECT_EQ(statistics.best_episode(), 0);

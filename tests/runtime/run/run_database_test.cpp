@@ -33,21 +33,27 @@ TEST_F(RunDatabaseTest, GivesBackWhatTheRunIs) {
   const RunRecord written = SampleRun();
   RunDatabase::Create(folder(), written);
   const RunRecord read = RunDatabase::OpenToRead(folder()).ReadRun();
-  EXPECT_EQ(read.task, written.task);
-  EXPECT_EQ(read.task_file, written.task_file);
-  EXPECT_EQ(read.task_hash, written.task_hash);
-  EXPECT_EQ(read.plugin, written.plugin);
   EXPECT_EQ(read.robot, written.robot);
   EXPECT_EQ(read.robot_description, written.robot_description);
   EXPECT_EQ(read.agent, written.agent);
   EXPECT_EQ(read.profile, written.profile);
   EXPECT_EQ(read.version, written.version);
-  EXPECT_EQ(read.compiler, written.compiler);
   EXPECT_EQ(read.body, written.body);
   EXPECT_EQ(read.seed, written.seed);
   EXPECT_EQ(read.episodes_planned, written.episodes_planned);
   EXPECT_EQ(read.record_every, written.record_every);
   EXPECT_EQ(read.checkpoint_seconds, written.checkpoint_seconds);
+  EXPECT_EQ(read.tasks.size(), 1u);
+}
+
+void ExpectSampleTask(const TaskRecord& read) {
+  const TaskRecord written = SampleTask();
+  EXPECT_EQ(read.module, written.module);
+  EXPECT_EQ(read.task, written.task);
+  EXPECT_EQ(read.task_file, written.task_file);
+  EXPECT_EQ(read.task_hash, written.task_hash);
+  EXPECT_EQ(read.plugin, written.plugin);
+  EXPECT_EQ(read.compiler, written.compiler);
   ASSERT_EQ(read.terms.size(), 2u);
   EXPECT_EQ(read.terms[0].name, "speed");
   EXPECT_EQ(read.terms[0].doc, "forward speed");
@@ -66,12 +72,82 @@ TEST_F(RunDatabaseTest, GivesBackWhatTheRunIs) {
   EXPECT_EQ(read.sources[1].file, "tasks/shaping.task");
 }
 
+TEST_F(RunDatabaseTest, GivesBackTheTasksInTheOrderOfLoading) {
+  RunDatabase database = RunDatabase::Create(folder(), SampleRun());
+  TaskRecord version = SampleVersion();
+  version.id = 0;
+  EXPECT_EQ(database.AddTask(version), 2);
+  EXPECT_EQ(database.AddTask(SampleTask()), 3);
+  const RunRecord run = RunDatabase::OpenToRead(folder()).ReadRun();
+  ASSERT_EQ(run.tasks.size(), 3u);
+  for (size_t i = 0; i < 3; ++i) EXPECT_EQ(run.tasks[i].id, static_cast<int64_t>(i + 1));
+  ExpectSampleTask(run.tasks[0]);
+  EXPECT_EQ(run.tasks[1].task_hash, version.task_hash);
+  EXPECT_EQ(run.tasks[1].terms.size(), 3u);
+  EXPECT_TRUE(run.tasks[1].logs.empty());
+  ExpectSampleTask(TaskWithId(run, 3));
+}
+
+TEST_F(RunDatabaseTest, KeepsWhatShadowsSayApartFromTheActiveTask) {
+  RunDatabase database = RunDatabase::Create(folder(), SampleRun());
+  database.AddTask(SampleVersion());
+  EpisodeRecord promoted = SampleEpisode(2);  // now the first task is a shadow of the second
+  promoted.shadows = {promoted.active};
+  promoted.active = SampleShadow();
+  EpisodeRecord shadowed = SampleEpisode(1);
+  shadowed.shadows = {SampleShadow()};
+  database.AddEpisode(shadowed, {}, {});
+  database.AddEpisode(promoted, {}, {});
+  database.AddEpisode(SampleEpisode(3), {}, {});
+
+  const std::vector<EpisodeRecord> read = RunDatabase::OpenToRead(folder()).ReadEpisodes();
+  ASSERT_EQ(read.size(), 3u);
+  EXPECT_EQ(read[0].active.task, 1);
+  EXPECT_EQ(read[0].active.terms, shadowed.active.terms);
+  ASSERT_EQ(read[0].shadows.size(), 1u);
+  const Evaluation& shadow = read[0].shadows[0];
+  EXPECT_EQ(shadow.task, 2);
+  EXPECT_EQ(shadow.episode_return, -1.5);
+  EXPECT_EQ(shadow.end_kind, "failure");
+  EXPECT_EQ(shadow.end_reason, "fell");
+  EXPECT_EQ(shadow.violations, 1);
+  EXPECT_EQ(shadow.terms, SampleShadow().terms);
+  EXPECT_EQ(shadow.metrics, SampleShadow().metrics);
+  EXPECT_TRUE(shadow.logs.empty());
+  EXPECT_EQ(read[1].active.task, 2);
+  EXPECT_EQ(read[1].active.terms, SampleShadow().terms);
+  ASSERT_EQ(read[1].shadows.size(), 1u);
+  EXPECT_EQ(read[1].shadows[0].task, 1);
+  EXPECT_EQ(read[1].shadows[0].logs, SampleEpisode(2).active.logs);
+  EXPECT_TRUE(read[2].shadows.empty());
+}
+
+TEST_F(RunDatabaseTest, GivesBackChangesAndKeepsThemWhenEpisodesAreDeleted) {
+  RunDatabase database = RunDatabase::Create(folder(), SampleRun());
+  database.AddEpisode(SampleEpisode(1), {}, {});
+  const ChangeRecord set{0, 1, 250, "2026-01-02T03:04:05Z", "set", "set task.gain = 2", "{}"};
+  const ChangeRecord swap{0, 2, 0, "2026-01-02T03:04:06Z", "swap", "swap task: a \"b\"", "[1]"};
+  EXPECT_EQ(database.AddChange(set), 1);
+  EXPECT_EQ(database.AddChange(swap), 2);
+  database.DeleteEpisodesAfter(0);
+  const std::vector<ChangeRecord> read = RunDatabase::OpenToRead(folder()).ReadChanges();
+  ASSERT_EQ(read.size(), 2u);
+  EXPECT_EQ(read[0].id, 1);
+  EXPECT_EQ(read[0].episode, 1);
+  EXPECT_EQ(read[0].step, 250);
+  EXPECT_EQ(read[0].at, set.at);
+  EXPECT_EQ(read[0].kind, "set");
+  EXPECT_EQ(read[1].id, 2);
+  EXPECT_EQ(read[1].text, swap.text);
+  EXPECT_EQ(read[1].data, swap.data);
+}
+
 TEST_F(RunDatabaseTest, GivesBackEpisodesBitForBit) {
   RunDatabase database = RunDatabase::Create(folder(), SampleRun());
   EpisodeRecord second = SampleEpisode(2);
-  second.episode_return = std::numeric_limits<double>::quiet_NaN();
-  second.logs[0] = std::numeric_limits<double>::quiet_NaN();
-  second.terms = {std::numeric_limits<double>::infinity(), 5e-324};
+  second.active.episode_return = std::numeric_limits<double>::quiet_NaN();
+  second.active.logs[0] = std::numeric_limits<double>::quiet_NaN();
+  second.active.terms = {std::numeric_limits<double>::infinity(), 5e-324};
   database.AddEpisode(SampleEpisode(1), {}, {});
   database.AddEpisode(second, {}, {});
 
@@ -79,22 +155,22 @@ TEST_F(RunDatabaseTest, GivesBackEpisodesBitForBit) {
   ASSERT_EQ(read.size(), 2u);
   const EpisodeRecord first = SampleEpisode(1);
   EXPECT_EQ(read[0].number, 1);
-  EXPECT_EQ(read[0].episode_return, first.episode_return);
-  EXPECT_EQ(read[0].end_kind, "truncated");
-  EXPECT_EQ(read[0].end_reason, "time is over");
+  EXPECT_EQ(read[0].active.episode_return, first.active.episode_return);
+  EXPECT_EQ(read[0].active.end_kind, "truncated");
+  EXPECT_EQ(read[0].active.end_reason, "time is over");
   EXPECT_EQ(read[0].steps, first.steps);
   EXPECT_EQ(read[0].actions, first.actions);
   EXPECT_EQ(read[0].simulated_seconds, first.simulated_seconds);
   EXPECT_EQ(read[0].wall_seconds, first.wall_seconds);
-  EXPECT_EQ(read[0].faults, 2);
-  EXPECT_EQ(read[0].terms, first.terms);
-  EXPECT_EQ(read[0].violations, 3);
-  EXPECT_EQ(read[0].metrics, first.metrics);
-  EXPECT_EQ(read[0].logs, first.logs);
-  EXPECT_TRUE(std::isnan(read[1].episode_return));
-  EXPECT_EQ(read[1].terms, second.terms);
-  EXPECT_TRUE(std::isnan(read[1].logs[0]));
-  EXPECT_EQ(read[1].logs[1], 7);
+  EXPECT_EQ(read[0].active.faults, 2);
+  EXPECT_EQ(read[0].active.terms, first.active.terms);
+  EXPECT_EQ(read[0].active.violations, 3);
+  EXPECT_EQ(read[0].active.metrics, first.active.metrics);
+  EXPECT_EQ(read[0].active.logs, first.active.logs);
+  EXPECT_TRUE(std::isnan(read[1].active.episode_return));
+  EXPECT_EQ(read[1].active.terms, second.active.terms);
+  EXPECT_TRUE(std::isnan(read[1].active.logs[0]));
+  EXPECT_EQ(read[1].active.logs[1], 7);
 }
 
 TEST_F(RunDatabaseTest, KeepsTheLastCheckpointAndAllRecordings) {
@@ -121,8 +197,8 @@ TEST_F(RunDatabaseTest, DeletesLaterEpisodesWithAllThatBelongsToThem) {
   database.DeleteEpisodesAfter(1);
   EXPECT_EQ(database.ReadEpisodes().size(), 1u);
   SqliteDatabase raw(file(), SqliteAccess::kRead);
-  for (const char* table :
-       {"episode", "episode_term", "episode_metric", "episode_log", "recording"}) {
+  for (const char* table : {"episode", "evaluation", "evaluation_term", "evaluation_metric",
+                            "evaluation_log", "recording"}) {
     const std::string column = table == std::string("episode") ? "number" : "episode";
     EXPECT_EQ(raw.QueryInteger("SELECT max(" + column + ") FROM " + table, "count"), 1) << table;
   }

@@ -100,7 +100,7 @@ TEST_F(CommandLineTest, ShowsARun) {
   const std::vector<EpisodeRecord> episodes =
       RunDatabase::OpenToRead(RunFolder("run")).ReadEpisodes();
   EXPECT_EQ(json["best"]["return"].get<double>(),
-            std::max(episodes[0].episode_return, episodes[1].episode_return));
+            std::max(episodes[0].active.episode_return, episodes[1].active.episode_return));
 }
 
 TEST_F(CommandLineTest, WritesAReport) {

@@ -33,8 +33,8 @@ TEST_F(FailureTest, WarnsOfRewardsThatAreNotFinite) {
               HasSubstr("warning: episode 2: not finite and so not paid: `quotient` (" +
                         TaskFile("faulty") + ":8) 1x, first at 0.025 s"));
   for (const EpisodeRecord& episode : RunDatabase::OpenToRead(RunFolder("run")).ReadEpisodes()) {
-    EXPECT_EQ(episode.faults, 1);
-    EXPECT_EQ(episode.episode_return, 0);
+    EXPECT_EQ(episode.active.faults, 1);
+    EXPECT_EQ(episode.active.episode_return, 0);
   }
 }
 
@@ -56,7 +56,7 @@ TEST_F(FailureTest, GoesOnAfterASimulationThatDiverged) {
   const std::vector<EpisodeRecord> episodes =
       RunDatabase::OpenToRead(RunFolder("run")).ReadEpisodes();
   ASSERT_EQ(episodes.size(), 2u);
-  EXPECT_EQ(episodes[1].end_kind, "diverged");
+  EXPECT_EQ(episodes[1].active.end_kind, "diverged");
 }
 
 TEST_F(FailureTest, KeepsWhatWasSavedWhenTheDiskIsFull) {

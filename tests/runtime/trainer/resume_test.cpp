@@ -120,7 +120,8 @@ TEST_F(ResumeTest, RefusesToForgetEpisodes) {
 
 TEST_F(ResumeTest, MissesAPluginThatIsGone) {
   Train("run", 1, {"--quiet"});
-  const std::string plugin = RunDatabase::OpenToRead(RunFolder("run")).ReadRun().plugin;
+  const std::string plugin =
+      RunDatabase::OpenToRead(RunFolder("run")).ReadRun().tasks.front().plugin;
   std::filesystem::remove(std::filesystem::path(RunFolder("run")) / plugin);
   const ProgramResult result = Trainer({"resume", RunFolder("run"), "--episodes", "2"});
   EXPECT_EQ(result.exit_status, 1);

@@ -19,9 +19,13 @@ TEST_F(TrainTest, StoresWhatTheRunIs) {
   Train("run", 2, {"--seed", "7", "--set", "learner.temperature=2.5", "--quiet"});
   const RunDatabase database = RunDatabase::OpenToRead(RunFolder("run"));
   const RunRecord run = database.ReadRun();
-  EXPECT_EQ(run.task, "leaning");
-  EXPECT_THAT(run.sources.front().text, HasSubstr("task leaning for humanoid"));
-  EXPECT_EQ(run.task_hash.size(), 64u);
+  ASSERT_EQ(run.tasks.size(), 1u);
+  const TaskRecord& task = run.tasks.front();
+  EXPECT_EQ(task.id, 1);
+  EXPECT_EQ(task.module, "task");
+  EXPECT_EQ(task.task, "leaning");
+  EXPECT_THAT(task.sources.front().text, HasSubstr("task leaning for humanoid"));
+  EXPECT_EQ(task.task_hash.size(), 64u);
   EXPECT_EQ(run.robot, "humanoid");
   EXPECT_THAT(run.robot_description, HasSubstr("left_foot"));
   EXPECT_EQ(run.profile, "fast");
@@ -29,14 +33,14 @@ TEST_F(TrainTest, StoresWhatTheRunIs) {
   EXPECT_EQ(run.episodes_planned, 2);
   EXPECT_THAT(run.agent, HasSubstr("temperature = 2.5"));
   EXPECT_EQ(nlohmann::json::parse(run.body).size(), 18u);
-  ASSERT_EQ(run.terms.size(), 2u);
-  EXPECT_EQ(run.terms[0].name, "forward");
-  ASSERT_EQ(run.metrics.size(), 2u);
-  EXPECT_EQ(run.metrics[0].reduction, "max");
-  EXPECT_EQ(run.metrics[1].unit, "m/s");
-  ASSERT_EQ(run.logs.size(), 2u);
-  EXPECT_EQ(run.logs[0].name, "height");
-  EXPECT_EQ(run.logs[0].reduction, "max");
+  ASSERT_EQ(task.terms.size(), 2u);
+  EXPECT_EQ(task.terms[0].name, "forward");
+  ASSERT_EQ(task.metrics.size(), 2u);
+  EXPECT_EQ(task.metrics[0].reduction, "max");
+  EXPECT_EQ(task.metrics[1].unit, "m/s");
+  ASSERT_EQ(task.logs.size(), 2u);
+  EXPECT_EQ(task.logs[0].name, "height");
+  EXPECT_EQ(task.logs[0].reduction, "max");
   EXPECT_EQ(database.ReadState(), RunState::kFinished);
 }
 
@@ -46,18 +50,19 @@ TEST_F(TrainTest, StoresEveryEpisode) {
       RunDatabase::OpenToRead(RunFolder("run")).ReadEpisodes();
   ASSERT_EQ(episodes.size(), 3u);
   for (const EpisodeRecord& episode : episodes) {
-    ASSERT_EQ(episode.terms.size(), 2u);
-    ASSERT_EQ(episode.metrics.size(), 2u);
-    ASSERT_EQ(episode.logs.size(), 2u);
-    EXPECT_GT(episode.logs[0], 0.1);  // the body of one that stands
-    EXPECT_NEAR(episode.terms[0] + episode.terms[1], episode.episode_return, 1e-12);
+    ASSERT_EQ(episode.active.terms.size(), 2u);
+    ASSERT_EQ(episode.active.metrics.size(), 2u);
+    ASSERT_EQ(episode.active.logs.size(), 2u);
+    EXPECT_GT(episode.active.logs[0], 0.1);  // the body of one that stands
+    EXPECT_NEAR(episode.active.terms[0] + episode.active.terms[1], episode.active.episode_return,
+                1e-12);
     EXPECT_NEAR(episode.simulated_seconds, 0.005 * static_cast<double>(episode.steps), 1e-9);
     EXPECT_GT(episode.actions, 0);
     EXPECT_GT(episode.wall_seconds, 0);
-    EXPECT_EQ(episode.faults, 0);
+    EXPECT_EQ(episode.active.faults, 0);
   }
-  EXPECT_EQ(episodes[0].end_reason, "time is up");
-  EXPECT_EQ(episodes[0].end_kind, "truncated");
+  EXPECT_EQ(episodes[0].active.end_reason, "time is up");
+  EXPECT_EQ(episodes[0].active.end_kind, "truncated");
 }
 
 TEST_F(TrainTest, RecordsTheBestEpisodesAndEveryNth) {
@@ -65,8 +70,8 @@ TEST_F(TrainTest, RecordsTheBestEpisodesAndEveryNth) {
   const RunDatabase database = RunDatabase::OpenToRead(RunFolder("run"));
   double best = -1e300;
   for (const EpisodeRecord& episode : database.ReadEpisodes()) {
-    const bool is_best = episode.episode_return > best;
-    best = std::max(best, episode.episode_return);
+    const bool is_best = episode.active.episode_return > best;
+    best = std::max(best, episode.active.episode_return);
     const std::optional<Recording> recording = database.ReadRecording(episode.number);
     ASSERT_EQ(recording.has_value(), is_best || episode.number == 3) << episode.number;
     if (!recording) continue;
@@ -139,9 +144,9 @@ TEST_F(TrainTest, TruncatesAndCountsEpisodesThatViolateARequirement) {
                                         "--episodes", "3", "--quiet", "--out", RunFolder("run")});
   ASSERT_EQ(result.exit_status, 0) << result.errors;
   for (const EpisodeRecord& episode : RunDatabase::OpenToRead(RunFolder("run")).ReadEpisodes()) {
-    EXPECT_EQ(episode.end_kind, "truncated");
-    EXPECT_EQ(episode.end_reason, "requirement: it is early");
-    EXPECT_GT(episode.violations, 0);
+    EXPECT_EQ(episode.active.end_kind, "truncated");
+    EXPECT_EQ(episode.active.end_reason, "requirement: it is early");
+    EXPECT_GT(episode.active.violations, 0);
   }
   // One warning in the whole run.
   EXPECT_THAT(result.errors,

@@ -12,9 +12,10 @@ TrainerTest::Trace TrainerTest::TraceOf(const std::string& name) const {
     trace.episodes.push_back(
         fmt::format("{} return {:a} end {} {} steps {} actions {} time {:a} faults {} terms {::a} "
                     "metrics {::a} logs {::a} violations {}",
-                    episode.number, episode.episode_return, episode.end_kind, episode.end_reason,
-                    episode.steps, episode.actions, episode.simulated_seconds, episode.faults,
-                    episode.terms, episode.metrics, episode.logs, episode.violations));
+                    episode.number, episode.active.episode_return, episode.active.end_kind,
+                    episode.active.end_reason, episode.steps, episode.actions,
+                    episode.simulated_seconds, episode.active.faults, episode.active.terms,
+                    episode.active.metrics, episode.active.logs, episode.active.violations));
     const std::optional<Recording> recording = database.ReadRecording(episode.number);
     trace.recordings.push_back(recording ? recording->poses : "");
   }
