@@ -59,7 +59,7 @@ struct RunRecord {
   std::string body;     // links' names and shapes, JSON
   uint64_t seed = 0;
   int64_t episodes_planned = 0;
-  int64_t record_every = 0;       // 0: only the best episodes
+  int64_t record_every = 0;       // 0: only the best episodes and the last
   double checkpoint_seconds = 0;  // at most one checkpoint in this time
   std::vector<TaskRecord> tasks;  // by their ids, so that the first is the one at the start
 };

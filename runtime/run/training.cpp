@@ -135,7 +135,8 @@ void Training::WarnAboutViolations(const EpisodeRecord& episode) {
 std::optional<Recording> Training::RecordingOf(const EpisodeRecord& episode) const {
   const bool is_best = statistics_.IsBest(episode);
   const bool is_due = run_.record_every > 0 && episode.number % run_.record_every == 0;
-  if (!is_best && !is_due) return std::nullopt;
+  const bool is_last = episode.number == run_.episodes_planned;  // what the run led to
+  if (!is_best && !is_due && !is_last) return std::nullopt;
   return recorder_.Finish(is_best);
 }
 

@@ -84,7 +84,7 @@ void AddTrainCommand(CLI::App& app, int& status) {
                       "folder of their folders; otherwise runs/TASK-PROFILE");
   command
       ->add_option("--record-every", options->plan.record_every,
-                   "record every N-th episode besides the best ones; 0: only these")
+                   "record every N-th episode besides the best ones and the last; 0: only these")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   command
