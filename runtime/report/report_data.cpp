@@ -12,6 +12,7 @@
 #include "runtime/module/user_error.h"
 #include "runtime/report/agent_modules.h"
 #include "runtime/report/base64.h"
+#include "runtime/report/report_changes.h"
 #include "runtime/report/report_recordings.h"
 #include "runtime/report/task_curves.h"
 #include "runtime/run/run_database.h"
@@ -44,14 +45,6 @@ json RunTexts(const RunDatabase& database, const TaskRecord& task) {
   for (const char* key : kRunKeys) texts[key] = database.ReadValue(key);
   texts["state"] = RunStateName(database.ReadState());
   return texts;
-}
-
-json Sources(const TaskRecord& task) {
-  json sources = json::array();
-  for (const SourceRecord& source : task.sources) {
-    sources.push_back({{"file", source.file}, {"text", source.text}});
-  }
-  return sources;
 }
 
 // The different ends with their counts, in the order of their first episodes, and for each episode
@@ -105,7 +98,6 @@ json CollectReportData(const std::filesystem::path& run_dir) {
   json data;
   const TaskRecord& task = TaskWithId(run, episodes.back().active.task);
   data["run"] = RunTexts(database, task);
-  data["sources"] = Sources(task);
   data["agentText"] = run.agent;
   data["modules"] = AgentModules(run.agent);
   data["madeAt"] =
@@ -119,6 +111,7 @@ json CollectReportData(const std::filesystem::path& run_dir) {
   data["logs"] = LogCurves(run, episodes);
   AddEnds(episodes, data);
   AddTotals(episodes, data);
+  AddChanges(run, episodes, database.ReadChanges(), data);
   AddRecordings(run_dir, database, run.body, episodes, data);
   return data;
 }

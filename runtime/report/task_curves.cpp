@@ -13,7 +13,8 @@ using Records = std::vector<CurveRecord> (*)(const TaskRecord&);
 
 struct Curve {
   CurveRecord record;
-  std::vector<float> values;  // one for each episode
+  std::vector<int64_t> tasks;  // indices of those that have it
+  std::vector<float> values;   // one for each episode
 };
 
 std::vector<CurveRecord> Terms(const TaskRecord& task) {
@@ -41,11 +42,12 @@ class Curves {
 
   json Encode() const {
     json curves = json::array();
-    for (const auto& [record, values] : curves_) {
+    for (const auto& [record, tasks, values] : curves_) {
       curves.push_back({{"name", record.name},
                         {"unit", record.unit},
                         {"reduction", record.reduction},
                         {"doc", record.doc},
+                        {"tasks", tasks},
                         {"values", EncodeFloats(values)}});
     }
     return curves;
@@ -54,7 +56,10 @@ class Curves {
  private:
   std::vector<size_t> FindAll(const TaskRecord& task) {
     std::vector<size_t> indices;
-    for (const CurveRecord& record : records_(task)) indices.push_back(Find(record));
+    for (const CurveRecord& record : records_(task)) {
+      indices.push_back(Find(record));
+      curves_[indices.back()].tasks.push_back(task.id - 1);
+    }
     return indices;
   }
 
@@ -62,7 +67,7 @@ class Curves {
     const auto [place, is_new] = index_.try_emplace({record.name, record.unit}, curves_.size());
     if (is_new) {
       constexpr float kNothing = std::numeric_limits<float>::quiet_NaN();
-      curves_.push_back({record, std::vector<float>(episode_count_, kNothing)});
+      curves_.push_back({record, {}, std::vector<float>(episode_count_, kNothing)});
     }
     return place->second;
   }

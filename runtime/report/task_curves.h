@@ -10,8 +10,8 @@
 namespace runtime {
 
 // The terms, metrics or logs of the tasks that were active, in the order in which they appeared:
-// [{name, unit, reduction, doc, values}], with a value, in base64, for each episode. It is not a
-// number where the active task has none of this name and unit.
+// [{name, unit, reduction, doc, tasks, values}], with the indices of the tasks that have it, and a
+// value, in base64, for each episode. It is not a number where the active task has no such curve.
 nlohmann::json TermCurves(const RunRecord& run, const std::vector<EpisodeRecord>& episodes);
 nlohmann::json MetricCurves(const RunRecord& run, const std::vector<EpisodeRecord>& episodes);
 nlohmann::json LogCurves(const RunRecord& run, const std::vector<EpisodeRecord>& episodes);

@@ -13,6 +13,7 @@ import { decodeReport, type Recording, type Report } from "./data/report_data.ts
 import { kWindows, usualWindow } from "./data/statistics.ts";
 import { formatCount, formatNumber } from "./data/words.ts";
 import { byId, element, prefersReducedMotion } from "./page/dom.ts";
+import { showHistory } from "./page/history.ts";
 import { showKeyFigures, showMasthead } from "./page/masthead.ts";
 import { showProvenance, showSources } from "./page/provenance.ts";
 import { Viewer } from "./replay/viewer.ts";
@@ -22,7 +23,7 @@ function showCharts(report: Report, replay: (recording: Recording) => void): Lea
   const window = usualWindow(report.episode.length);
   const curve = new LearningCurve(
     report,
-    { chart: byId("curve", HTMLElement), readout: byId("curve-readout", HTMLElement) },
+    { chart: byId("curve", HTMLElement), readout: byId("curve-readout", HTMLElement), key: byId("curve-key", HTMLElement) },
     window,
     replay,
   );
@@ -89,6 +90,7 @@ function main(): void {
   const report = decodeReport(byId("report-data", HTMLElement).textContent ?? "");
   showMasthead(report);
   showKeyFigures(report);
+  showHistory(report);
   showSources(report);
   showProvenance(report);
   const chosen = byId("recording", HTMLSelectElement);

@@ -1,6 +1,6 @@
-// The page in a real browser: browser.mjs FULL_PAGE FIRST_PAGE SCREENSHOTS, where FULL_PAGE shows a
-// run with recordings and FIRST_PAGE one with a single episode and none. CHROMIUM names the
-// browser; without it the exit status is 77 (skipped).
+// The page in a real browser: browser.mjs FULL_PAGE FIRST_PAGE TUNED_PAGE SCREENSHOTS, where FULL_PAGE
+// shows a run with recordings, FIRST_PAGE one with a single episode and none, and TUNED_PAGE one with
+// changes and a shadow. CHROMIUM names the browser; without it the exit status is 77 (skipped).
 
 import assert from "node:assert/strict";
 import { existsSync, mkdirSync } from "node:fs";
@@ -8,7 +8,7 @@ import { pathToFileURL } from "node:url";
 
 import { chromium, type Browser, type BrowserContextOptions, type Page } from "playwright-core";
 
-const [fullPage = "", firstPage = "", screenshots = "."] = process.argv.slice(2);
+const [fullPage = "", firstPage = "", tunedPage = "", screenshots = "."] = process.argv.slice(2);
 const kBrowser = process.env["CHROMIUM"] ?? "";
 const kSoftwareGl = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
 
@@ -129,6 +129,26 @@ const hidesATerm: Check = async (page) => {
   await term.click();
 };
 
+const showsNoChanges: Check = async (page) => {
+  assert.ok(await page.locator("#history-section").isHidden());
+  assert.equal(await page.locator(".change").count(), 0);
+};
+
+const showsChangesAndShadows: Check = async (page) => {
+  const marks = page.locator("#curve .change");
+  assert.equal(await marks.count(), 3); // four changes, two of them in one place
+  const label = marks.nth(2).locator(".label");
+  assert.ok(await label.isHidden());
+  await marks.nth(2).hover();
+  assert.ok(await label.isVisible());
+  assert.match((await label.textContent()) ?? "", /swap task: careful\.task.*\n.*task\.gain/);
+  assert.equal(await page.locator("#history tbody tr").count(), 4 + 2);
+  assert.match(await textOf(page, "#curve-key"), /shadow careful/);
+  await page.locator("#curve").focus();
+  await page.keyboard.press("ArrowLeft");
+  assert.match(await textOf(page, "#curve-readout"), /careful /);
+};
+
 const staysAtRest: Check = async (page) => {
   await page.locator(".mark").first().click();
   await page.waitForTimeout(200);
@@ -177,7 +197,7 @@ async function checkFullPage(browser: Browser): Promise<void> {
     assert.ok((await colourfulPixels(page, "#stage canvas")) > 2000, "the robot is drawn");
     await screenshot("light")(page);
     const checks = [showsTheRun, drawsTheStrip, playsByKeys, scrubs, replaysAMark];
-    for (const check of [...checks, showsValuesOfAnEpisode, hidesATerm, fitsItsWidth]) {
+    for (const check of [...checks, showsValuesOfAnEpisode, hidesATerm, showsNoChanges, fitsItsWidth]) {
       await check(page);
     }
   });
@@ -197,6 +217,12 @@ mkdirSync(screenshots, { recursive: true });
 await inBrowser(kSoftwareGl, async (browser) => {
   await checkFullPage(browser);
   await onPage(browser, firstPage, {}, saysThatNothingIsRecorded);
+  await onPage(browser, tunedPage, {}, async (page) => {
+    await showsChangesAndShadows(page);
+    await page.locator("#curve .change").nth(2).hover();
+    await screenshot("tuned")(page);
+    await fitsItsWidth(page);
+  });
 });
 await inBrowser(["--disable-3d-apis"], async (browser) => {
   await onPage(browser, fullPage, {}, async (page) => {

@@ -17,7 +17,7 @@ test("data that is cut off is refused", () => {
 
 test("series and poses of a report are decoded", () => {
   const one = "AACAPw==";
-  const curve = { name: "fall", unit: "", reduction: "", doc: "", values: one };
+  const curve = { name: "fall", unit: "", reduction: "", doc: "", tasks: [0], values: one };
   const recording = { episode: 1, best: true, frames: 1, interval: 0.02, poses: one };
   const report = decodeReport(
     JSON.stringify({
@@ -27,12 +27,14 @@ test("series and poses of a report are decoded", () => {
       terms: [curve],
       metrics: [],
       logs: [curve],
+      shadows: [{ module: "careful", tasks: [1], values: one }],
       recordings: [recording],
     }),
   );
   assert.equal(report.run["task"], "crawling");
   assert.deepEqual([...(report.terms[0]?.values ?? [])], [1]);
   assert.deepEqual([...(report.logs[0]?.values ?? [])], [1]);
+  assert.deepEqual([...(report.shadows[0]?.values ?? [])], [1]);
   assert.deepEqual([...(report.recordings[0]?.poses ?? [])], [1]);
 });
 

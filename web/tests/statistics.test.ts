@@ -12,6 +12,10 @@ test("missing values leave the mean of the others", () => {
   assert.deepEqual([...runningMean([2, NaN, 4, NaN, NaN], 2)], [2, 2, 4, 4, NaN]);
 });
 
+test("the running mean begins anew where it is told", () => {
+  assert.deepEqual([...runningMean([1, 3, 10, 20, 30], 2, [2])], [1, 2, 10, 15, 25]);
+});
+
 test("the usual window grows with the run", () => {
   assert.deepEqual([1, 29, 30, 999, 1e6].map(usualWindow), [1, 1, 3, 50, 1000]);
 });

@@ -92,6 +92,55 @@ TEST_F(WriteReportTest, TellsTheValuesOfEachEpisode) {
   EXPECT_EQ(data["violations"], 3);
 }
 
+TEST_F(WriteReportTest, CurvesOfTheSameNameInSeveralTasksAreOne) {
+  WriteTunedRun(folder());
+  const json data = Data();
+  std::vector<std::string> names;
+  for (const json& term : data["terms"]) names.push_back(term["name"]);
+  EXPECT_THAT(names, ElementsAre("forward", "turning", "fall", "effort"));
+  EXPECT_EQ(data["terms"][0]["tasks"], (json{0, 2}));
+  EXPECT_EQ(data["terms"][1]["tasks"], (json{0}));
+  EXPECT_EQ(data["terms"][3]["tasks"], (json{2}));
+  for (const float value : Floats(data["terms"][0]["values"])) EXPECT_TRUE(std::isfinite(value));
+  const std::vector<float> turning = Floats(data["terms"][1]["values"]);
+  const std::vector<float> effort = Floats(data["terms"][3]["values"]);
+  for (size_t i = 0; i < 400; ++i) {
+    EXPECT_EQ(std::isfinite(turning[i]), i < 250) << i;
+    EXPECT_EQ(std::isfinite(effort[i]), i >= 250) << i;
+  }
+  EXPECT_THAT(data["metrics"], SizeIs(3));
+}
+
+TEST_F(WriteReportTest, TellsWhichTaskRanWhenAndWhatTheShadowsSaid) {
+  WriteTunedRun(folder());
+  const json data = Data();
+  EXPECT_EQ(data["run"]["task_hash"], "c0ffee5b7a1e");
+  ASSERT_THAT(data["tasks"], SizeIs(3));
+  EXPECT_EQ(data["tasks"][1]["module"], "careful");
+  EXPECT_EQ(data["versions"], (json{{{"task", 0}, {"first", 1}, {"last", 250}},
+                                    {{"task", 2}, {"first", 251}, {"last", 400}}}));
+  ASSERT_THAT(data["shadows"], SizeIs(1));
+  EXPECT_EQ(data["shadows"][0]["module"], "careful");
+  EXPECT_EQ(data["shadows"][0]["tasks"], (json{1}));
+  const std::vector<float> returns = Floats(data["shadows"][0]["values"]);
+  EXPECT_TRUE(std::isnan(returns[99]));
+  const std::vector<EpisodeRecord> episodes = RunDatabase::OpenToRead(folder()).ReadEpisodes();
+  EXPECT_EQ(returns[100], static_cast<float>(episodes[100].shadows[0].episode_return));
+  EXPECT_EQ(returns[399], static_cast<float>(episodes[399].shadows[0].episode_return));
+}
+
+TEST_F(WriteReportTest, TellsTheChangesInTheOrderInWhichTheyTookEffect) {
+  WriteTunedRun(folder());
+  const json changes = Data()["changes"];
+  ASSERT_THAT(changes, SizeIs(4));
+  EXPECT_EQ(changes[1], (json{{"episode", 180},
+                              {"step", 1250},
+                              {"at", "2026-01-02T03:09:10Z"},
+                              {"kind", "set"},
+                              {"text", "set learner.temperature = 0.5"}}));
+  EXPECT_EQ(changes[3]["text"], "set task.gain = 2");
+}
+
 TEST_F(WriteReportTest, CountsTheEndsByKindAndReason) {
   RunDatabase database = Create();
   EpisodeRecord fall = Episode(2, 0);
@@ -115,9 +164,14 @@ TEST_F(WriteReportTest, TellsWhereTheRunComesFrom) {
   EXPECT_EQ(data["run"]["task"], "crawling");
   EXPECT_EQ(data["run"]["seed"], "1");
   EXPECT_EQ(data["run"]["state"], "running");
-  ASSERT_THAT(data["sources"], SizeIs(2));
-  EXPECT_EQ(data["sources"][0]["text"], run_.tasks[0].sources[0].text);
-  EXPECT_EQ(data["sources"][1]["file"], "tasks/shaping.task");
+  ASSERT_THAT(data["tasks"], SizeIs(1));
+  const json& sources = data["tasks"][0]["sources"];
+  ASSERT_THAT(sources, SizeIs(2));
+  EXPECT_EQ(sources[0]["text"], run_.tasks[0].sources[0].text);
+  EXPECT_EQ(sources[1]["file"], "tasks/shaping.task");
+  EXPECT_EQ(data["versions"], (json{{{"task", 0}, {"first", 1}, {"last", 1}}}));
+  EXPECT_THAT(data["shadows"], IsEmpty());
+  EXPECT_THAT(data["changes"], IsEmpty());
   EXPECT_EQ(data["agentText"], run_.agent);
   EXPECT_EQ(data["modules"]["learner"]["type"], "PengQLambda");
   EXPECT_EQ(data["modules"]["learner"]["temperature"], 5.0);

@@ -1,18 +1,24 @@
-// sample_report FOLDER: two runs with made-up contents and their reports, for looking at the page:
-// FOLDER/full with recordings, FOLDER/first with one episode and none.
+// sample_report FOLDER: runs with made-up contents and their reports, for looking at the page:
+// FOLDER/full with recordings, FOLDER/first with one episode and none, FOLDER/tuned with changes.
 
 #include <cstdio>
 #include <exception>
+#include <functional>
 
 #include "runtime/report/report.h"
 #include "tests/runtime/report/sample_run.h"
 
 namespace {
 
-void WriteSample(const std::filesystem::path& folder, const runtime::SampleSize& size) {
+void WriteReportOf(const std::filesystem::path& folder,
+                   const std::function<void(const std::filesystem::path&)>& write_run) {
   std::filesystem::remove_all(folder);
-  runtime::WriteSampleRun(folder, size);
+  write_run(folder);
   std::printf("%s\n", runtime::WriteReport(folder).c_str());
+}
+
+void WriteSample(const std::filesystem::path& folder, const runtime::SampleSize& size) {
+  WriteReportOf(folder, [&](const auto& place) { runtime::WriteSampleRun(place, size); });
 }
 
 }  // namespace
@@ -26,6 +32,7 @@ int main(int argc, char** argv) {
   try {
     WriteSample(folder / "full", {.episodes = 800, .record_every = 100, .duration = 20});
     WriteSample(folder / "first", {.episodes = 1});
+    WriteReportOf(folder / "tuned", runtime::WriteTunedRun);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return 1;

@@ -128,4 +128,60 @@ void WriteSampleRun(const std::filesystem::path& folder, const SampleSize& size)
   database.SetState(RunState::kFinished);
 }
 
+namespace {
+
+TaskRecord CarefulTask(std::string module) {
+  TaskRecord task = SampleTask();
+  task.module = std::move(module);
+  task.task_file = "tasks/careful.task";
+  task.task_hash = "c0ffee5b7a1e";
+  task.terms = {{"forward", "speed along the body's heading"}, {"fall", ""}, {"effort", "torque"}};
+  task.metrics.push_back({"rest", "s", "sum", "time without a step"});
+  task.logs.clear();
+  task.sources.resize(1);
+  return task;
+}
+
+// What the careful task with this id says of an episode of the first task.
+Evaluation CarefulEvaluation(int64_t task, const Evaluation& first) {
+  Evaluation careful = first;
+  careful.task = task;
+  careful.terms = {first.terms[0], 2 * first.terms[2], -0.25 * std::abs(first.terms[1])};
+  careful.episode_return = careful.terms[0] + careful.terms[1] + careful.terms[2];
+  careful.metrics.push_back(2.5);
+  careful.logs.clear();
+  return careful;
+}
+
+}  // namespace
+
+void WriteTunedRun(const std::filesystem::path& folder) {
+  constexpr int64_t kEpisodes = 400;
+  RunRecord run = SampleRunRecord();
+  run.episodes_planned = kEpisodes;
+  RunDatabase database = RunDatabase::Create(folder, run);
+  const int64_t shadow = database.AddTask(CarefulTask("careful"));
+  const int64_t active = database.AddTask(CarefulTask("task"));
+  for (const ChangeRecord& change :
+       {ChangeRecord{0, 101, 0, "2026-01-02T03:04:05Z", "load",
+                     "load careful: careful.task (c0ffee5b)", "{}"},
+        ChangeRecord{0, 180, 1250, "2026-01-02T03:09:10Z", "set", "set learner.temperature = 0.5",
+                     "{}"},
+        ChangeRecord{0, 251, 0, "2026-01-02T03:14:15Z", "swap",
+                     "swap task: careful.task (c0ffee5b)", "{}"},
+        ChangeRecord{0, 251, 0, "2026-01-02T03:14:16Z", "set", "set task.gain = 2", "{}"}}) {
+    database.AddChange(change);
+  }
+  std::mt19937 random(2);
+  for (int64_t number = 1; number <= kEpisodes; ++number) {
+    EpisodeRecord episode = SampleEpisode(number, kEpisodes, random);
+    if (number >= 101) episode.shadows = {CarefulEvaluation(shadow, episode.active)};
+    if (number >= 251) episode.active = CarefulEvaluation(active, episode.active);
+    std::optional<Recording> recording;
+    if (number % 100 == 0) recording = SampleRecording(5, 0.1);
+    database.AddEpisode(episode, recording, std::nullopt);
+  }
+  database.SetState(RunState::kFinished);
+}
+
 }  // namespace runtime

@@ -26,4 +26,8 @@ struct SampleSize {
 // A finished run in `folder`, whose return grows as learning curves do.
 void WriteSampleRun(const std::filesystem::path& folder, const SampleSize& size);
 
+// A run of 400 episodes that was tuned while it learned: a shadow, `careful`, from episode 101 on,
+// whose task took the place of the active one before episode 251, and two changes of parameters.
+void WriteTunedRun(const std::filesystem::path& folder);
+
 }  // namespace runtime

@@ -11,6 +11,7 @@ export interface ChartSeries {
   values: Float32Array;
   color: string;
   kind: "line" | "points";
+  hasGaps?: boolean; // the line is broken where there are no values
 }
 
 export interface ChartOptions {
@@ -47,7 +48,7 @@ function plotSeries(series: ChartSeries): uPlot.Series {
     stroke: () => themeColor(series.color),
     width: 2,
     points: { show: false },
-    spanGaps: true,
+    spanGaps: !series.hasGaps,
     ...(isLine ? {} : { paths: () => null }), // drawn by drawPoints
   };
 }

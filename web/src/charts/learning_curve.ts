@@ -1,11 +1,14 @@
-// The return of each episode, its running mean, and a mark for each episode that can be replayed.
+// The return of each episode, its running mean, what shadows say of it, a mark for each episode that
+// can be replayed, and one for each change.
 
 import type uPlot from "uplot";
 
 import type { Recording, Report } from "../data/report_data.ts";
 import { runningMean } from "../data/statistics.ts";
+import { versionStarts } from "../data/versions.ts";
 import { formatCount, formatNumber } from "../data/words.ts";
 import { element, leaveAfterClick, onThemeChange } from "../page/dom.ts";
+import { ChangeMarks } from "./change_marks.ts";
 import { EpisodeChart } from "./episode_chart.ts";
 
 const kHint = "Point at an episode for its values; drag to zoom, double-click to see all.";
@@ -13,35 +16,50 @@ const kHint = "Point at an episode for its values; drag to zoom, double-click to
 export class LearningCurve {
   private readonly chart: EpisodeChart;
   private readonly marks = element("div", { class: "marks" });
+  private readonly changes: ChangeMarks;
   private mean: Float32Array;
+  private shadowMeans: Float32Array[];
 
   constructor(
     private readonly report: Report,
-    private readonly parts: { chart: HTMLElement; readout: HTMLElement },
+    private readonly parts: { chart: HTMLElement; readout: HTMLElement; key: HTMLElement },
     window: number,
     private readonly replay: (recording: Recording) => void,
   ) {
-    this.mean = runningMean(report.returns, window);
+    this.mean = this.meanOf(report.returns, window);
+    this.shadowMeans = this.shadowMeansOf(window);
+    this.changes = new ChangeMarks(report.changes);
     this.makeMarks();
+    this.fillKey();
     this.chart = new EpisodeChart(parts.chart, {
       episode: report.episode,
       series: [
         { values: report.returns, color: "--point", kind: "points" },
         { values: this.mean, color: "--accent", kind: "line" },
+        ...this.shadowMeans.map((values, i) => ({
+          values,
+          color: shadowColor(i),
+          kind: "line" as const,
+          hasGaps: true,
+        })),
       ],
       height: 386,
       label:
         "Return of each episode and its running mean. The arrow keys move from one to the next.",
       onHover: (index) => this.showValues(index),
-      onDraw: (plot) => this.placeMarks(plot),
+      onDraw: (plot) => {
+        this.changes.place(plot);
+        this.placeMarks(plot);
+      },
     });
     onThemeChange(() => this.chart.redraw());
     this.showValues(null);
   }
 
   setWindow(window: number): void {
-    this.mean = runningMean(this.report.returns, window);
-    this.chart.setValues(1, this.mean);
+    this.mean = this.meanOf(this.report.returns, window);
+    this.shadowMeans = this.shadowMeansOf(window);
+    [this.mean, ...this.shadowMeans].forEach((values, i) => this.chart.setValues(i + 1, values));
     this.showValues(null);
   }
 
@@ -50,6 +68,29 @@ export class LearningCurve {
     this.report.recordings.forEach((other, i) => {
       this.marks.children[i]?.setAttribute("aria-pressed", String(other === recording));
     });
+  }
+
+  /** Begins anew with each task: returns of two tasks have no mean. */
+  private meanOf(returns: Float32Array, window: number): Float32Array {
+    return runningMean(returns, window, versionStarts(this.report));
+  }
+
+  private shadowMeansOf(window: number): Float32Array[] {
+    return this.report.shadows.map(({ values }) =>
+      runningMean(values, window).map((mean, i) => (Number.isFinite(values[i]) ? mean : NaN)),
+    );
+  }
+
+  private fillKey(): void {
+    this.report.shadows.forEach(({ module, tasks }, i) => {
+      const dash = element("span", { class: "dash" });
+      dash.style.background = `var(${shadowColor(i)})`;
+      const names = new Set(tasks.map((task) => this.report.tasks[task]?.name));
+      const words = `shadow ${module} (${[...names].join(", ")}), running mean`;
+      this.parts.key.append(element("li", {}, dash, words));
+    });
+    if (this.report.changes.length === 0) return;
+    this.parts.key.append(element("li", {}, element("span", { class: "bar-mark" }), "change"));
   }
 
   private makeMarks(): void {
@@ -96,7 +137,13 @@ export class LearningCurve {
       `return ${formatNumber(report.returns[index])}`,
       `mean ${formatNumber(this.mean[index])}`,
     ];
+    report.shadows.forEach(({ module, values }) => {
+      if (Number.isFinite(values[index])) words.push(`${module} ${formatNumber(values[index])}`);
+    });
     if (end) words.push(end.reason ? `${end.kind}: ${end.reason}` : end.kind);
     this.parts.readout.textContent = words.join("  ·  ");
   }
 }
+
+/** Neither that of the active task nor that of the marks. */
+const shadowColor = (index: number): string => `--series-${(index % 6) + 3}`;

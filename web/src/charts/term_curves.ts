@@ -2,6 +2,7 @@
 
 import type { Curve, Report } from "../data/report_data.ts";
 import { runningMean } from "../data/statistics.ts";
+import { onlyUnder, versionStarts } from "../data/versions.ts";
 import { formatCount, formatNumber } from "../data/words.ts";
 import { element, onThemeChange } from "../page/dom.ts";
 import { EpisodeChart } from "./episode_chart.ts";
@@ -18,11 +19,11 @@ export class TermCurves {
     private readonly parts: { chart: HTMLElement; legend: HTMLElement; caption: HTMLElement },
     window: number,
   ) {
-    this.means = report.terms.map((term) => runningMean(term.values, window));
+    this.means = this.meansOf(window);
     report.terms.forEach((term, i) => this.parts.legend.append(this.legendEntry(term, i)));
     this.chart = new EpisodeChart(parts.chart, {
       episode: report.episode,
-      series: this.means.map((values, i) => ({ values, color: colorName(i), kind: "line" })),
+      series: this.means.map((values, i) => ({ values, color: colorName(i), kind: "line", hasGaps: true })),
       height: 260,
       label: "Running mean of each reward term's sum per episode.",
       onHover: (index) => this.showValues(index),
@@ -32,9 +33,17 @@ export class TermCurves {
   }
 
   setWindow(window: number): void {
-    this.means = this.report.terms.map((term) => runningMean(term.values, window));
+    this.means = this.meansOf(window);
     this.means.forEach((values, i) => this.chart.setValues(i, values));
     this.showValues(null);
+  }
+
+  /** A term's mean begins anew with each task, which may pay it otherwise. */
+  private meansOf(window: number): Float32Array[] {
+    const starts = versionStarts(this.report);
+    return this.report.terms.map(({ values, tasks }) =>
+      onlyUnder(this.report, tasks, runningMean(values, window, starts)),
+    );
   }
 
   /** A switch for the term's curve, which also shows its value. */

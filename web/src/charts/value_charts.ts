@@ -2,6 +2,7 @@
 
 import type { Curve, Report } from "../data/report_data.ts";
 import { runningMean } from "../data/statistics.ts";
+import { onlyUnder } from "../data/versions.ts";
 import { formatCount, formatNumber } from "../data/words.ts";
 import { element, onThemeChange } from "../page/dom.ts";
 import { EpisodeChart } from "./episode_chart.ts";
@@ -25,7 +26,7 @@ class ValueChart {
     host: HTMLElement,
     window: number,
   ) {
-    this.mean = runningMean(curve.values, window);
+    this.mean = this.meanOf(window);
     const unit = curve.unit ? ` [${curve.unit}]` : "";
     const words = [kReductionWords[curve.reduction] ?? curve.reduction, curve.doc];
     const heading = element("h3", {}, `${curve.name}${unit}`);
@@ -36,7 +37,7 @@ class ValueChart {
       episode: report.episode,
       series: [
         { values: curve.values, color: "--point", kind: "points" },
-        { values: this.mean, color: "--accent", kind: "line" },
+        { values: this.mean, color: "--accent", kind: "line", hasGaps: true },
       ],
       height: 190,
       label: `${curve.name} of each episode and its running mean.`,
@@ -47,9 +48,14 @@ class ValueChart {
   }
 
   setWindow(window: number): void {
-    this.mean = runningMean(this.curve.values, window);
+    this.mean = this.meanOf(window);
     this.chart.setValues(1, this.mean);
     this.showValue(null);
+  }
+
+  private meanOf(window: number): Float32Array {
+    const { tasks, values } = this.curve;
+    return onlyUnder(this.report, tasks, runningMean(values, window));
   }
 
   private showValue(index: number | null): void {

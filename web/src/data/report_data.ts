@@ -23,7 +23,40 @@ export interface Curve {
   unit: string;
   reduction: string; // of a metric or a log: last, sum, max, min, mean; "" for a reward term
   doc: string;
+  tasks: number[]; // indices of the tasks that have it
   values: Float32Array; // one for each episode; NaN where there is none
+}
+
+/** A task that was loaded. */
+export interface Task {
+  module: string;
+  name: string;
+  file: string;
+  hash: string;
+  sources: Source[]; // its own first
+}
+
+/** The episodes, both ends included, in which a task was the active one. */
+export interface Version {
+  task: number; // index
+  first: number;
+  last: number;
+}
+
+/** A task module that was evaluated beside the active one; its returns. */
+export interface Shadow {
+  module: string;
+  tasks: number[]; // indices
+  values: Float32Array; // one for each episode; NaN where it was none
+}
+
+/** What was done to the run while it learned. */
+export interface Change {
+  episode: number; // in which it took effect
+  step: number; // control steps done in that episode before it
+  at: string;
+  kind: string;
+  text: string;
 }
 
 /** `poses` holds [frame][link][7]: x, y, z [m], then the quaternion w, x, y, z. */
@@ -48,7 +81,10 @@ export interface Source {
 
 export interface Report {
   run: Record<string, string>;
-  sources: Source[]; // the task's own first
+  tasks: Task[];
+  versions: Version[]; // in the order of the episodes
+  shadows: Shadow[];
+  changes: Change[];
   agentText: string;
   modules: Record<string, AgentModule>;
   body: BodyLink[];
@@ -71,22 +107,28 @@ export interface Report {
 interface EncodedCurve extends Omit<Curve, "values"> {
   values: string;
 }
+interface EncodedShadow extends Omit<Shadow, "values"> {
+  values: string;
+}
 interface EncodedRecording extends Omit<Recording, "poses"> {
   poses: string;
 }
 interface EncodedReport extends Omit<
   Report,
-  "episode" | "returns" | "terms" | "metrics" | "logs" | "recordings"
+  "episode" | "returns" | "terms" | "metrics" | "logs" | "shadows" | "recordings"
 > {
   episode: string;
   returns: string;
   terms: EncodedCurve[];
   metrics: EncodedCurve[];
   logs: EncodedCurve[];
+  shadows: EncodedShadow[];
   recordings: EncodedRecording[];
 }
 
-const decodeCurve = (curve: EncodedCurve): Curve => ({
+const decodeValues = <Encoded extends { values: string }>(
+  curve: Encoded,
+): Omit<Encoded, "values"> & { values: Float32Array } => ({
   ...curve,
   values: decodeFloats(curve.values),
 });
@@ -98,9 +140,10 @@ export function decodeReport(text: string): Report {
     ...encoded,
     episode: decodeFloats(encoded.episode),
     returns: decodeFloats(encoded.returns),
-    terms: encoded.terms.map(decodeCurve),
-    metrics: encoded.metrics.map(decodeCurve),
-    logs: encoded.logs.map(decodeCurve),
+    terms: encoded.terms.map(decodeValues),
+    metrics: encoded.metrics.map(decodeValues),
+    logs: encoded.logs.map(decodeValues),
+    shadows: encoded.shadows.map(decodeValues),
     recordings: encoded.recordings.map((recording) => ({
       ...recording,
       poses: decodeFloats(recording.poses),

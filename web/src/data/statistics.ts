@@ -2,8 +2,11 @@
 
 type Values = ArrayLike<number>;
 
-/** For each value the mean of the last `window` values up to it (of those there are). */
-export function runningMean(values: Values, window: number): Float32Array {
+/**
+ * For each value the mean of the last `window` values up to it (of those there are). It begins anew
+ * at each index of `starts`.
+ */
+export function runningMean(values: Values, window: number, starts: number[] = []): Float32Array {
   const means = new Float32Array(values.length);
   let sum = 0;
   let count = 0;
@@ -13,9 +16,11 @@ export function runningMean(values: Values, window: number): Float32Array {
     sum += sign * value;
     count += sign;
   };
+  let first = 0;
   for (let i = 0; i < values.length; ++i) {
+    if (starts.includes(i)) [first, sum, count] = [i, 0, 0];
     add(i, 1);
-    add(i - window, -1);
+    if (i - window >= first) add(i - window, -1);
     means[i] = count > 0 ? sum / count : NaN;
   }
   return means;

@@ -3,6 +3,7 @@
 import type { Report } from "../data/report_data.ts";
 import { indexOfMaximum, lastValues } from "../data/statistics.ts";
 import { docOfTask } from "../data/task_source.ts";
+import { lastTask } from "../data/versions.ts";
 import {
   agentInWords,
   formatCount,
@@ -41,7 +42,7 @@ function runFacts(report: Report): [string, string | undefined][] {
 export function showMasthead(report: Report): void {
   const { run } = report;
   byId("task-name", HTMLElement).textContent = (run["task"] ?? "").replaceAll("_", " ");
-  byId("task-doc", HTMLElement).textContent = docOfTask(report.sources[0]?.text ?? "");
+  byId("task-doc", HTMLElement).textContent = docOfTask(lastTask(report)?.sources[0]?.text ?? "");
   byId("agent-words", HTMLElement).textContent = agentInWords(report.modules);
   const state = byId("run-state", HTMLElement);
   state.textContent = kStateWords[run["state"] ?? ""] ?? run["state"] ?? "";

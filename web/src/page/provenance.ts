@@ -1,7 +1,8 @@
 // Where the run comes from: the task's source, and everything the run has noted about itself.
 
-import type { Report } from "../data/report_data.ts";
+import type { Report, Task } from "../data/report_data.ts";
 import { commentStart } from "../data/task_source.ts";
+import { lastTask } from "../data/versions.ts";
 import { formatCount } from "../data/words.ts";
 import { byId, element } from "./dom.ts";
 
@@ -32,14 +33,24 @@ function sourceCode(text: string): HTMLElement {
   return code;
 }
 
-/** All texts of the task; its own is open. */
+/** All texts of the task that was active last, its own open, then those of the others. */
 export function showSources(report: Report): void {
-  report.sources.forEach((source, i) => {
+  const last = lastTask(report);
+  if (last) showTask(last, "Task ", true);
+  const shown = new Set([last?.hash]);
+  for (const task of report.tasks) {
+    if (!shown.has(task.hash)) showTask(task, `Another task, in ${task.module} `, false);
+    shown.add(task.hash);
+  }
+}
+
+function showTask(task: Task, heading: string, isOpen: boolean): void {
+  task.sources.forEach((source, i) => {
     const file = element("span", { class: "note" }, source.file);
     const details = element(
       "details",
-      i === 0 ? { open: "" } : {},
-      element("summary", {}, i === 0 ? "Task " : "Part of it ", file),
+      isOpen && i === 0 ? { open: "" } : {},
+      element("summary", {}, i === 0 ? heading : "Part of it ", file),
       element("pre", { class: "source" }, sourceCode(source.text)),
     );
     byId("sources", HTMLElement).append(details);

@@ -1,0 +1,43 @@
+// What became of the run while it learned: its changes, and which task was active when.
+
+import type { Change, Report } from "../data/report_data.ts";
+import { formatCount, formatDate } from "../data/words.ts";
+import { byId, element } from "./dom.ts";
+
+const cell = (text: string, kind: "td" | "th" = "td"): HTMLElement => element(kind, {}, text);
+
+function table(heads: string[], rows: HTMLElement[]): HTMLElement {
+  const head = element("tr", {}, ...heads.map((text) => cell(text, "th")));
+  return element(
+    "div",
+    { class: "scroll" },
+    element("table", { class: "list" }, element("thead", {}, head), element("tbody", {}, ...rows)),
+  );
+}
+
+function changeRow({ episode, step, text, at }: Change): HTMLElement {
+  const place = formatCount(episode) + (step > 0 ? `, step ${formatCount(step)}` : "");
+  return element("tr", {}, cell(place), cell(text), cell(formatDate(at)));
+}
+
+function versionRows(report: Report): HTMLElement[] {
+  return report.versions.map(({ task, first, last }) => {
+    const { name = "", file = "", hash = "" } = report.tasks[task] ?? {};
+    const episodes = `${formatCount(first)} – ${formatCount(last)}`;
+    return element("tr", {}, cell(episodes), cell(name), cell(file), cell(hash.slice(0, 8)));
+  });
+}
+
+/** Shows nothing of a run that was left alone. */
+export function showHistory(report: Report): void {
+  const section = byId("history-section", HTMLElement);
+  section.hidden = report.changes.length === 0 && report.versions.length < 2;
+  if (section.hidden) return;
+  const host = byId("history", HTMLElement);
+  if (report.changes.length > 0) {
+    host.append(table(["Episode", "Change", "When"], report.changes.map(changeRow)));
+  }
+  if (report.versions.length > 1) {
+    host.append(table(["Episodes", "Active task", "File", "Hash"], versionRows(report)));
+  }
+}
