@@ -20,7 +20,8 @@ Dcob::Dcob(std::string name, const Context& context)
   AddParameter({.name = "intervals",
                 .doc = "paces of the motions [s/rad], each greater than 0",
                 .target = &interval_parameter_,
-                .minimum = 0});
+                .minimum = 0,
+                .is_live = false});
   AddParameter({.name = "abbreviation_scale",
                 .doc = "factor of the time after which a motion is cut short",
                 .target = &abbreviation_scale_,

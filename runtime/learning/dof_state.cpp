@@ -27,7 +27,10 @@ DofState::DofState(std::string name, const Context& context)
       base_velocity_(MakeSensorIn(this, robot::SensorId::kBaseVelocity)),
       base_angular_velocity_(MakeSensorIn(this, robot::SensorId::kBaseAngularVelocity)),
       joint_velocity_(MakeSensorIn(this, robot::SensorId::kJointVelocity)) {
-  AddParameter({"dof", "DoF configuration of the robot", &dof_name_});
+  AddParameter({.name = "dof",
+                .doc = "DoF configuration of the robot",
+                .target = &dof_name_,
+                .is_live = false});
 }
 
 void DofState::Start() {

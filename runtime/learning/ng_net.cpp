@@ -32,12 +32,19 @@ GaussianNet MakeNet(const robot::NetDescription& net, int seed, Norm norm) {
 
 NgNet::NgNet(std::string name, const Context& context)
     : Module(std::move(name)), robot_(*context.robot) {
-  AddParameter({"net", "Gaussian network of the robot", &net_name_});
+  AddParameter({.name = "net",
+                .doc = "Gaussian network of the robot",
+                .target = &net_name_,
+                .is_live = false});
   AddParameter({.name = "net_seed",
                 .doc = "for bubble nets: another number gives other, equally good centres",
                 .target = &net_seed_,
-                .minimum = 0});
-  AddParameter({"max_norm", "measure distances between centres by the max norm", &max_norm_});
+                .minimum = 0,
+                .is_live = false});
+  AddParameter({.name = "max_norm",
+                .doc = "measure distances between centres by the max norm",
+                .target = &max_norm_,
+                .is_live = false});
 }
 
 void NgNet::Start() { Net(); }

@@ -5,7 +5,6 @@
 #include <istream>
 #include <limits>
 #include <ostream>
-#include <utility>
 
 #include "runtime/learning/connections.h"
 #include "runtime/learning/exponential_schedule.h"
@@ -67,7 +66,9 @@ void PengQLambda::StartOfEpisode() {
   const Eigen::VectorXd& features = features_in_();
   PrepareTheta(static_cast<int>(features.size()));
   phase_ = Phase::kRunning;
-  end_ = std::exchange(early_end_, std::nullopt);
+  end_.reset();
+  if (early_end_) NoteEnd(*early_end_);
+  early_end_.reset();
   reward_ = 0;
   return_ = 0;
   actions_ = 0;
@@ -113,8 +114,20 @@ void PengQLambda::EndOfEpisode(EpisodeEnd end) {
   // A task hears of an episode's start before the learner does, and can end it right there.
   if (phase_ == Phase::kOver && !diverged) early_end_ = end;
   if (phase_ != Phase::kRunning) return;
-  if (!end_ || diverged) end_ = end;
+  if (!end_ || diverged) {
+    NoteEnd(end);
+  }
   if (diverged || episode_end_ == kClean) Finish();
+}
+
+void PengQLambda::Forget() {
+  q_lambda_.Forget();
+  episodes_ = 0;
+}
+
+void PengQLambda::NoteEnd(const EpisodeEnd& end) {
+  end_reason_ = end.reason;
+  end_ = {end.kind, end_reason_.c_str()};
 }
 
 void PengQLambda::Finish() {

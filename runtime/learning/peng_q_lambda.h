@@ -35,6 +35,12 @@ class PengQLambda : public Module {
   // learned fits the agent shows when the next episode starts.
   void Load(std::istream& in) override;
 
+  // What the present episode's actions have been credited with so far: nothing.
+  void ClearTraces() { q_lambda_.ClearTraces(); }
+  // As before the first episode: nothing is learned, and the schedules begin anew. The random
+  // numbers go on.
+  void Forget();
+
   bool episode_over() const { return phase_ == Phase::kOver; }
   // Of the episode that runs or ran last: the sum of all rewards, the actions started.
   double episode_return() const { return return_ + reward_; }
@@ -58,6 +64,7 @@ class PengQLambda : public Module {
 
   void PrepareTheta(int features);
   void ExecuteAction();
+  void NoteEnd(const EpisodeEnd& end);
   void Finish();
   void LearnFromLastAction();
   void LearnAndSelect();
@@ -78,6 +85,7 @@ class PengQLambda : public Module {
   int64_t episodes_ = 0;
 
   Phase phase_ = Phase::kOver;
+  std::string end_reason_;               // of end_: its task may be swapped before it is over
   std::optional<EpisodeEnd> end_;        // the first one that was asked for in this episode
   std::optional<EpisodeEnd> early_end_;  // asked for before the episode's start has got here
   double reward_ = 0;                    // of the present action, so far

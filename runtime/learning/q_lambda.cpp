@@ -21,13 +21,22 @@ QLambda::QLambda(Matrix theta)
 }
 
 void QLambda::StartEpisode(const Eigen::VectorXd& features, double temperature, Random& random) {
+  ClearTraces();
+  Select(features, temperature, random);
+  std::swap(current_, next_);
+}
+
+void QLambda::ClearTraces() {
   for (const int action : traced_actions_) {
     traces_.row(action).setZero();
     is_traced_[action] = 0;
   }
   traced_actions_.clear();
-  Select(features, temperature, random);
-  std::swap(current_, next_);
+}
+
+void QLambda::Forget() {
+  ClearTraces();
+  theta_.setZero();
 }
 
 void QLambda::Step(double reward, const Settings& settings, double learning_rate,

@@ -51,6 +51,10 @@ class QLambda {
   // Forgets the traces and selects the first action.
   void StartEpisode(const Eigen::VectorXd& features, double temperature, Random& random);
 
+  void ClearTraces();
+  // theta and the traces are 0 again.
+  void Forget();
+
   // Selects the next action, then learns from the one that is over.
   void Step(double reward, const Settings& settings, double learning_rate,
             const Eigen::VectorXd& features, double temperature, Random& random);

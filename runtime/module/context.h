@@ -2,15 +2,17 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
+#include <memory>
 
 #include "plugins/robot/robot_description.h"
 
 namespace runtime {
 
+class Plugin;  // runtime/task/plugin.h
+
 struct Context {
   const robot::RobotDescription* robot = nullptr;  // outlives the modules
-  std::filesystem::path task_plugin;               // shared object of the task to run
+  std::shared_ptr<const Plugin> task = {};         // what the task modules begin with
   uint64_t seed = 0;
 };
 

@@ -29,6 +29,8 @@ struct Parameter {
   // For numbers, and each number of a list: the allowed range, limits included.
   double minimum = -std::numeric_limits<double>::infinity();
   double maximum = std::numeric_limits<double>::infinity();
+  std::string unit = {};  // "s"; "" for a plain number
+  bool is_live = true;    // false: what is set after the start has no effect
 };
 
 class Module {
@@ -67,6 +69,7 @@ class Module {
 
  protected:
   void AddParameter(Parameter parameter) { parameters_.push_back(std::move(parameter)); }
+  void ReplaceParameters(std::vector<Parameter> parameters) { parameters_ = std::move(parameters); }
 
  private:
   friend class Port;

@@ -118,6 +118,13 @@ void Port::Connect(Port& first, Port& second) {
   second.Attach(first);
 }
 
+void Port::ConnectBehind(Port& signal, Port& slot, const Port& before) {
+  Connect(signal, slot);
+  const auto place = std::ranges::find(signal.peers_, &before);
+  assert(place != signal.peers_.end());
+  std::rotate(place + 1, signal.peers_.end() - 1, signal.peers_.end());
+}
+
 void Port::Disconnect(Port& first, Port& second) {
   if (!first.IsConnectedTo(second)) {
     throw UserError(fmt::format("cannot disconnect `{}` from `{}`: they are not connected",

@@ -67,6 +67,9 @@ class Port {
   // matter. Throws UserError if they do not fit, if they are connected already, or if the in port
   // has another out port; nothing has changed then.
   static void Connect(Port& first, Port& second);
+  // The same for a signal and a slot; the slot is called right after `before`, which is connected
+  // to the signal. Not while the signal is being emitted.
+  static void ConnectBehind(Port& signal, Port& slot, const Port& before);
   // Throws UserError if the two are not connected.
   static void Disconnect(Port& first, Port& second);
 

@@ -22,8 +22,11 @@ std::vector<std::string> PoseNames(const robot::RobotDescription& robot) {
 
 RobotEnvironment::RobotEnvironment(std::string name, const Context& context)
     : Module(std::move(name)), robot_(*context.robot), sensors_(robot_) {
-  AddParameter({"profile", "how exactly the robot is simulated: as in the paper, or faster",
-                &profile_, ProfileNames()});
+  AddParameter({.name = "profile",
+                .doc = "how exactly the robot is simulated: as in the paper, or faster",
+                .target = &profile_,
+                .choices = ProfileNames(),
+                .is_live = false});
   AddParameter({"start_pose", "the pose that episodes start from; \"\" is the robot's first pose",
                 &start_pose_, PoseNames(robot_)});
   for (RobotSensor& sensor : sensors_.sensors()) {

@@ -25,7 +25,8 @@ double InitialValue(int reduction) {
 
 }  // namespace
 
-MetricReducer::MetricReducer(std::span<const taskc_metric> metrics) : values_(metrics.size()) {
+MetricReducer::MetricReducer(std::span<const taskc_metric> metrics)
+    : values_(metrics.size()), time_steps_(metrics.size()) {
   for (const taskc_metric& metric : metrics) reductions_.push_back(metric.reduction);
   needs_time_steps_ = std::any_of(reductions_.begin(), reductions_.end(),
                                   [](int reduction) { return reduction != TASKC_LAST; });
@@ -33,13 +34,13 @@ MetricReducer::MetricReducer(std::span<const taskc_metric> metrics) : values_(me
 }
 
 void MetricReducer::StartEpisode() {
-  time_steps_ = 0;
+  std::fill(time_steps_.begin(), time_steps_.end(), 0);
   std::transform(reductions_.begin(), reductions_.end(), values_.begin(), InitialValue);
 }
 
 void MetricReducer::EndTimeStep(std::span<const double> measured) {
-  ++time_steps_;
   for (size_t i = 0; i < values_.size(); ++i) {
+    ++time_steps_[i];
     double& value = values_[i];
     const double now = measured[i];
     switch (reductions_[i]) {
@@ -64,14 +65,19 @@ void MetricReducer::EndEpisode(std::span<const double> measured) {
         values_[i] = measured[i];
         break;
       case TASKC_MEAN:
-        values_[i] /= static_cast<double>(time_steps_);  // 0 / 0 without a time step
+        values_[i] /= static_cast<double>(time_steps_[i]);  // 0 / 0 without a time step
         break;
       case TASKC_MAX:
       case TASKC_MIN:
-        if (time_steps_ == 0) values_[i] = kUnknown;
+        if (time_steps_[i] == 0) values_[i] = kUnknown;
         break;
     }
   }
+}
+
+void MetricReducer::TakeOver(size_t index, const MetricReducer& other, size_t other_index) {
+  values_[index] = other.values_[other_index];
+  time_steps_[index] = other.time_steps_[other_index];
 }
 
 }  // namespace runtime

@@ -24,14 +24,18 @@ class MetricReducer {
   void EndTimeStep(std::span<const double> measured);
   void EndEpisode(std::span<const double> measured);
 
+  // In the middle of an episode: metric number `index` goes on from what `other` has of its metric
+  // number `other_index`, which has the same reduction.
+  void TakeOver(size_t index, const MetricReducer& other, size_t other_index);
+
   // One for each metric; complete after EndEpisode().
   std::span<const double> values() const { return values_; }
 
  private:
   std::vector<int> reductions_;  // TASKC_LAST ... TASKC_MEAN
   std::vector<double> values_;
+  std::vector<int64_t> time_steps_;  // that each value is made of
   bool needs_time_steps_ = false;
-  int64_t time_steps_ = 0;
 };
 
 }  // namespace runtime

@@ -17,8 +17,9 @@ std::string TypeAndUnit(const taskc_memory& variable) {
 }  // namespace
 
 TaskMemory::TaskMemory(const taskc_plugin& table)
-    : blocks_((table.memory_size + sizeof(Block) - 1) / sizeof(Block)) {
-  for (const taskc_memory& variable : std::span(table.memory, table.memory_count)) {
+    : variables_(table.memory, table.memory_count),
+      blocks_((table.memory_size + sizeof(Block) - 1) / sizeof(Block)) {
+  for (const taskc_memory& variable : variables_) {
     if (variable.scope == TASKC_PER_RUN) kept_.push_back(variable);
   }
 }
@@ -30,6 +31,26 @@ std::span<std::byte> TaskMemory::Bytes(const taskc_memory& variable) {
 std::span<const std::byte> TaskMemory::Bytes(const taskc_memory& variable) const {
   return {reinterpret_cast<const std::byte*>(blocks_.data()) + variable.offset,
           SizeInBytes(variable)};
+}
+
+const taskc_memory* TaskMemory::FindSame(std::span<const taskc_memory> variables,
+                                         std::string_view name, const std::string& type,
+                                         size_t size) {
+  const auto found = std::ranges::find_if(variables, [&](const taskc_memory& candidate) {
+    return candidate.name == name && TypeAndUnit(candidate) == type &&
+           SizeInBytes(candidate) == size;
+  });
+  return found == variables.end() ? nullptr : &*found;
+}
+
+void TaskMemory::TakeOver(const TaskMemory& old, bool all) {
+  for (const taskc_memory& variable :
+       all ? old.variables_ : std::span<const taskc_memory>(old.kept_)) {
+    const std::span<const std::byte> bytes = old.Bytes(variable);
+    const taskc_memory* same = FindSame(all ? variables_ : std::span<const taskc_memory>(kept_),
+                                        variable.name, TypeAndUnit(variable), bytes.size());
+    if (same != nullptr) std::memcpy(Bytes(*same).data(), bytes.data(), bytes.size());
+  }
 }
 
 void TaskMemory::Save(std::ostream& stream) const {
@@ -48,12 +69,8 @@ void TaskMemory::Load(std::istream& stream) {
     const std::string name = LoadText(stream);
     const std::string type = LoadText(stream);
     const std::string content = LoadText(stream);
-    const auto variable =
-        std::find_if(kept_.begin(), kept_.end(), [&](const taskc_memory& candidate) {
-          return candidate.name == name && TypeAndUnit(candidate) == type &&
-                 SizeInBytes(candidate) == content.size();
-        });
-    if (variable == kept_.end()) continue;
+    const taskc_memory* variable = FindSame(kept_, name, type, content.size());
+    if (variable == nullptr) continue;
     std::memcpy(Bytes(*variable).data(), content.data(), content.size());
   }
 }

@@ -1,8 +1,6 @@
 // The one module that runs any compiled task.
 #pragma once
 
-#include <taskc/plugin.h>
-
 #include <array>
 #include <cstdint>
 #include <iosfwd>
@@ -15,21 +13,22 @@
 
 #include "runtime/module/context.h"
 #include "runtime/module/module.h"
+#include "runtime/module/network.h"
 #include "runtime/module/sensor_data.h"
 #include "runtime/module/values.h"
-#include "runtime/task/metric_reducer.h"
 #include "runtime/task/plugin.h"
-#include "runtime/task/task_memory.h"
+#include "runtime/task/task_instance.h"
 
 namespace runtime {
 
-// How often something went wrong in an episode, and when it did for the first time.
-struct Incidents {
-  int64_t count = 0;
-  double first_time = 0;  // [s] since the start of the episode
+// How a task says that an episode ended.
+struct TaskEnd {
+  EndKind kind = EndKind::kTruncated;
+  std::string reason;
 };
 
-// An instance of the task in Context::task_plugin. Any number of them can run side by side.
+// At first an instance of the task in Context::task; any number of them can run side by side, and
+// each can get another task while it runs.
 //
 //   in       one port for each sensor that the task reads, of the sensor's name
 //   slots    the events; each returns at once where the task has nothing to do
@@ -57,57 +56,73 @@ class UniversalTask : public Module {
   Signal<double> reward{this, "reward"};
   Signal<EpisodeEnd> end_of_episode{this, "end_of_episode"};
 
-  // Throws UserError if the plugin cannot be loaded or does not fit Context::robot.
+  // Throws UserError if the plugin does not fit Context::robot, or if there is none.
   UniversalTask(std::string name, const Context& context);
+  UniversalTask(std::string name, const robot::RobotDescription& robot,
+                std::unique_ptr<TaskInstance> instance);
 
   // Throws UserError if a sensor's in port has no connection.
   void Start() override;
   void Set(std::string_view parameter, const ParameterValue& value) override;
-  // The values of the params and of the variables that live as long as the run.
+  // The values of the params and of the variables that live as long as the run, also those of the
+  // previous task.
   void Save(std::ostream& stream) const override;
   void Load(std::istream& stream) override;
 
-  const taskc_plugin& plugin() const { return plugin_.table(); }
+  // Throws UserError if the task does not fit the robot, or if it reads a sensor that this module
+  // has not yet and that no module of `network` offers.
+  void CheckCanSwap(const taskc_plugin& table, const Network& network) const;
+  // Another task from now on, which takes over what it can (TaskInstance::TakeOver). The sensors
+  // that are new in it are connected to the out ports of their name. What was until now is kept as
+  // the previous task. Not from inside an event. Throws as CheckCanSwap(), and changes nothing
+  // then.
+  void Swap(std::unique_ptr<TaskInstance> next, const Network& network);
+  // The previous task again; the present one becomes the previous. Throws UserError if there is
+  // none.
+  void Rollback(const Network& network);
+  // Null before the first swap.
+  const TaskInstance* previous() const { return previous_.get(); }
 
-  // Of the current episode: what each reward term has paid, where it could not be paid, and which
-  // requirements did not hold.
-  std::span<const double> term_sums() const { return term_sums_; }
-  std::span<const Incidents> faults() const { return faults_; }
-  std::span<const Incidents> violations() const { return violations_; }
+  // A shadow is evaluated like the task that the learner is paid by, but nobody ends an episode for
+  // it: after its own first end it ends the episode for itself, `at_once` or with the action, and
+  // then sleeps until the next episode starts.
+  enum class Role { kActive, kShadowEndsWithAction, kShadowEndsAtOnce };
+  void SetRole(Role role) { role_ = role; }
+  bool is_shadow() const { return role_ != Role::kActive; }
+  // No events until the next episode starts.
+  void Sleep() { is_asleep_ = true; }
+  bool is_asleep() const { return is_asleep_; }
+
+  const TaskInstance& instance() const { return *instance_; }
+  const taskc_plugin& plugin() const { return instance_->table(); }
+
+  // Of the current episode: all that was paid after the event at its start, what each reward term
+  // has paid, where it could not be paid, and which requirements did not hold.
+  double episode_return() const { return return_; }
+  std::span<const double> term_sums() const { return instance_->term_sums(); }
+  std::span<const Incidents> faults() const { return instance_->faults(); }
+  std::span<const Incidents> violations() const { return instance_->violations(); }
   // All that was not paid: those of the terms, and sums of finite terms that were not finite.
-  int64_t fault_count() const { return fault_count_; }
-  // Of the episode that has ended: one value for each metric, and one for each log.
-  std::span<const double> metrics() const { return reducer_.values(); }
-  std::span<const double> logs() const { return logged_; }
+  int64_t fault_count() const { return instance_->fault_count(); }
+  // Whether an episode has ended for this task since its last start.
+  bool has_ended() const { return episode_is_over_; }
+  // Of the episode that has ended: the first end that the task reached, or else the one that it was
+  // told of; one value for each metric, and one for each log.
+  const TaskEnd& end() const { return end_; }
+  std::span<const double> metrics() const { return instance_->metrics(); }
+  std::span<const double> logs() const { return instance_->logs(); }
 
  private:
-  // A param's value, in the one of these that belongs to its type.
-  struct Param {
-    bool flag = false;
-    int64_t integer = 0;
-    double real = 0;
-  };
-
   struct SensorRead {
     const SensorIn* port;
     const void** data;  // the sensor's entry in the frame
   };
-
-  // What one event function did.
-  struct Outcome {
-    double reward = 0;
-    std::optional<EpisodeEnd> end;
-  };
-
-  void AddParams();
-  void AddSensors();
-  void BindFrame();
-  void ResetEpisode();
+  using Outcome = TaskInstance::Outcome;
 
   void StartEpisode();
-  void EndEpisode(EpisodeEnd);
+  void EndEpisode(EpisodeEnd end);
   void StartAction() { Handle(TASKC_START_OF_ACTION, 0); }
-  void EndAction() { Handle(TASKC_END_OF_ACTION, 0); }
+  void EndAction();
   void StartTimeStep(double time_step) { Handle(TASKC_START_OF_TIME_STEP, time_step); }
   void EndTimeStep(double time_step);
   void StartPhysicsStep(double time_step) { Handle(TASKC_START_OF_PHYSICS_STEP, time_step); }
@@ -116,40 +131,34 @@ class UniversalTask : public Module {
   void Handle(int event, double time_step);
   std::optional<Outcome> Call(int event, double time_step);
   void Emit(const std::optional<Outcome>& outcome);
+  void NoteEnd(const EpisodeEnd& end);
+  // Ends the episode of a shadow that has reached an end.
+  void EndOwnEpisode();
   // Brings those sensors up to date that event number `reader`, or TASKC_MEASURE, reads.
   void Sense(int reader);
-  void Measure();
-  // How the last event function ended the episode, if it did.
-  std::optional<EpisodeEnd> EndReached() const;
-  void CountFault();
-  void CountViolation();
-  void ReduceLogs();
 
-  Plugin plugin_;
-  TaskMemory memory_;
-  std::vector<Param> params_;
+  using Sensors = std::vector<std::unique_ptr<SensorIn>>;
 
-  // What the frame points to.
-  std::vector<std::unique_ptr<SensorIn>> sensors_;
-  std::vector<const void*> sensor_data_;
-  std::vector<double> param_values_;
-  std::vector<double> term_sums_;
-  std::vector<double> measured_;
-  std::vector<taskc_log_state> log_states_;
-  taskc_frame frame_{};
+  Sensors::const_iterator FindSensor(const taskc_sensor& sensor) const;
+  // Puts `next` in the place of the present task, which is returned. The ports of sensors that only
+  // one of the two reads go or come, unconnected.
+  std::unique_ptr<TaskInstance> Exchange(std::unique_ptr<TaskInstance> next);
+  void ConnectSensors(const Network& network);
+  void BindSensors();
 
+  const robot::RobotDescription& robot_;
+  std::unique_ptr<TaskInstance> instance_;
+  std::unique_ptr<TaskInstance> previous_;
+  Sensors sensors_;  // in the order of the task
   // What each event, and the evaluation of the metrics, has to bring up to date.
   std::array<std::vector<SensorRead>, TASKC_MEASURE + 1> reads_;
 
-  MetricReducer reducer_;
-  std::vector<double> logged_;
-  std::vector<Incidents> faults_;
-  int64_t fault_count_ = 0;
-  std::vector<Incidents> violations_;
-  std::vector<std::string> violation_reasons_;  // one for each requirement
-  double time_ = 0;  // [s] since the start of the episode, at the end of the last time step
+  Role role_ = Role::kActive;
+  double return_ = 0;
+  TaskEnd end_;
+  bool is_asleep_ = false;
   bool episode_is_over_ = false;
-  bool end_was_emitted_ = false;
+  bool end_was_reached_ = false;
 };
 
 }  // namespace runtime

@@ -8,7 +8,7 @@ namespace runtime {
 
 RunRecord RecordOf(const TaskSetup& setup, const RunPlan& plan) {
   RunRecord run;
-  run.tasks = {DescribeTask(setup.plugin.table(), "task")};
+  run.tasks = {DescribeTask(setup.plugin->table(), "task")};
   run.tasks.front().id = 1;
   run.robot = setup.robot.name;
   run.robot_description = ReadText(setup.robot_file);

@@ -6,6 +6,7 @@
 #include "runtime/run/module_types.h"
 #include "runtime/run/run_database.h"
 #include "runtime/run/run_files.h"
+#include "runtime/task/plugin.h"
 #include "runtime/trainer/call_error.h"
 #include "runtime/trainer/commands.h"
 #include "runtime/trainer/many_runs.h"
@@ -56,7 +57,8 @@ int ResumeOne(const ResumeOptions& options) {
                "warning: the run was started by trainer {}, this is {}: it may go on differently\n",
                run.version, TASKC_VERSION);
   }
-  const std::filesystem::path plugin = FindKeptPlugin(options.folder, run.tasks.front().plugin);
+  const auto plugin =
+      std::make_shared<const Plugin>(FindKeptPlugin(options.folder, run.tasks.front().plugin));
   const robot::RobotDescription robot = ReadKeptRobot(options.folder, run.robot_description);
   ModuleTypes types;
   RegisterModuleTypes(types);

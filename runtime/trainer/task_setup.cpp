@@ -60,8 +60,9 @@ AgentLayers LayersOf(const TaskOptions& options, const taskc_plugin& plugin,
           options.agent, options.profile,   options.settings};
 }
 
-const Plugin& Checked(const Plugin& plugin) {
-  CheckHasEnd(plugin.table());
+std::shared_ptr<const Plugin> Load(const std::filesystem::path& file) {
+  auto plugin = std::make_shared<const Plugin>(file);
+  CheckHasEnd(plugin->table());
   return plugin;
 }
 
@@ -102,12 +103,12 @@ BuiltTask::BuiltTask(const std::filesystem::path& task) {
 
 TaskSetup::TaskSetup(const TaskOptions& options, const std::filesystem::path& file, uint64_t seed)
     : plugin_file(file),
-      plugin(file),
-      robot_file(robot::FindRobotFile(RobotName(options, Checked(plugin).table()),
-                                      robot::DefaultRobotFolders())),
+      plugin(Load(file)),
+      robot_file(
+          robot::FindRobotFile(RobotName(options, plugin->table()), robot::DefaultRobotFolders())),
       robot(robot::ReadRobot(robot_file)),
-      agent(LayersOf(options, plugin.table(), robot_file).Merge()),
-      network(Build(agent, Context{&robot, plugin_file, seed})) {
+      agent(LayersOf(options, plugin->table(), robot_file).Merge()),
+      network(Build(agent, Context{&robot, plugin, seed})) {
   agent = Resolved(agent, network);
 }
 

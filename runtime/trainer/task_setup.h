@@ -47,7 +47,7 @@ struct TaskSetup {
   TaskSetup& operator=(const TaskSetup&) = delete;
 
   std::filesystem::path plugin_file;
-  Plugin plugin;
+  std::shared_ptr<const Plugin> plugin;
   std::filesystem::path robot_file;
   robot::RobotDescription robot;
   Agent agent;  // resolved

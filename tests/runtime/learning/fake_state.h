@@ -29,7 +29,7 @@ class FakeState : public Module, public State {
   Out<State> state_{this, "state", this};
 };
 
-inline Context HumanoidContext() { return {.robot = &Humanoid(), .task_plugin = {}, .seed = 1}; }
+inline Context HumanoidContext() { return {.robot = &Humanoid(), .task = {}, .seed = 1}; }
 
 // Connects the ports of these names.
 inline void Connect(Module& from, const char* out, Module& to, const char* in) {

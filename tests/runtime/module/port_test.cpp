@@ -34,6 +34,18 @@ TEST(Signal, CallsSlotsInTheOrderOfConnection) {
   EXPECT_THAT(a.received, ElementsAre(1.5));
 }
 
+TEST(Signal, ASlotCanBeConnectedBehindAnother) {
+  Source source("source");
+  std::string order;
+  Sink a("a"), b("b"), c("c");
+  for (Sink* sink : {&a, &b, &c}) sink->then = [&order, sink](double) { order += sink->name(); };
+  source.reward.Connect(a.reward);
+  source.reward.Connect(b.reward);
+  Port::ConnectBehind(source.reward, c.reward, a.reward);
+  source.reward(1.5);
+  EXPECT_EQ(order, "acb");
+}
+
 TEST(Signal, NestedEmissionRunsDepthFirst) {
   Source source("source");
   Sink a("a"), b("b");

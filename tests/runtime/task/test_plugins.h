@@ -2,15 +2,21 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 
 #include "plugins/robot/robot_description.h"
 #include "runtime/module/user_error.h"
+#include "runtime/task/plugin.h"
 
 namespace runtime {
 
 inline std::filesystem::path PluginFile(const std::string& name) {
   return std::filesystem::path(PLUGIN_FOLDER) / (name + ".so");
+}
+
+inline std::shared_ptr<const Plugin> LoadTask(const std::string& name) {
+  return std::make_shared<Plugin>(PluginFile(name));
 }
 
 // Three links and two joints.
