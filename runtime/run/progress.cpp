@@ -74,6 +74,7 @@ std::string EpisodeJson(const EpisodeRecord& episode, const RunRecord& run) {
                {"actions", episode.actions},
                {"simulated_seconds", episode.simulated_seconds},
                {"wall_seconds", episode.wall_seconds},
+               {"cpu_seconds", episode.cpu_seconds},
                {"faults", active.faults},
                {"violations", active.violations}});
   for (const Evaluation& shadow : episode.shadows) {

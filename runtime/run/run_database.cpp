@@ -211,7 +211,7 @@ void RunDatabase::AddEpisode(const EpisodeRecord& episode,
   SqliteTransaction transaction(*impl_->database, fmt::format("save episode {}", episode.number));
   write.episode
       .Bind(episode.number, episode.steps, episode.actions, episode.simulated_seconds,
-            episode.wall_seconds)
+            episode.wall_seconds, episode.cpu_seconds)
       .Run();
   impl_->WriteEvaluation(episode.number, episode.active, true);
   for (const Evaluation& shadow : episode.shadows) {

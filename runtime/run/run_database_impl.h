@@ -24,7 +24,7 @@ inline constexpr TextKey kTexts[] = {
 // The statements that run once per episode.
 struct WriteStatements {
   explicit WriteStatements(const SqliteDatabase& database)
-      : episode(database, "INSERT INTO episode VALUES (?, ?, ?, ?, ?)", "save an episode"),
+      : episode(database, "INSERT INTO episode VALUES (?, ?, ?, ?, ?, ?)", "save an episode"),
         evaluation(database, "INSERT INTO evaluation VALUES (?, ?, ?, ?, ?, ?, ?, ?)",
                    "save an episode"),
         term(database, "INSERT INTO evaluation_term VALUES (?, ?, ?, ?)", "save an episode"),

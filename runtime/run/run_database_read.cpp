@@ -144,10 +144,11 @@ RunState RunDatabase::ReadState() const {
 std::vector<EpisodeRecord> RunDatabase::ReadEpisodes() const {
   const SqliteDatabase& database = *impl_->database;
   std::vector<EpisodeRecord> episodes;
-  SqliteStatement query(database,
-                        "SELECT number, steps, actions, simulated_seconds, wall_seconds "
-                        "FROM episode ORDER BY number",
-                        "read the episodes");
+  SqliteStatement query(
+      database,
+      "SELECT number, steps, actions, simulated_seconds, wall_seconds, cpu_seconds "
+      "FROM episode ORDER BY number",
+      "read the episodes");
   while (query.Step()) {
     EpisodeRecord& episode = episodes.emplace_back();
     episode.number = query.Integer(0);
@@ -155,6 +156,7 @@ std::vector<EpisodeRecord> RunDatabase::ReadEpisodes() const {
     episode.actions = query.Integer(2);
     episode.simulated_seconds = query.Real(3);
     episode.wall_seconds = query.Real(4);
+    episode.cpu_seconds = query.Real(5);
   }
   ReadEvaluations(database, episodes);
   const std::vector<EvaluationPlace> places = InTheOrderOfRows(episodes);

@@ -86,7 +86,8 @@ struct EpisodeRecord {
   int64_t actions = 0;
   double simulated_seconds = 0;
   double wall_seconds = 0;
-  Evaluation active;  // of the task that paid the learner at the episode's end
+  double cpu_seconds = 0;  // of the trainer's process, while the episode ran
+  Evaluation active;       // of the task that paid the learner at the episode's end
   std::vector<Evaluation> shadows;
 };
 

@@ -64,7 +64,8 @@ CREATE TABLE episode (
   steps INTEGER NOT NULL,   -- control steps
   actions INTEGER NOT NULL,
   simulated_seconds REAL NOT NULL,
-  wall_seconds REAL NOT NULL
+  wall_seconds REAL NOT NULL,
+  cpu_seconds REAL NOT NULL -- of the trainer's process
 );
 
 -- What each task that was there at the episode's end says of it. A value that is not a number is

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <ctime>
+
 #include "runtime/run/checkpoint.h"
 
 namespace runtime {
@@ -55,6 +57,7 @@ bool Training::Run(const StopRequest& stop) {
 
 EpisodeRecord Training::RunEpisode(const StopRequest& stop) {
   const Clock::time_point start = Clock::now();
+  const std::clock_t cpu_start = std::clock();
   EpisodeRecord episode;
   episode.number = episodes_done_ + 1;
   environment_.StartEpisode();
@@ -78,6 +81,7 @@ EpisodeRecord Training::RunEpisode(const StopRequest& stop) {
   episode.actions = learner_.action_count();
   episode.simulated_seconds = environment_.time();
   episode.wall_seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  episode.cpu_seconds = static_cast<double>(std::clock() - cpu_start) / CLOCKS_PER_SEC;
   episode.active.faults = task_.fault_count();
   for (const Incidents& violations : task_.violations())
     episode.active.violations += violations.count;

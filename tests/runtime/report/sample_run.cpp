@@ -62,6 +62,7 @@ EpisodeRecord SampleEpisode(int64_t number, int64_t episodes, std::mt19937& rand
   episode.active.end_reason = fails ? "falls too often" : "time is up";
   episode.simulated_seconds = fails ? 8.3 : 20.005;
   episode.wall_seconds = episode.simulated_seconds / 14;
+  episode.cpu_seconds = 0.9 * episode.wall_seconds;
   episode.steps = std::lround(episode.simulated_seconds / 0.005);
   episode.actions = episode.steps / 30;
   episode.active.metrics = {speed * episode.simulated_seconds, falls};

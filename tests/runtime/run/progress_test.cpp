@@ -92,6 +92,7 @@ TEST(EpisodeJson, NamesTermsMetricsAndLogs) {
   EXPECT_EQ(json["steps"], 4007);
   EXPECT_EQ(json["actions"], 80);
   EXPECT_EQ(json["faults"], 2);
+  EXPECT_EQ(json["cpu_seconds"], 4.25);
   EXPECT_FALSE(json.contains("shadows"));
 }
 

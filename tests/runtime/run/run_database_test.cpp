@@ -162,6 +162,7 @@ TEST_F(RunDatabaseTest, GivesBackEpisodesBitForBit) {
   EXPECT_EQ(read[0].actions, first.actions);
   EXPECT_EQ(read[0].simulated_seconds, first.simulated_seconds);
   EXPECT_EQ(read[0].wall_seconds, first.wall_seconds);
+  EXPECT_EQ(read[0].cpu_seconds, first.cpu_seconds);
   EXPECT_EQ(read[0].active.faults, 2);
   EXPECT_EQ(read[0].active.terms, first.active.terms);
   EXPECT_EQ(read[0].active.violations, 3);

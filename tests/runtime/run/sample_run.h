@@ -59,6 +59,7 @@ inline EpisodeRecord SampleEpisode(int64_t number) {
   episode.actions = 80;
   episode.simulated_seconds = 20.005;
   episode.wall_seconds = 4.5;
+  episode.cpu_seconds = 4.25;
   episode.active.faults = 2;
   episode.active.terms = {1.0 / 3.0, -4};
   episode.active.violations = 3;

@@ -59,6 +59,7 @@ TEST_F(TrainTest, StoresEveryEpisode) {
     EXPECT_NEAR(episode.simulated_seconds, 0.005 * static_cast<double>(episode.steps), 1e-9);
     EXPECT_GT(episode.actions, 0);
     EXPECT_GT(episode.wall_seconds, 0);
+    EXPECT_GT(episode.cpu_seconds, 0);
     EXPECT_EQ(episode.active.faults, 0);
   }
   EXPECT_EQ(episodes[0].active.end_reason, "time is up");
