@@ -14,6 +14,7 @@ programs=(
   libode-dev libeigen3-dev                         # the simulation and the learner
   libfmt-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libmd-dev
   libsqlite3-dev libzstd-dev                       # the runs' records
+  libboost-dev                                     # Beast: talking to a running trainer
   libgtest-dev libgmock-dev libbenchmark-dev
 )
 tests=(chromium procps gdb)                        # a real browser and a real debugger

@@ -58,6 +58,8 @@ const std::map<std::string, Folders> kMayInclude = {
       "runtime/task"}},
     {"runtime/report", {"runtime/module", "runtime/run"}},
     {"runtime/control", {"runtime/module"}},
+    {"runtime/server", {"runtime/control", "runtime/module"}},
+    {"runtime/client", {"runtime/control", "runtime/module", "runtime/server"}},
     {"runtime/workers", {"runtime/module", "runtime/run"}},
     {"runtime/trainer",
      {"plugins/robot", "plugins/text", "runtime/agent", "runtime/module", "runtime/report",

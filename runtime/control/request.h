@@ -14,8 +14,8 @@ struct Request {
 
 struct Reply {
   bool ok = true;
-  nlohmann::json value;  // of a request that was done
-  std::string error;     // of one that was not: a message for the user, of one or more lines
+  nlohmann::json value = nullptr;  // of a request that was done
+  std::string error = "";  // of one that was not: a message for the user, of one or more lines
 };
 
 // Called once for each request, on any thread.
