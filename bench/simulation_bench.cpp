@@ -145,6 +145,10 @@ void ControlStep(benchmark::State& state, const char* profile) {
 
 void Paper(benchmark::State& state) { ControlStep(state, "paper"); }
 void Fast(benchmark::State& state) { ControlStep(state, "fast"); }
+void PaperTree(benchmark::State& state) { ControlStep(state, "paper-tree"); }
+void FastTree(benchmark::State& state) { ControlStep(state, "fast-tree"); }
+BENCHMARK(PaperTree)->Unit(benchmark::kMicrosecond)->MinTime(5);
+BENCHMARK(FastTree)->Unit(benchmark::kMicrosecond)->MinTime(5);
 BENCHMARK(Paper)->Unit(benchmark::kMicrosecond)->MinTime(5);
 BENCHMARK(Fast)->Unit(benchmark::kMicrosecond)->MinTime(5);
 

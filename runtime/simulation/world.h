@@ -1,6 +1,7 @@
 // One episode's physics: a robot on flat ground.
 #pragma once
 
+#include <memory>
 #include <span>
 
 #include "plugins/robot/robot_description.h"
@@ -8,6 +9,7 @@
 #include "runtime/simulation/contact_filter.h"
 #include "runtime/simulation/joint_controller.h"
 #include "runtime/simulation/ode_library.h"
+#include "runtime/simulation/physics_solver.h"
 #include "runtime/simulation/profile.h"
 #include "runtime/simulation/robot_body.h"
 
@@ -23,7 +25,7 @@ class World {
   World(const World&) = delete;
   World& operator=(const World&) = delete;
 
-  double time_step() const { return time_step_; }  // [s]
+  double time_step() const { return settings_.time_step; }  // [s]
   int steps_per_control_step() const { return steps_per_control_step_; }
 
   // One physics step towards `targets`, one angle for each joint [rad]. Throws OdeFailure if there
@@ -37,13 +39,14 @@ class World {
 
  private:
   int steps_per_control_step_;
-  double time_step_;
+  SolverSettings settings_;
   OdeThreading threading_;
   OdeWorld world_;
   RobotBody body_;
   Collision collision_;
   JointController controller_;
   ContactFilter contact_filter_;
+  std::unique_ptr<PhysicsSolver> solver_;
 };
 
 }  // namespace runtime

@@ -30,14 +30,21 @@ void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); 
 namespace runtime {
 namespace {
 
-TEST(RobotEnvironment, AllocatesNothingWhileAnEpisodeRuns) {
+class RobotEnvironmentTest : public testing::TestWithParam<const char*> {};
+
+INSTANTIATE_TEST_SUITE_P(, RobotEnvironmentTest, testing::Values("paper", "fast-tree"),
+                         ProfileInName);
+
+TEST_P(RobotEnvironmentTest, AllocatesNothingWhileAnEpisodeRuns) {
   RobotEnvironment environment("environment", Context{&Humanoid(), {}, 0});
+  environment.Set("profile", std::string(GetParam()));
   environment.Start();
   environment.StartEpisode();
   environment.StepControl();
   std::vector<float> pose(7 * environment.link_count());
+  allocations = 0;
   counting = true;
-  for (int step = 0; step < 40; ++step) {  // 1000 physics steps
+  for (int step = 0; step < 40; ++step) {
     environment.StepControl();
     for (const robot::SensorDescription& sensor : robot::Sensors()) {
       for (Port* port : environment.ports()) {

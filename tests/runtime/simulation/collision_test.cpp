@@ -16,7 +16,7 @@ World At(const robot::RobotDescription& robot, robot::Pose pose) {
 
 TEST(Collision, AStandingRobotTouchesTheGroundWithTheCornersOfItsFeet) {
   const World world = At(Humanoid(), Humanoid().poses[0]);
-  EXPECT_EQ(world.collision().contact_count(), 8);
+  EXPECT_EQ(world.collision().contacts().size(), 8);
   EXPECT_THAT(GroundLinks(world, Humanoid()), ElementsAre("left_foot", "right_foot"));
 }
 
@@ -24,7 +24,7 @@ TEST(Collision, ARobotInTheAirTouchesNothing) {
   robot::Pose pose = Humanoid().poses[0];
   pose.position[2] += 1e-6;
   const World world = At(Humanoid(), pose);
-  EXPECT_EQ(world.collision().contact_count(), 0);
+  EXPECT_EQ(world.collision().contacts().size(), 0);
   EXPECT_THAT(GroundLinks(world, Humanoid()), IsEmpty());
 }
 
@@ -32,7 +32,7 @@ TEST(Collision, LinksOnAJointDoNotCollide) {
   // The hopper's thigh overlaps the trunk and the shank.
   robot::Pose pose = Hopper().poses[0];
   pose.position[2] = 1;
-  EXPECT_EQ(At(Hopper(), pose).collision().contact_count(), 0);
+  EXPECT_EQ(At(Hopper(), pose).collision().contacts().size(), 0);
 }
 
 TEST(Collision, OtherLinksOfTheRobotCollide) {
@@ -42,7 +42,7 @@ TEST(Collision, OtherLinksOfTheRobotCollide) {
   pose.position[2] = 1;
   pose.joint_angles = {0, -3};  // folds the shank up into the trunk
   const World world = At(robot, pose);
-  EXPECT_GT(world.collision().contact_count(), 0);
+  EXPECT_GT(world.collision().contacts().size(), 0);
   EXPECT_THAT(GroundLinks(world, robot), IsEmpty());
 }
 

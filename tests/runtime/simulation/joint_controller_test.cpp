@@ -14,8 +14,9 @@ class JointControllerTest : public testing::TestWithParam<const char*> {
   const Profile& profile() const { return FindProfile(GetParam()); }
 };
 
-INSTANTIATE_TEST_SUITE_P(, JointControllerTest, testing::Values("paper", "fast"),
-                         [](const auto& instance) { return std::string(instance.param); });
+INSTANTIATE_TEST_SUITE_P(, JointControllerTest,
+                         testing::Values("paper", "fast", "paper-tree", "fast-tree"),
+                         ProfileInName);
 
 TEST_P(JointControllerTest, TorqueIsThatOfTheSpringAndTheDamper) {
   World world(Humanoid(), profile(), Humanoid().poses[0]);

@@ -1,6 +1,9 @@
 // The robots of these tests.
 #pragma once
 
+#include <gtest/gtest.h>
+
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -30,6 +33,13 @@ inline robot::RobotDescription Rotor() {
   robot.controller = {.stiffness = 0.02, .damping = 0.001, .max_torque = 10, .time_step = 0.005};
   robot.poses = {{"turned", {0, 0, 100}, {1, 0, 0, 0}, {0.5}}};
   return robot;
+}
+
+// Names a test after its profile.
+inline std::string ProfileInName(const testing::TestParamInfo<const char*>& info) {
+  std::string name = info.param;
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
 }
 
 inline dBodyID Link(const World& world, const robot::RobotDescription& robot, const char* name) {

@@ -38,8 +38,8 @@ class WorldTest : public testing::TestWithParam<const char*> {
   }
 };
 
-INSTANTIATE_TEST_SUITE_P(, WorldTest, testing::Values("paper", "fast"),
-                         [](const auto& instance) { return std::string(instance.param); });
+INSTANTIATE_TEST_SUITE_P(, WorldTest, testing::Values("paper", "fast", "paper-tree", "fast-tree"),
+                         ProfileInName);
 
 TEST_P(WorldTest, TheRobotWeighsWhatItsDescriptionSays) {
   const World world = Make(Humanoid(), Humanoid().poses[0]);
@@ -74,7 +74,7 @@ TEST_P(WorldTest, StandsStillOnEightContacts) {
   EXPECT_NEAR(position[2], 0.2421, 1e-4);
   EXPECT_NEAR(position[0], 0, 5e-3);
   EXPECT_NEAR(position[1], 0, 1e-3);
-  EXPECT_EQ(world.collision().contact_count(), 8);
+  EXPECT_EQ(world.collision().contacts().size(), 8);
   EXPECT_TRUE(world.contacts().flag(12) && world.contacts().flag(17));
   EXPECT_FALSE(world.contacts().flag(0));
 }

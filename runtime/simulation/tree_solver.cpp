@@ -1,0 +1,288 @@
+#include "runtime/simulation/tree_solver.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace runtime {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+Vector3 ToEigen(const robot::Vector3& v) { return {v[0], v[1], v[2]}; }
+Vector3 ToEigen(const dReal* v) { return {v[0], v[1], v[2]}; }
+
+std::vector<TreeJoint> TreeJoints(const robot::RobotDescription& robot, double hold) {
+  std::vector<TreeJoint> joints;
+  for (const robot::Joint& joint : robot.joints) {
+    TreeJoint& added = joints.emplace_back();
+    added.parent = joint.parent;
+    added.child = joint.child;
+    added.hold = hold;
+  }
+  return joints;
+}
+
+// The angular velocity after a time of free rotation, to first order and implicitly, as ODE has it:
+// (I - h [L]x) w = L  with the angular momentum L; in the frame of the principal axes.
+Vector3 FreeRotation(const Vector3& inertia, const Vector3& angular_velocity, double time) {
+  const Vector3 momentum = inertia.cwiseProduct(angular_velocity);
+  Matrix3 matrix = -time * CrossMatrix(momentum);
+  matrix.diagonal() += inertia;
+  const Vector3 columns[] = {matrix.col(0), matrix.col(1), matrix.col(2)};
+  const Vector3 cross = columns[1].cross(columns[2]);
+  const double determinant = columns[0].dot(cross);
+  return Vector3(momentum.dot(cross), momentum.dot(columns[2].cross(columns[0])),
+                 momentum.dot(columns[0].cross(columns[1]))) /
+         determinant;
+}
+
+// What a spring of the same stiffness in all directions, at `arm` from the centre, does to a body's
+// velocities: it is the inertia of a point mass.
+Matrix6 PointInertia(const Vector3& arm, double mass) {
+  const Matrix3 coupling = mass * CrossMatrix(arm);
+  Matrix6 inertia = Matrix6::Zero();
+  inertia.topLeftCorner<3, 3>().diagonal().setConstant(mass);
+  inertia.topRightCorner<3, 3>() = -coupling;
+  inertia.bottomLeftCorner<3, 3>() = coupling;
+  inertia.bottomRightCorner<3, 3>() = -mass * arm * arm.transpose();
+  inertia.bottomRightCorner<3, 3>().diagonal().array() += mass * arm.squaredNorm();
+  return inertia;
+}
+
+}  // namespace
+
+TreeSolver::TreeSolver(const robot::RobotDescription& robot, const Profile& profile,
+                       const SolverSettings& settings, RobotBody& body)
+    : settings_(settings),
+      drive_(profile.drive),
+      hold_(settings.time_step / settings.cfm),
+      body_(body),
+      tree_(TreeJoints(robot, hold_)),
+      links_(robot.links.size()),
+      limits_(robot.joints.size()),
+      link_contacts_(body.link_count()),
+      velocities_(robot.links.size()),
+      inertias_(robot.links.size()),
+      momenta_(robot.links.size()),
+      scratch_(robot.links.size()) {
+  for (int i = 0; i < body.link_count(); ++i) {
+    dMass mass;
+    dBodyGetMass(body.body(i), &mass);
+    shapes_.push_back({mass.mass, {mass.I[0], mass.I[5], mass.I[10]}});
+  }
+  for (const robot::Joint& joint : robot.joints) {
+    const Vector3 anchor = ToEigen(joint.anchor);
+    hinges_.push_back({anchor - ToEigen(robot.links[joint.parent].position),
+                       anchor - ToEigen(robot.links[joint.child].position),
+                       ToEigen(joint.axis).normalized(), joint.low, joint.high});
+  }
+}
+
+void TreeSolver::Step(std::span<const Contact> contacts, const JointController& controller) {
+  for (int i = 0; i < body_.link_count(); ++i) ReadLink(i);
+  for (int j = 0; j < body_.joint_count(); ++j) ReadHinge(j, controller);
+  ReadContacts(contacts);
+  SolveForVelocities();
+  for (int i = 0; i < body_.link_count(); ++i) MoveLink(i);
+}
+
+void TreeSolver::ReadLink(int link) {
+  const dBodyID body = body_.body(link);
+  const LinkShape& shape = shapes_[link];
+  LinkState& state = links_[link];
+  state.position = ToEigen(dBodyGetPosition(body));
+  const dReal* rotation = dBodyGetRotation(body);  // rows of four
+  for (int row = 0; row < 3; ++row) {
+    state.rotation.row(row) = ToEigen(rotation + 4 * row).transpose();
+  }
+  velocities_[link] << ToEigen(dBodyGetLinearVel(body)), ToEigen(dBodyGetAngularVel(body));
+
+  state.inertia.setZero();
+  state.inertia.topLeftCorner<3, 3>().diagonal().setConstant(shape.mass);
+  state.inertia.bottomRightCorner<3, 3>() =
+      state.rotation * shape.inertia.asDiagonal() * state.rotation.transpose();
+
+  const double h = settings_.time_step;
+  const Vector3 turning = state.rotation.transpose() * velocities_[link].tail<3>();
+  state.momentum.head<3>() =
+      shape.mass * (velocities_[link].head<3>() - Vector3(0, 0, h * settings_.gravity));
+  state.momentum.tail<3>() =
+      state.rotation * shape.inertia.cwiseProduct(FreeRotation(shape.inertia, turning, h));
+}
+
+void TreeSolver::ReadHinge(int hinge, const JointController& controller) {
+  const Hinge& shape = hinges_[hinge];
+  TreeJoint& joint = tree_.joints()[hinge];
+  const LinkState& parent = links_[joint.parent];
+  const LinkState& child = links_[joint.child];
+  joint.parent_arm = parent.rotation * shape.parent_anchor;
+  joint.child_arm = child.rotation * shape.child_anchor;
+  joint.axis = parent.rotation * shape.axis;
+
+  // The child is drawn to where it belongs.
+  HingeLimits& limits = limits_[hinge];
+  const double correction = settings_.erp / settings_.time_step;
+  const Vector3 gap = parent.position + joint.parent_arm - child.position - joint.child_arm;
+  Vector3 tilt = (child.rotation * shape.axis).cross(joint.axis);
+  tilt -= joint.axis.dot(tilt) * joint.axis;  // rounding that would turn the joint
+  limits.load << gap, tilt;
+  limits.load *= hold_ * correction;
+
+  const double h = settings_.time_step;
+  if (drive_ == JointDrive::kTorque) {
+    limits.torque = h * controller.torques()[hinge];
+  } else {
+    const Motor& motor = controller.motors()[hinge];
+    limits.motor.target = motor.speed;
+    limits.motor.stiffness = h * motor.damping;
+    limits.motor.low = -h * motor.max_torque;
+    limits.motor.high = h * motor.max_torque;
+  }
+
+  const double angle = controller.angles()[hinge];
+  const bool is_low = angle <= shape.low_stop;
+  const bool is_high = !is_low && angle >= shape.high_stop;
+  LimitedPull stop;
+  if (is_low || is_high) {
+    stop.target = correction * ((is_low ? shape.low_stop : shape.high_stop) - angle);
+    stop.stiffness = hold_;
+    (is_low ? stop.high : stop.low) = is_low ? kInfinity : -kInfinity;
+    stop.state = stop.NextState(HingeSpeed(hinge));
+  }
+  limits.stop = stop;
+}
+
+double TreeSolver::HingeSpeed(int hinge) const {
+  const TreeJoint& joint = tree_.joints()[hinge];
+  return joint.axis.dot(velocities_[joint.parent].tail<3>() - velocities_[joint.child].tail<3>());
+}
+
+void TreeSolver::ReadContacts(std::span<const Contact> contacts) {
+  ground_contacts_.clear();
+  link_contacts_.Clear();
+  for (const Contact& contact : contacts) {
+    if (contact.first == Contact::kGround) {
+      AddGroundContact(contact.second, -ToEigen(contact.geometry.normal), contact.geometry);
+    } else if (contact.second == Contact::kGround) {
+      AddGroundContact(contact.first, ToEigen(contact.geometry.normal), contact.geometry);
+    } else {
+      LimitedPull& pull = link_contacts_.Add(contact, links_[contact.first].position,
+                                             links_[contact.second].position, hold_);
+      const int index = link_contacts_.size() - 1;
+      pull = NormalPull(contact.geometry.depth, link_contacts_.NormalSpeed(index, velocities_));
+    }
+  }
+}
+
+// The one that pushes the link up `normal`.
+void TreeSolver::AddGroundContact(int link, const Vector3& normal, const dContactGeom& geometry) {
+  const Vector3 arm = ToEigen(geometry.pos) - links_[link].position;
+  GroundContact contact;
+  contact.link = link;
+  contact.row << normal, arm.cross(normal);
+  contact.pull = NormalPull(geometry.depth, contact.row.dot(velocities_[link]));
+  ground_contacts_.push_back(contact);
+  links_[link].inertia += PointInertia(arm, hold_);
+  links_[link].inertia -= hold_ * contact.row * contact.row.transpose();
+}
+
+LimitedPull TreeSolver::NormalPull(double depth, double speed) const {
+  const double h = settings_.time_step;
+  LimitedPull pull;
+  pull.target = settings_.contacts.erp / h * depth;
+  if (-speed > settings_.bounce_speed) {
+    pull.target = std::max(pull.target, settings_.bounce * -speed);
+  }
+  pull.stiffness = h / settings_.contacts.cfm;
+  pull.high = kInfinity;
+  pull.state = pull.NextState(speed);
+  return pull;
+}
+
+void TreeSolver::SolveForVelocities() {
+  constexpr int kMostRounds = 1000;
+  constexpr int kChances = 5;  // to correct all that is wrong without having less wrong
+  int least_wrong = std::numeric_limits<int>::max();
+  int chances = kChances;
+  for (int round = 0; round < kMostRounds; ++round) {
+    SolveAsAssumed();
+    const int wrong = CorrectStates(chances > 0);
+    if (wrong == 0) return;
+    chances = wrong < least_wrong ? kChances : chances - 1;
+    least_wrong = std::min(wrong, least_wrong);
+  }
+  throw OdeFailure("there are no impulses that keep to their limits");
+}
+
+void TreeSolver::SolveAsAssumed() {
+  for (size_t i = 0; i < links_.size(); ++i) {
+    inertias_[i] = links_[i].inertia;
+    momenta_[i] = links_[i].momentum;
+  }
+  for (const GroundContact& contact : ground_contacts_) {
+    const double hold = contact.pull.hold();
+    if (hold == 0) continue;
+    inertias_[contact.link] += hold * contact.row * contact.row.transpose();
+    momenta_[contact.link] += contact.pull.load() * contact.row;
+  }
+  for (size_t j = 0; j < limits_.size(); ++j) {
+    const HingeLimits& limits = limits_[j];
+    TreeJoint& joint = tree_.joints()[j];
+    joint.hold_of_axis = limits.motor.hold() + limits.stop.hold();
+    joint.load = limits.load;
+    joint.load.tail<3>() -= (limits.torque + limits.motor.load() + limits.stop.load()) * joint.axis;
+  }
+  tree_.Factorise(inertias_);
+  scratch_ = momenta_;
+  tree_.Solve(scratch_, velocities_);
+  if (link_contacts_.empty()) return;
+  link_contacts_.AddImpulses(tree_, velocities_, momenta_);
+  tree_.Solve(momenta_, velocities_);
+}
+
+int TreeSolver::CorrectStates(bool all) {
+  int wrong = 0;
+  LimitedPull* last = nullptr;
+  auto last_state = LimitedPull::State::kSpring;
+  const auto judge = [&](LimitedPull& pull, double speed) {
+    const LimitedPull::State next = pull.NextState(speed);
+    if (next == pull.state) return;
+    ++wrong;
+    last = &pull;
+    last_state = next;
+    if (all) pull.state = next;
+  };
+  for (size_t j = 0; j < limits_.size(); ++j) {
+    const double speed = HingeSpeed(static_cast<int>(j));
+    judge(limits_[j].motor, speed);
+    judge(limits_[j].stop, speed);
+  }
+  for (GroundContact& contact : ground_contacts_) {
+    judge(contact.pull, contact.row.dot(velocities_[contact.link]));
+  }
+  for (int i = 0; i < link_contacts_.size(); ++i) {
+    judge(link_contacts_.pull(i), link_contacts_.NormalSpeed(i, velocities_));
+  }
+  if (last != nullptr) last->state = last_state;
+  return wrong;
+}
+
+// First order, as ODE does it.
+void TreeSolver::MoveLink(int link) {
+  const dBodyID body = body_.body(link);
+  const double h = settings_.time_step;
+  const Vector3 velocity = velocities_[link].head<3>();
+  const Vector3 turning = velocities_[link].tail<3>();
+  dBodySetLinearVel(body, velocity[0], velocity[1], velocity[2]);
+  dBodySetAngularVel(body, turning[0], turning[1], turning[2]);
+  const Vector3 position = links_[link].position + h * velocity;
+  dBodySetPosition(body, position[0], position[1], position[2]);
+  const dReal* now = dBodyGetQuaternion(body);
+  const double scalar = now[0];
+  const Vector3 vector = ToEigen(now + 1);
+  const Vector3 turned = vector + h / 2 * (scalar * turning + turning.cross(vector));
+  const dQuaternion next = {scalar - h / 2 * turning.dot(vector), turned[0], turned[1], turned[2]};
+  dBodySetQuaternion(body, next);  // which makes it a unit quaternion
+}
+
+}  // namespace runtime
