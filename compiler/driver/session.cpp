@@ -47,7 +47,11 @@ Analysis Session::Analyze(const std::string& file) {
 
 void Session::Report(const Sources& sources, const Diagnostics& diagnostics) {
   report_.Add(sources, diagnostics);
-  report_.tasks.push_back({{"file", sources.main().path()}, {"ok", !diagnostics.has_errors()}});
+  Json files = Json::array();
+  for (const SourceFile& file : sources.files()) files.push_back(file.path());
+  report_.tasks.push_back({{"file", sources.main().path()},
+                           {"ok", !diagnostics.has_errors()},
+                           {"files", std::move(files)}});
   if (is_for_a_person()) {
     fmt::print(stderr, "{}", Render(sources, diagnostics, WantsColor(color)));
   }

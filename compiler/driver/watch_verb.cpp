@@ -8,12 +8,13 @@
 #include <ctime>
 #include <memory>
 #include <set>
+#include <system_error>
 
 #include "compiler/build/build_plugin.h"
 #include "compiler/build/plugin_cache.h"
-#include "compiler/driver/file_watch.h"
 #include "compiler/driver/verb.h"
 #include "compiler/emit/emit.h"
+#include "plugins/watch/file_watch.h"
 
 namespace compiler {
 namespace {
@@ -70,9 +71,9 @@ void BuildAll(const Options& options, const Session& settings, Files& files) {
   std::fflush(stdout);
 }
 
-ExitStatus Watch(const Options& options, const Session& session) {
+ExitStatus Watch(const Options& options, const Session& session) try {
   CatchInterrupts();
-  FileWatch watch;
+  watch::FileWatch watch;
   Files files(options.tasks.begin(), options.tasks.end());
   watch.Watch(files);
   do {
@@ -80,6 +81,8 @@ ExitStatus Watch(const Options& options, const Session& session) {
     watch.Watch(files);
   } while (watch.Wait(stop_pipe[0]));
   return ExitStatus::kOk;
+} catch (const std::system_error& error) {
+  throw CallError(error.what());
 }
 
 }  // namespace

@@ -33,11 +33,12 @@ TEST(Format, JsonHasTheDiagnosticsAndWhatBecameOfEachTask) {
   ASSERT_EQ(report["tasks"].size(), 2u);
   EXPECT_EQ(report["tasks"][0], (json{{"file", "good.task"},
                                       {"ok", true},
+                                      {"files", {"good.task"}},
                                       {"name", "good"},
                                       {"sensors", 2},
                                       {"terms", 1},
                                       {"ends", 1}}));
-  EXPECT_EQ(report["tasks"][1], (json{{"file", "bad.task"}, {"ok", false}}));
+  EXPECT_EQ(report["tasks"][1], (json{{"file", "bad.task"}, {"ok", false}, {"files", {"bad.task"}}}));
   EXPECT_EQ(report["diagnostics"][0]["code"], "E0201");
   EXPECT_EQ(report["diagnostics"][0]["line"], 3);
   EXPECT_THAT(report["failures"][0].get<std::string>(), HasSubstr("absent.task"));

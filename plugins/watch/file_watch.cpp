@@ -1,4 +1,4 @@
-#include "compiler/driver/file_watch.h"
+#include "plugins/watch/file_watch.h"
 
 #include <poll.h>
 #include <sys/inotify.h>
@@ -7,16 +7,18 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <cstring>
 #include <string>
+#include <system_error>
 
-#include "compiler/source/diagnostic.h"
-
-namespace compiler {
+namespace watch {
 namespace {
 
 // Editors write in several steps; so long nothing may happen before a change counts as complete.
 constexpr int kQuietMilliseconds = 50;
+
+[[noreturn]] void Fail(const std::string& what) {
+  throw std::system_error(errno, std::generic_category(), what);
+}
 
 std::filesystem::path Normal(const std::filesystem::path& file) {
   return std::filesystem::absolute(file).lexically_normal();
@@ -25,7 +27,7 @@ std::filesystem::path Normal(const std::filesystem::path& file) {
 }  // namespace
 
 FileWatch::FileWatch() : notify_(inotify_init1(IN_CLOEXEC | IN_NONBLOCK)) {
-  if (notify_ < 0) throw CallError(std::string("cannot watch files: ") + std::strerror(errno));
+  if (notify_ < 0) Fail("cannot watch files");
 }
 
 FileWatch::~FileWatch() { close(notify_); }
@@ -39,9 +41,7 @@ void FileWatch::Watch(const std::set<std::filesystem::path>& files) {
     // The same number again for a folder that is watched already.
     const int number = inotify_add_watch(notify_, folder.c_str(),
                                          IN_CLOSE_WRITE | IN_MOVED_TO | IN_DELETE | IN_MOVED_FROM);
-    if (number < 0) {
-      throw CallError("cannot watch the folder `" + folder.string() + "`: " + std::strerror(errno));
-    }
+    if (number < 0) Fail("cannot watch the folder `" + folder.string() + "`");
     folders_[number] = folder;
   }
 }
@@ -51,9 +51,7 @@ std::optional<std::set<std::filesystem::path>> FileWatch::Wait(int stop) {
   while (true) {
     std::array<pollfd, 2> polled = {{{notify_, POLLIN, 0}, {stop, POLLIN, 0}}};
     const int ready = poll(polled.data(), polled.size(), changed.empty() ? -1 : kQuietMilliseconds);
-    if (ready < 0 && errno != EINTR) {
-      throw CallError(std::string("cannot watch files: ") + std::strerror(errno));
-    }
+    if (ready < 0 && errno != EINTR) Fail("cannot watch files");
     if (ready < 0) continue;
     if (polled[1].revents != 0) return std::nullopt;
     if (ready == 0) return changed;
@@ -75,4 +73,4 @@ void FileWatch::Take(std::set<std::filesystem::path>& changed) {
   }
 }
 
-}  // namespace compiler
+}  // namespace watch

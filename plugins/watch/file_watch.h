@@ -6,13 +6,13 @@
 #include <optional>
 #include <set>
 
-namespace compiler {
+namespace watch {
 
 // Watches the folders of the files rather than the files: many editors write a new file and put it
 // in the old one's place.
 class FileWatch {
  public:
-  // Throws CallError where the system has no more watches to give.
+  // This and Watch() throw std::system_error where the system has no more watches to give.
   FileWatch();
   ~FileWatch();
   FileWatch(const FileWatch&) = delete;
@@ -33,4 +33,4 @@ class FileWatch {
   std::set<std::filesystem::path> files_;
 };
 
-}  // namespace compiler
+}  // namespace watch
