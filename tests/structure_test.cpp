@@ -18,6 +18,7 @@ const std::map<std::string, Folders> kMayInclude = {
     {"plugins/abi", {}},
     {"plugins/text", {}},
     {"plugins/seal", {}},
+    {"plugins/watch", {}},
     {"plugins/robot", {"plugins/text"}},
 
     {"compiler/source", {}},
@@ -46,7 +47,7 @@ const std::map<std::string, Folders> kMayInclude = {
      {"compiler/analyze", "compiler/bounds", "compiler/build", "compiler/check",
       "compiler/document", "compiler/emit", "compiler/format", "compiler/language_server",
       "compiler/report", "compiler/source", "compiler/syntax", "compiler/testing", "plugins/robot",
-      "plugins/text"}},
+      "plugins/text", "plugins/watch"}},
 
     {"runtime/module", {"plugins/robot", "plugins/text"}},
     {"runtime/task", {"plugins/robot", "plugins/seal", "runtime/module"}},
@@ -62,8 +63,9 @@ const std::map<std::string, Folders> kMayInclude = {
     {"runtime/client", {"runtime/control", "runtime/module", "runtime/server"}},
     {"runtime/workers", {"runtime/module", "runtime/run"}},
     {"runtime/trainer",
-     {"plugins/robot", "plugins/text", "runtime/agent", "runtime/module", "runtime/report",
-      "runtime/run", "runtime/simulation", "runtime/task", "runtime/workers"}},
+     {"plugins/robot", "plugins/text", "runtime/agent", "runtime/client", "runtime/control",
+      "runtime/module", "runtime/report", "runtime/run", "runtime/simulation", "runtime/task",
+      "runtime/workers"}},
 };
 
 bool IsSource(const std::filesystem::path& file) {

@@ -13,6 +13,7 @@ void AddTrainCommand(CLI::App& app, int& status);
 void AddResumeCommand(CLI::App& app, int& status);
 void AddAgentCommand(CLI::App& app, int& status);
 void AddStudyCommand(CLI::App& app, int& status);
+void AddCtlCommand(CLI::App& app, int& status);
 void AddShowCommand(CLI::App& app, int& status);
 void AddReportCommand(CLI::App& app, int& status);
 

@@ -11,15 +11,22 @@
 namespace runtime {
 namespace {
 
-// What was probably meant, where the first word looks like one of the commands.
+// What was probably meant, where a word looks like one of the commands that may stand there.
 std::string SuggestedCommand(const CLI::App& app, int argc, char** argv) {
-  if (argc < 2 || !app.get_subcommands().empty()) return "";
+  const CLI::App* chosen = &app;
+  std::string line = app.get_name();
+  int position = 1;
+  for (; !chosen->get_subcommands().empty(); ++position) {
+    chosen = chosen->get_subcommands().front();
+    line += " " + chosen->get_name();
+  }
+  if (position >= argc) return "";
   std::vector<std::string> commands;
-  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+  for (const CLI::App* command : chosen->get_subcommands([](const CLI::App*) { return true; })) {
     commands.push_back(command->get_name());
   }
-  const std::optional<std::string> nearest = text::NearestName(argv[1], commands);
-  return nearest ? fmt::format("; did you mean `trainer {}`?", *nearest) : "";
+  const std::optional<std::string> nearest = text::NearestName(argv[position], commands);
+  return nearest ? fmt::format("; did you mean `{} {}`?", line, *nearest) : "";
 }
 
 int RunTrainer(int argc, char** argv) {
@@ -33,6 +40,7 @@ int RunTrainer(int argc, char** argv) {
   AddTrainCommand(app, status);
   AddResumeCommand(app, status);
   AddStudyCommand(app, status);
+  AddCtlCommand(app, status);
   AddShowCommand(app, status);
   AddReportCommand(app, status);
   AddAgentCommand(app, status);

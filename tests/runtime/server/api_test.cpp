@@ -83,7 +83,8 @@ TEST_F(ApiTest, WhatOnlyLooksTakesGetAsWell) {
     const RawResponse response = Answer("GET", target, Credentials());
     ASSERT_EQ(response.status, command.changes ? 405 : 200) << command.name;
     if (command.changes) continue;
-    for (const auto& [name, value] : json::parse(response.body)["value"]["arguments"].items()) {
+    const json answer = json::parse(response.body);
+    for (const auto& [name, value] : answer["value"]["arguments"].items()) {
       EXPECT_EQ(value, "a.b c") << name;
     }
   }

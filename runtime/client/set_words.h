@@ -1,0 +1,20 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace runtime {
+
+// The value that a word of the command line stands for: as JSON where it is a number, a truth value
+// or a list, otherwise a text.
+nlohmann::json ValueOfWord(const std::string& word);
+
+// The arguments of `set` from the words of the command line:
+//   task.gain 0.5
+//   task.limit = 20 s
+//   task.gain = 0.1 -> 0.5 over 200 episodes    (the arrow may be written `to` and → as well)
+// Throws UserError where they are none of these.
+nlohmann::json SetArguments(const std::vector<std::string>& words);
+
+}  // namespace runtime
