@@ -63,7 +63,7 @@ const std::map<std::string, Folders> kMayInclude = {
     {"runtime/client", {"runtime/control", "runtime/module", "runtime/server"}},
     {"runtime/workers", {"runtime/module", "runtime/run"}},
     {"runtime/trainer",
-     {"plugins/robot", "plugins/text", "runtime/agent", "runtime/client", "runtime/control",
+     {"plugins/robot", "plugins/text", "plugins/watch", "runtime/agent", "runtime/client", "runtime/control",
       "runtime/module", "runtime/report", "runtime/run", "runtime/simulation", "runtime/task",
       "runtime/workers"}},
 };

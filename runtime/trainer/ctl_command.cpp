@@ -205,6 +205,7 @@ void AddCtlCommand(CLI::App& app, int& status) {
   options->AddTo(*ctl);
   for (const CommandSpec& command : Commands()) AddCommand(*ctl, command, options, status);
   AddEvents(*ctl, options, status);
+  AddCtlWatch(*ctl, options, status);
   ctl->footer(kExamples);  // last, because subcommands take over what there is
 }
 

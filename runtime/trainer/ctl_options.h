@@ -1,8 +1,9 @@
-// What all commands of `trainer ctl` have in common.
+// What the commands of `trainer ctl` have in common.
 #pragma once
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <memory>
 
 namespace runtime {
 
@@ -14,5 +15,8 @@ struct CtlOptions {
   // Throws UserError where no run was named and none, or more than one, answers.
   std::filesystem::path FindRun() const;
 };
+
+// trainer ctl watch
+void AddCtlWatch(CLI::App& ctl, const std::shared_ptr<CtlOptions>& options, int& status);
 
 }  // namespace runtime

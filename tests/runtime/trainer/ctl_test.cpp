@@ -163,5 +163,58 @@ TEST_F(CtlTest, EventsComeAsTheyHappenUntilTheTrainerEnds) {
               testing::EndsWith("\n{\"event\":\"warning\",\"text\":\"it is late\"}\n"));
 }
 
+TEST_F(CtlTest, WatchSwapsOnEverySave) {
+  std::filesystem::copy_file(TaskFile("leaning"), folder() / "base.task");
+  const std::filesystem::path task = folder() / "it's.task";
+  std::ofstream(task) << "task its extends \"base.task\"\n";
+  ChildProcess watch(
+      {TRAINER, "ctl", "watch", task.string(), "--now", "--json", "--run", folder().string()});
+  ASSERT_TRUE(watch.WaitForLines(1));
+  std::ofstream(task, std::ios::app) << "\n";
+  EXPECT_TRUE(watch.WaitForLines(2));
+  std::ofstream(folder() / "base.task", std::ios::app) << "\n";
+  EXPECT_TRUE(watch.WaitForLines(3));
+  // As many editors save.
+  std::filesystem::copy_file(task, folder() / "new");
+  std::filesystem::rename(task, folder() / "it's.task~");
+  std::filesystem::rename(folder() / "new", task);
+  EXPECT_TRUE(watch.WaitForLines(4));
+  watch.Send(SIGINT);
+  const ProgramResult result = watch.Wait();
+  EXPECT_EQ(result.signal, SIGINT);
+  std::istringstream lines(result.output);
+  std::string line;
+  std::getline(lines, line);
+  EXPECT_EQ(json::parse(line),
+            (json{{"watching", {(folder() / "base.task").string(), task.string()}}}));
+  while (std::getline(lines, line)) {
+    const json reply = json::parse(line);
+    EXPECT_EQ(reply["value"],
+              Question("swap", {{"name", "task"}, {"file", task.string()}, {"now", true}}));
+    EXPECT_GE(reply["milliseconds"], 0);
+  }
+}
+
+TEST_F(CtlTest, WatchGoesOnWhereTheTaskIsWrongOrTheTrainerIsAway) {
+  const std::filesystem::path task = folder() / "wrong.task";
+  std::ofstream(task) << "task wrong";
+  ChildProcess watch({TRAINER, "ctl", "watch", task.string(), "--run", folder().string()});
+  ASSERT_TRUE(watch.WaitForLines(1));
+  server_.reset();
+  std::ofstream(task) << "task still wrong";
+  ASSERT_TRUE(watch.WaitForLines(3));
+  SetUp();
+  std::ofstream(task) << "task wrong";
+  EXPECT_TRUE(watch.WaitForLines(4));
+  watch.Send(SIGTERM);
+  EXPECT_THAT(watch.Wait().output, AllOf(HasSubstr("wrong.task is not swapped:\n"),
+                                         HasSubstr("no trainer is at work on this run"),
+                                         HasSubstr("wrong.task takes effect: ")));
+}
+
+TEST_F(CtlTest, WatchNeedsAFile) {
+  EXPECT_EQ(Ctl({"watch", (folder() / "absent.task").string()}).exit_status, 2);
+}
+
 }  // namespace
 }  // namespace runtime

@@ -1,0 +1,120 @@
+// trainer ctl watch: swaps a task whenever one of its files is saved.
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <chrono>
+#include <ctime>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "plugins/watch/file_watch.h"
+#include "runtime/client/client.h"
+#include "runtime/client/task_files.h"
+#include "runtime/module/user_error.h"
+#include "runtime/trainer/call_error.h"
+#include "runtime/trainer/commands.h"
+#include "runtime/trainer/ctl_options.h"
+
+namespace runtime {
+namespace {
+
+using nlohmann::json;
+using Clock = std::chrono::steady_clock;
+
+constexpr int kNeverStop = -1;  // Ctrl-C ends the program
+
+struct WatchOptions {
+  std::filesystem::path file;
+  std::string name = "task";
+  bool now = false;
+  bool forget = false;
+};
+
+class TaskWatch {
+ public:
+  TaskWatch(const CtlOptions& ctl, WatchOptions options)
+      : is_for_a_program_(ctl.json), run_(ctl.FindRun()), options_(std::move(options)) {
+    if (!std::filesystem::exists(options_.file)) {
+      throw CallError(fmt::format("{}: there is no such file", options_.file.string()));
+    }
+    options_.file = std::filesystem::absolute(options_.file).lexically_normal();
+    const std::set<std::filesystem::path> files = FilesOfTask(options_.file);
+    files_.Watch(files);
+    const std::vector<std::string> names(files.begin(), files.end());
+    Print({{"watching", names}}, fmt::format("watching {}", fmt::join(names, ", ")));
+  }
+
+  // Until Ctrl-C. A trainer that ends may be resumed; then this goes on as well.
+  void Run() {
+    while (files_.Wait(kNeverStop)) {
+      if (!std::filesystem::exists(options_.file)) continue;
+      Swap();
+      files_.Watch(FilesOfTask(options_.file));
+    }
+  }
+
+ private:
+  Reply AskForSwap() const {
+    json arguments = {{"name", options_.name}, {"file", options_.file.string()}};
+    if (options_.now) arguments["now"] = true;
+    if (options_.forget) arguments["forget"] = true;
+    try {
+      return Ask(run_, {"swap", std::move(arguments)});
+    } catch (const UserError& error) {
+      return {.ok = false, .error = error.what()};
+    }
+  }
+
+  void Swap() const {
+    const auto begin = Clock::now();
+    const Reply reply = AskForSwap();
+    const auto time = std::chrono::duration_cast<std::chrono::milliseconds>(Clock::now() - begin);
+    const std::string name = options_.file.filename().string();
+    if (reply.ok) {
+      Print({{"ok", true}, {"value", reply.value}, {"milliseconds", time.count()}},
+            fmt::format("{} takes effect: {} ({})", name, reply.value.value("takes_effect", "soon"),
+                        time));
+    } else {
+      Print({{"ok", false}, {"error", reply.error}, {"milliseconds", time.count()}},
+            fmt::format("{} is not swapped:\n{}", name, reply.error));
+    }
+  }
+
+  // At once, for a program or for a person.
+  void Print(const json& object, const std::string& text) const {
+    if (is_for_a_program_) {
+      fmt::print("{}\n", object.dump());
+    } else {
+      fmt::print("{:%H:%M:%S} {}\n", fmt::localtime(std::time(nullptr)), text);
+    }
+    std::fflush(stdout);
+  }
+
+  const bool is_for_a_program_;
+  const std::filesystem::path run_;
+  WatchOptions options_;
+  watch::FileWatch files_;
+};
+
+}  // namespace
+
+void AddCtlWatch(CLI::App& ctl, const std::shared_ptr<CtlOptions>& ctl_options, int& status) {
+  const auto options = std::make_shared<WatchOptions>();
+  CLI::App* command = ctl.add_subcommand(
+      "watch", "swaps a task whenever its file, or one that it imports or extends, is saved");
+  ctl_options->AddTo(*command);
+  command->add_option("FILE", options->file, "a .task file")->required()->type_name("");
+  command->add_option("--name", options->name, "name of the task module")->capture_default_str();
+  command->add_flag("--now", options->now,
+                    "between two time steps; otherwise when the next episode starts");
+  command->add_flag("--forget", options->forget, "forget what was learned, and begin anew");
+  command->callback([ctl_options, options, &status] {
+    TaskWatch(*ctl_options, *options).Run();
+    status = kSuccess;
+  });
+}
+
+}  // namespace runtime
