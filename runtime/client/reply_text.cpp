@@ -14,31 +14,35 @@ using nlohmann::json;
 
 // Members in the order in which people want them; all others follow by the alphabet.
 constexpr std::array kOrder = {"run",
+                               "robot",
                                "module",
                                "name",
                                "type",
                                "task",
                                "role",
                                "state",
-                               "takes_effect",
                                "value",
+                               "takes_effect",
                                "from",
                                "to",
                                "unit",
                                "minimum",
                                "maximum",
+                               "first_episode",
                                "episode",
                                "episodes",
-                               "episodes_planned",
                                "step",
                                "time",
                                "speed",
+                               "episodes_done",
+                               "episodes_planned",
                                "last_return",
-                               "best_return",
                                "mean_return",
+                               "best_return",
                                "return",
-                               "previous",
+                               "terms",
                                "hash",
+                               "previous",
                                "doc",
                                "file"};
 
@@ -50,18 +54,36 @@ bool IsTable(const json& value) {
          std::ranges::all_of(value, [](const json& row) { return row.is_object(); });
 }
 
+bool IsFlat(const json& value) {
+  return value.is_object() && std::ranges::none_of(value, &json::is_structured);
+}
+
+bool HasLines(const json& value) {
+  return value.is_string() && value.get_ref<const std::string&>().find('\n') != std::string::npos;
+}
+
 // Whether the value is shown below the others, under its name.
-bool IsSection(const json& value) { return value.is_object() || IsTable(value); }
+bool IsSection(const json& value) {
+  return (value.is_object() && !IsFlat(value)) || IsTable(value) || HasLines(value);
+}
+
+std::string CellText(std::string_view name, const json& value);
+
+// "forward 12.5, effort -0.3"
+std::string ListText(std::string_view name, const json& list) {
+  std::string text;
+  for (const auto& [key, value] : list.items()) {
+    text += text.empty() ? "" : ", ";
+    text += list.is_object() ? key + " " + CellText(key, value) : CellText(name, value);
+  }
+  return text;
+}
 
 std::string CellText(std::string_view name, const json& value) {
-  if (value.is_null()) return "-";
+  if (value.is_null() || (value.is_structured() && value.empty())) return "-";
+  if (value.is_structured()) return ListText(name, value);
   if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
   if (value.is_number_float()) return fmt::format("{:.6g}", value.get<double>());
-  if (value.is_array()) {
-    std::string text;
-    for (const json& each : value) text += (text.empty() ? "" : ", ") + CellText(name, each);
-    return text;
-  }
   if (!value.is_string()) return value.dump();
   const std::string text = value;
   return name == "hash" ? text.substr(0, kHashDigits) : text;
@@ -173,7 +195,10 @@ std::string EpisodeLine(const json& event) {
 std::string ReplyText(const json& value) {
   if (value.is_null()) return "";
   if (IsTable(value)) return TableText(value);
-  if (value.is_object()) return ObjectText(value);
+  if (value.is_object()) {
+    const bool is_only_text = value.size() == 1 && value.contains("text");
+    return is_only_text ? ReplyText(value["text"]) : ObjectText(value);
+  }
   const std::string text = CellText("", value);
   return text.ends_with('\n') ? text : text + "\n";
 }

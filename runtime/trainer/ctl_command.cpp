@@ -62,22 +62,42 @@ std::string Absolute(const std::string& file) {
   return std::filesystem::absolute(file).lexically_normal().string();
 }
 
+template <class Value, class Set>
+void AddValue(CLI::App& command, const ArgumentSpec& spec, const Set& set) {
+  const std::string word = UpperCase(spec.name);
+  command
+      .add_option_function<Value>(spec.is_required ? word : std::string("--") + spec.name, set,
+                                  spec.doc)
+      ->required(spec.is_required)
+      ->type_name(spec.is_required ? "" : word);
+}
+
 // A required argument stands without its name, the others are options.
 void AddArgument(CLI::App& command, const ArgumentSpec& spec, json& arguments) {
   const std::string name = spec.name;
-  const std::string flag = "--" + name;
-  if (spec.type == ArgumentType::kFlag) {
-    command.add_flag_callback(
-        flag, [&arguments, name] { arguments[name] = true; }, spec.doc);
-    return;
+  const auto set = [&arguments, name](const auto& value) { arguments[name] = value; };
+  switch (spec.type) {
+    case ArgumentType::kFlag:
+      command.add_flag_callback(
+          "--" + name, [set] { set(true); }, spec.doc);
+      break;
+    case ArgumentType::kText:
+      AddValue<std::string>(command, spec, [set, name](const std::string& word) {
+        set(name == "file" ? Absolute(word) : word);
+      });
+      break;
+    case ArgumentType::kWhole:
+      AddValue<int64_t>(command, spec, set);
+      break;
+    case ArgumentType::kNumber:
+      AddValue<double>(command, spec, set);
+      break;
+    case ArgumentType::kValue:
+    case ArgumentType::kObject:
+      AddValue<std::string>(command, spec,
+                            [set](const std::string& word) { set(ValueOfWord(word)); });
+      break;
   }
-  const auto set = [&arguments, name](const std::string& word) {
-    arguments[name] = name == "file" ? Absolute(word) : word;
-  };
-  command
-      .add_option_function<std::string>(spec.is_required ? UpperCase(name) : flag, set, spec.doc)
-      ->required(spec.is_required)
-      ->type_name(spec.is_required ? "" : UpperCase(name));
 }
 
 void DeclareByTable(CLI::App& command, const CommandSpec& spec, json& arguments) {

@@ -44,7 +44,7 @@ class TaskWatch {
     const std::set<std::filesystem::path> files = FilesOfTask(options_.file);
     files_.Watch(files);
     const std::vector<std::string> names(files.begin(), files.end());
-    Print({{"watching", names}}, fmt::format("watching {}", fmt::join(names, ", ")));
+    Print({{"watching", names}}, fmt::format("watching {}\n", fmt::join(names, ", ")));
   }
 
   // Until Ctrl-C. A trainer that ends may be resumed; then this goes on as well.
@@ -75,20 +75,21 @@ class TaskWatch {
     const std::string name = options_.file.filename().string();
     if (reply.ok) {
       Print({{"ok", true}, {"value", reply.value}, {"milliseconds", time.count()}},
-            fmt::format("{} takes effect: {} ({})", name, reply.value.value("takes_effect", "soon"),
-                        time));
+            fmt::format("{} takes effect: {} ({})\n{}", name,
+                        reply.value.value("takes_effect", "soon"), time,
+                        reply.value.value("messages", "")));
     } else {
       Print({{"ok", false}, {"error", reply.error}, {"milliseconds", time.count()}},
-            fmt::format("{} is not swapped:\n{}", name, reply.error));
+            fmt::format("{} is not swapped:\n{}\n", name, reply.error));
     }
   }
 
-  // At once, for a program or for a person.
+  // At once, for a program or, with the time of day, for a person.
   void Print(const json& object, const std::string& text) const {
     if (is_for_a_program_) {
       fmt::print("{}\n", object.dump());
     } else {
-      fmt::print("{:%H:%M:%S} {}\n", fmt::localtime(std::time(nullptr)), text);
+      fmt::print("{:%H:%M:%S} {}", fmt::localtime(std::time(nullptr)), text);
     }
     std::fflush(stdout);
   }

@@ -31,16 +31,16 @@ TEST(ReplyText, AListOfObjectsIsATable) {
 }
 
 TEST(ReplyText, TablesWithinComeBelow) {
-  EXPECT_EQ(ReplyText({{"tasks",
-                        {{{"module", "task"},
-                          {"hash", "0123456789abcdef"},
-                          {"params", {{{"name", "gain"}, {"value", 1}}}},
-                          {"terms", {"forward", "effort"}}}}},
-                       {"schedules", json::array()}}),
-            "schedules\n"
+  const json task = {{"module", "task"},
+                     {"hash", "0123456789abcdef"},
+                     {"params", {{{"name", "gain"}, {"value", 1}}}},
+                     {"terms", {{"forward", 12.5}, {"effort", -0.25}}},
+                     {"ports", {"reward", "end"}}};
+  EXPECT_EQ(ReplyText({{"tasks", {task}}, {"schedules", json::array()}}),
+            "schedules  -\n"
             "\ntasks:\n"
-            "module  hash      terms\n"
-            "task    01234567  forward, effort\n"
+            "module  terms                       hash      ports\n"
+            "task    effort -0.25, forward 12.5  01234567  reward, end\n"
             "\ntask params:\n"
             "name  value\n"
             "gain  1\n");
@@ -51,6 +51,9 @@ TEST(ReplyText, ATextIsAsItIs) {
   EXPECT_EQ(ReplyText("saved"), "saved\n");
   EXPECT_EQ(ReplyText(0.5), "0.5\n");
   EXPECT_EQ(ReplyText(nullptr), "");
+  EXPECT_EQ(ReplyText({{"text", "digraph {\n}\n"}}), "digraph {\n}\n");
+  EXPECT_EQ(ReplyText({{"task", "crawling"}, {"messages", "warning: a\nwarning: b\n"}}),
+            "task  crawling\n\nmessages:\nwarning: a\nwarning: b\n");
 }
 
 TEST(EventLine, IsOneLineForEachKind) {

@@ -118,7 +118,7 @@ TEST_F(CtlTest, ARefusalIsAnError) {
 }
 
 TEST_F(CtlTest, PeopleGetText) {
-  EXPECT_EQ(Ctl({"pause"}).output, "command  pause\n\narguments:\n");
+  EXPECT_EQ(Ctl({"pause"}).output, "arguments  -\ncommand    pause\n");
 }
 
 TEST_F(CtlTest, FindsTheRunByItself) {
