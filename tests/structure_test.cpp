@@ -58,14 +58,15 @@ const std::map<std::string, Folders> kMayInclude = {
      {"plugins/robot", "plugins/seal", "runtime/learning", "runtime/module", "runtime/simulation",
       "runtime/task"}},
     {"runtime/report", {"runtime/module", "runtime/run"}},
-    {"runtime/control", {"runtime/module"}},
+    {"runtime/control",
+     {"runtime/learning", "runtime/module", "runtime/run", "runtime/simulation", "runtime/task"}},
     {"runtime/server", {"runtime/control", "runtime/module"}},
     {"runtime/client", {"runtime/control", "runtime/module", "runtime/server"}},
     {"runtime/workers", {"runtime/module", "runtime/run"}},
     {"runtime/trainer",
-     {"plugins/robot", "plugins/text", "plugins/watch", "runtime/agent", "runtime/client", "runtime/control",
-      "runtime/module", "runtime/report", "runtime/run", "runtime/simulation", "runtime/task",
-      "runtime/workers"}},
+     {"plugins/robot", "plugins/text", "plugins/watch", "runtime/agent", "runtime/client",
+      "runtime/control", "runtime/module", "runtime/report", "runtime/run", "runtime/server",
+      "runtime/simulation", "runtime/task", "runtime/workers"}},
 };
 
 bool IsSource(const std::filesystem::path& file) {

@@ -97,6 +97,9 @@ Agent Changed(Agent agent, const Agent& changes);
 // kept.
 Agent Joined(Agent first, const Agent& second);
 
+// `types` and the agent's own composites.
+ModuleTypes WithComposites(ModuleTypes types, const Agent& agent);
+
 // Makes the modules, sets their parameters and connects their ports. Throws UserError, with the
 // place in the agent file, for whatever does not exist or does not fit.
 Network BuildNetwork(const Agent& agent, const ModuleTypes& types, const Context& context);

@@ -34,8 +34,8 @@ void AddModule(const ModuleSetting& setting, const ModuleTypes& types, const Con
 
 std::unique_ptr<Module> MakeComposite(const CompositeSetting& setting, const ModuleTypes& types,
                                       const Context& context, std::string name) {
-  auto made = std::make_unique<Composite>(std::move(name),
-                                          BuildNetwork(setting.inside, types, context));
+  auto made =
+      std::make_unique<Composite>(std::move(name), BuildNetwork(setting.inside, types, context));
   for (const ExportSetting& port : setting.ports) {
     At(port.place, [&] { made->ExportPort(port.name, port.inner); });
   }
@@ -45,7 +45,9 @@ std::unique_ptr<Module> MakeComposite(const CompositeSetting& setting, const Mod
   return made;
 }
 
-// `types` and the agent's own composites, each of which may use those before it.
+}  // namespace
+
+// Each composite may use those before it.
 ModuleTypes WithComposites(ModuleTypes types, const Agent& agent) {
   for (const CompositeSetting& composite : agent.composites) {
     types.Add(composite.name, [known = types, composite](std::string name, const Context& context) {
@@ -54,8 +56,6 @@ ModuleTypes WithComposites(ModuleTypes types, const Agent& agent) {
   }
   return types;
 }
-
-}  // namespace
 
 Network BuildNetwork(const Agent& agent, const ModuleTypes& program_types, const Context& context) {
   const ModuleTypes types = WithComposites(program_types, agent);

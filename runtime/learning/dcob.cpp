@@ -2,10 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <cassert>
 #include <utility>
 
-#include "runtime/learning/connections.h"
+#include "runtime/module/connections.h"
 
 namespace runtime {
 namespace {
@@ -69,7 +68,10 @@ void Dcob::Prepare() {
 }
 
 void Dcob::Execute(int action) {
-  assert(0 <= action && action < action_count_);
+  if (action < 0 || action >= action_count_) {
+    throw UserError(fmt::format("`{}` gets action {} and has {} actions: take their number from it",
+                                name(), action, action_count_));
+  }
   const auto paces = static_cast<int>(intervals_.size());
   const Eigen::VectorXd& state = state_in_().Read();
   const GaussianNet& net = net_in_();

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "runtime/learning/connections.h"
+#include "runtime/module/connections.h"
 #include "runtime/module/suggestion.h"
 
 namespace runtime {

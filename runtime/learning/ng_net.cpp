@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "runtime/learning/bubble_net.h"
-#include "runtime/learning/connections.h"
 #include "runtime/learning/grid_net.h"
+#include "runtime/module/connections.h"
 #include "runtime/module/suggestion.h"
 
 namespace runtime {

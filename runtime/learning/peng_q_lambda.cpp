@@ -6,8 +6,8 @@
 #include <limits>
 #include <ostream>
 
-#include "runtime/learning/connections.h"
 #include "runtime/learning/exponential_schedule.h"
+#include "runtime/module/connections.h"
 
 namespace runtime {
 namespace {
@@ -53,6 +53,8 @@ void PengQLambda::Start() {
   }
 }
 
+bool PengQLambda::ends_at_once() const { return episode_end_ == kClean; }
+
 double PengQLambda::learning_rate() const {
   return ExponentialSchedule{learning_rate_, learning_rate_decay_, learning_rate_min_}.At(
       episodes_);
@@ -73,7 +75,7 @@ void PengQLambda::StartOfEpisode() {
   return_ = 0;
   actions_ = 0;
   q_lambda_.StartEpisode(features, temperature(), random_);
-  if (end_ && episode_end_ == kClean) {
+  if (end_ && ends_at_once()) {
     Finish();
   } else {
     ExecuteAction();
@@ -117,7 +119,7 @@ void PengQLambda::EndOfEpisode(EpisodeEnd end) {
   if (!end_ || diverged) {
     NoteEnd(end);
   }
-  if (diverged || episode_end_ == kClean) Finish();
+  if (diverged || ends_at_once()) Finish();
 }
 
 void PengQLambda::Forget() {
@@ -142,7 +144,7 @@ void PengQLambda::Finish() {
 
 void PengQLambda::LearnFromLastAction() {
   if (end_->kind == EndKind::kDiverged || actions_ == 0) return;
-  if (episode_end_ == kClean && IsTerminal(end_->kind)) {
+  if (ends_at_once() && IsTerminal(end_->kind)) {
     q_lambda_.EndEpisode(reward_, settings(), learning_rate());
   } else {
     LearnAndSelect();
@@ -150,7 +152,9 @@ void PengQLambda::LearnFromLastAction() {
 }
 
 void PengQLambda::LearnAndSelect() {
-  q_lambda_.Step(reward_, settings(), learning_rate(), features_in_(), temperature(), random_);
+  const Eigen::VectorXd& features = features_in_();
+  if (features.size() != q_lambda_.features()) PrepareTheta(static_cast<int>(features.size()));
+  q_lambda_.Step(reward_, settings(), learning_rate(), features, temperature(), random_);
 }
 
 void PengQLambda::Save(std::ostream& out) const {

@@ -41,6 +41,9 @@ class PengQLambda : public Module {
   // numbers go on.
   void Forget();
 
+  // Whether an episode ends in the middle of an action.
+  bool ends_at_once() const;
+
   bool episode_over() const { return phase_ == Phase::kOver; }
   // Of the episode that runs or ran last: the sum of all rewards, the actions started.
   double episode_return() const { return return_ + reward_; }

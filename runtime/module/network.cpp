@@ -182,12 +182,17 @@ void Network::Save(std::ostream& stream) const {
   }
 }
 
-void Network::Load(std::istream& stream) {
-  if (ReadLength(stream) != modules_.size()) {
-    throw UserError("the checkpoint is of an agent with another number of modules");
-  }
+void Network::Load(std::istream& stream, const std::set<std::string>& left_out) {
+  uint64_t unread = ReadLength(stream);
+  const auto read_name = [&] {
+    --unread;
+    return ReadText(stream);
+  };
   for (const auto& module : modules_) {
-    if (ReadText(stream) != module->name()) {
+    std::string name = unread > 0 ? read_name() : "";
+    for (; name != module->name() && left_out.contains(name); name = unread > 0 ? read_name() : "")
+      ReadText(stream);
+    if (name != module->name()) {
       throw UserError(
           fmt::format("the checkpoint has no state for the module `{}`", module->name()));
     }
@@ -196,6 +201,10 @@ void Network::Load(std::istream& stream) {
     if (state.fail()) {
       throw UserError(fmt::format("the checkpoint of the module `{}` is damaged", module->name()));
     }
+  }
+  for (; unread > 0; ReadText(stream)) {
+    if (left_out.contains(read_name())) continue;
+    throw UserError("the checkpoint is of an agent with more modules");
   }
 }
 

@@ -5,6 +5,7 @@
 #include <iosfwd>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -73,8 +74,9 @@ class Network {
 
   // The state of all modules, so that a network of the same modules goes on where this one is.
   void Save(std::ostream& stream) const;
-  // Throws UserError where the state is damaged or of other modules.
-  void Load(std::istream& stream);
+  // Throws UserError where the state is damaged or of other modules. That of the modules in
+  // `left_out` is passed over.
+  void Load(std::istream& stream, const std::set<std::string>& left_out = {});
 
  private:
   void ConnectAll(const Module& from, const Module& to);

@@ -49,7 +49,11 @@ std::string WithArticle(PortKind kind) {
 }  // namespace
 
 Port::Port(Module* owner, std::string name, PortKind kind, PortType type)
-    : owner_(owner), name_(std::move(name)), kind_(kind), type_(std::move(type)) {
+    : owner_(owner),
+      name_(std::move(name)),
+      kind_(kind),
+      type_(std::move(type)),
+      must_be_connected_(kind == PortKind::kIn) {
   assert(std::none_of(owner_->ports_.begin(), owner_->ports_.end(),
                       [this](const Port* other) { return other->name_ == name_; }));
   owner_->ports_.push_back(this);

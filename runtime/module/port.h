@@ -56,6 +56,10 @@ class Port {
   std::vector<Port*> Connections() const;
   bool IsConnectedTo(const Port& other) const;
 
+  // An in port that its module reads whether there is a value or not, so that it must stay
+  // connected while the network runs. All in ports are, but those that say otherwise.
+  bool must_be_connected() const { return must_be_connected_; }
+
   // Whether kinds and types of the two fit each other, connected or not.
   bool Fits(const Port& other) const;
 
@@ -76,6 +80,7 @@ class Port {
  protected:
   virtual void Attach(Port& peer);
   virtual void Detach(Port& peer);
+  void AllowUnconnected() { must_be_connected_ = false; }
 
   // Null in a signal that is being emitted: a slot that was removed meanwhile.
   std::vector<Port*> peers_;
@@ -87,6 +92,7 @@ class Port {
   std::string name_;
   PortKind kind_;
   PortType type_;
+  bool must_be_connected_;
 };
 
 // Names a member function at compile time: Slot<double> reward{this, "reward",
@@ -236,8 +242,12 @@ class Out : public Port {
 template <class T>
 class In : public Port {
  public:
-  In(Module* owner, std::string name, std::string type_text = "")
-      : Port(owner, std::move(name), PortKind::kIn, MakeValueType<T>(std::move(type_text))) {}
+  enum class Need { kRequired, kOptional };
+
+  In(Module* owner, std::string name, std::string type_text = "", Need need = Need::kRequired)
+      : Port(owner, std::move(name), PortKind::kIn, MakeValueType<T>(std::move(type_text))) {
+    if (need == Need::kOptional) AllowUnconnected();
+  }
 
   bool connected() const { return out_ != nullptr; }
   // Precondition: connected.

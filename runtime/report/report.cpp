@@ -23,11 +23,14 @@ namespace {
 
 }  // namespace
 
+std::string ReportPage(const std::filesystem::path& run_dir) {
+  return MakePage(CollectReportData(run_dir), PageFolder());
+}
+
 std::filesystem::path WriteReport(const std::filesystem::path& run_dir,
                                   const std::filesystem::path& output) {
   const std::filesystem::path file = output.empty() ? run_dir / "report.html" : output;
-  const nlohmann::json data = CollectReportData(run_dir);
-  if (const std::error_code error = ReplaceFile(file, MakePage(data, PageFolder()))) {
+  if (const std::error_code error = ReplaceFile(file, ReportPage(run_dir))) {
     FailToWrite(file, error);
   }
   return file;

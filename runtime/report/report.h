@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 namespace runtime {
 
@@ -11,5 +12,8 @@ namespace runtime {
 // page's parts not installed, a file that cannot be written.
 std::filesystem::path WriteReport(const std::filesystem::path& run_dir,
                                   const std::filesystem::path& output = {});
+
+// The same page, in memory.
+std::string ReportPage(const std::filesystem::path& run_dir);
 
 }  // namespace runtime

@@ -16,10 +16,11 @@ std::string SaveModules(const Network& network) {
   return Compress(std::as_bytes(std::span(bytes.data(), bytes.size())));
 }
 
-void LoadModules(Network& network, const std::string& state) {
+void LoadModules(Network& network, const std::string& state,
+                 const std::set<std::string>& left_out) {
   std::istringstream bytes(Decompress(state, "the checkpoint"));
   try {
-    network.Load(bytes);
+    network.Load(bytes, left_out);
     if (bytes.peek() != std::istringstream::traits_type::eof()) {
       throw UserError("the checkpoint has more than the agent's modules need");
     }

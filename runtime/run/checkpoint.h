@@ -1,6 +1,7 @@
 // The state of a run between two episodes as one blob: what every module of the network saves.
 #pragma once
 
+#include <set>
 #include <string>
 
 #include "runtime/module/network.h"
@@ -11,6 +12,8 @@ std::string SaveModules(const Network& network);
 
 // Into a network of the same modules, started already. Throws UserError where the state is damaged
 // or belongs to other modules.
-void LoadModules(Network& network, const std::string& state);
+// What is there for the modules in `left_out` is passed over.
+void LoadModules(Network& network, const std::string& state,
+                 const std::set<std::string>& left_out = {});
 
 }  // namespace runtime

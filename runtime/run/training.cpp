@@ -17,77 +17,106 @@ std::string PlaceText(const taskc_plugin& plugin, const taskc_place& place) {
 }  // namespace
 
 Training::Training(Network& network, const RunRecord& run, RunDatabase& database,
-                   Progress& progress)
+                   Progress& progress, TrainingHooks& hooks)
     : network_(network),
       run_(run),
       database_(database),
       progress_(progress),
+      hooks_(hooks),
       environment_(network.FindAs<RobotEnvironment>("environment")),
-      task_(network.FindAs<UniversalTask>("task")),
       learner_(network.FindAs<PengQLambda>("learner")),
+      tasks_(FindTaskModules(network, learner_)),
       recorder_(environment_.link_count(), environment_.control_time_step()) {}
 
 void Training::Restore() {
   const std::optional<Checkpoint> checkpoint = database_.ReadCheckpoint();
+  const std::set<std::string> left_out = hooks_.BeforeRestore(checkpoint ? checkpoint->episode : 0);
   if (checkpoint) {
-    LoadModules(network_, checkpoint->state);
+    LoadModules(network_, checkpoint->state, left_out);
     episodes_done_ = checkpoint->episode;
   }
+  tasks_ = FindTaskModules(network_, learner_);
   database_.DeleteEpisodesAfter(episodes_done_);
   for (const EpisodeRecord& episode : database_.ReadEpisodes()) statistics_.Add(episode);
 }
 
+bool Training::stops(const StopRequest& stop) const {
+  return stop.signal() != 0 || hooks_.wants_stop();
+}
+
 bool Training::Run(const StopRequest& stop) {
-  bool stops = stop.signal() != 0;
-  while (episodes_done_ < run_.episodes_planned && !stops) {
-    const EpisodeRecord episode = RunEpisode(stop);
-    ++episodes_done_;
-    stops = stop.signal() != 0;
-    const bool is_last = stops || episodes_done_ == run_.episodes_planned;
-    const std::optional<Recording> recording = RecordingOf(episode);
-    statistics_.Add(episode);
-    database_.AddEpisode(episode, recording, CheckpointIfDue(is_last));
-    progress_.FinishEpisode(episode, statistics_);
-    WarnAbout(episode);
+  RunPlannedEpisodes(stop);
+  while (!stops(stop)) {
+    database_.SetState(RunState::kFinished);
+    if (!hooks_.PlanMore(episodes_done_)) break;
+    database_.SetState(RunState::kRunning);
+    RunPlannedEpisodes(stop);
   }
   const bool is_finished = episodes_done_ >= run_.episodes_planned;
   database_.SetState(is_finished ? RunState::kFinished : RunState::kInterrupted);
   return is_finished;
 }
 
+void Training::RunPlannedEpisodes(const StopRequest& stop) {
+  while (episodes_done_ < run_.episodes_planned && !stops(stop)) {
+    const EpisodeRecord episode = RunEpisode(stop);
+    ++episodes_done_;
+    const bool is_last = stops(stop) || episodes_done_ == run_.episodes_planned;
+    const std::optional<Recording> recording = RecordingOf(episode);
+    statistics_.Add(episode);
+    const std::optional<Checkpoint> checkpoint = CheckpointIfDue(is_last);
+    database_.AddEpisode(episode, recording, checkpoint);
+    progress_.FinishEpisode(episode, statistics_);
+    WarnAbout(episode);
+    hooks_.AfterEpisode(episode, statistics_, checkpoint.has_value());
+  }
+}
+
 EpisodeRecord Training::RunEpisode(const StopRequest& stop) {
+  AllowChanges(0);
   const Clock::time_point start = Clock::now();
   const std::clock_t cpu_start = std::clock();
-  EpisodeRecord episode;
-  episode.number = episodes_done_ + 1;
+  int64_t steps = 0;
   environment_.StartEpisode();
   recorder_.StartEpisode();
   CaptureFrame();
   while (!learner_.episode_over()) {
     environment_.StepControl();
-    ++episode.steps;
+    ++steps;
     CaptureFrame();
-    if (stop.signal() != 0 && !stop_is_noted_) {
-      stop_is_noted_ = true;
-      progress_.Warn(
-          "stopping after this episode (once more: at once, back to the last checkpoint)");
-    }
+    NoteStop(stop);
+    if (!learner_.episode_over()) AllowChanges(steps);
   }
-  const EpisodeEnd& end = learner_.episode_end();
-  episode.active.task = run_.tasks.front().id;
-  episode.active.episode_return = learner_.episode_return();
-  episode.active.end_kind = EndKindName(end.kind);
-  episode.active.end_reason = end.reason;
-  episode.actions = learner_.action_count();
-  episode.simulated_seconds = environment_.time();
+  EpisodeRecord episode = RecordOf(steps);
   episode.wall_seconds = std::chrono::duration<double>(Clock::now() - start).count();
   episode.cpu_seconds = static_cast<double>(std::clock() - cpu_start) / CLOCKS_PER_SEC;
-  episode.active.faults = task_.fault_count();
-  for (const Incidents& violations : task_.violations())
-    episode.active.violations += violations.count;
-  episode.active.terms.assign(task_.term_sums().begin(), task_.term_sums().end());
-  episode.active.metrics.assign(task_.metrics().begin(), task_.metrics().end());
-  episode.active.logs.assign(task_.logs().begin(), task_.logs().end());
+  return episode;
+}
+
+void Training::AllowChanges(int64_t step) {
+  if (hooks_.AtSafePoint(episodes_done_ + 1, step)) tasks_ = FindTaskModules(network_, learner_);
+}
+
+void Training::NoteStop(const StopRequest& stop) {
+  if (stop.signal() == 0 || stop_is_noted_) return;
+  stop_is_noted_ = true;
+  progress_.Warn("stopping after this episode (once more: at once, back to the last checkpoint)");
+}
+
+EpisodeRecord Training::RecordOf(int64_t steps) const {
+  EpisodeRecord episode;
+  episode.number = episodes_done_ + 1;
+  episode.steps = steps;
+  episode.actions = learner_.action_count();
+  episode.simulated_seconds = environment_.time();
+  episode.active = EvaluationOf(*tasks_.active);
+  // What the learner was paid, and why it ended the episode, whoever wanted it.
+  episode.active.episode_return = learner_.episode_return();
+  episode.active.end_kind = EndKindName(learner_.episode_end().kind);
+  episode.active.end_reason = learner_.episode_end().reason;
+  for (const UniversalTask* shadow : tasks_.shadows) {
+    if (shadow->has_ended()) episode.shadows.push_back(EvaluationOf(*shadow));
+  }
   return episode;
 }
 
@@ -96,9 +125,14 @@ void Training::CaptureFrame() {
   if (!frame.empty()) environment_.CapturePose(frame);
 }
 
+void Training::Warn(const std::string& text) {
+  progress_.Warn(text);
+  hooks_.OnWarning(text);
+}
+
 void Training::WarnAbout(const EpisodeRecord& episode) {
   if (episode.active.end_kind == EndKindName(EndKind::kDiverged)) {
-    progress_.Warn(fmt::format(
+    Warn(fmt::format(
         "warning: episode {}: the simulation diverged after {:.3f} s; its last action was not "
         "learned from",
         episode.number, episode.simulated_seconds));
@@ -108,31 +142,32 @@ void Training::WarnAbout(const EpisodeRecord& episode) {
 }
 
 void Training::WarnAboutFaults(const EpisodeRecord& episode) {
+  const UniversalTask& task = *tasks_.active;
   std::string terms;
-  for (size_t i = 0; i < run_.tasks.front().terms.size(); ++i) {
-    const Incidents& faults = task_.faults()[i];
+  for (size_t i = 0; i < task.faults().size(); ++i) {
+    const Incidents& faults = task.faults()[i];
+    const taskc_reward_term& term = task.plugin().terms[i];
     if (faults.count == 0) continue;
-    terms += fmt::format("{}`{}` ({}) {}x, first at {:.3f} s", terms.empty() ? "" : "; ",
-                         run_.tasks.front().terms[i].name,
-                         PlaceText(task_.plugin(), task_.plugin().terms[i].place), faults.count,
-                         faults.first_time);
+    terms += fmt::format("{}`{}` ({}) {}x, first at {:.3f} s", terms.empty() ? "" : "; ", term.name,
+                         PlaceText(task.plugin(), term.place), faults.count, faults.first_time);
   }
-  progress_.Warn(
-      fmt::format("warning: episode {}: not finite and so not paid: {}", episode.number, terms));
+  Warn(fmt::format("warning: episode {}: not finite and so not paid: {}", episode.number, terms));
 }
 
 void Training::WarnAboutViolations(const EpisodeRecord& episode) {
-  violations_noted_.resize(task_.violations().size());
-  for (size_t i = 0; i < violations_noted_.size(); ++i) {
-    const Incidents& violations = task_.violations()[i];
-    if (violations.count == 0 || violations_noted_[i]) continue;
-    violations_noted_[i] = true;
-    const taskc_requirement& requirement = task_.plugin().requirements[i];
-    progress_.Warn(fmt::format(
+  const UniversalTask& task = *tasks_.active;
+  std::vector<bool>& noted = violations_noted_[episode.active.task];
+  noted.resize(task.violations().size());
+  for (size_t i = 0; i < noted.size(); ++i) {
+    const Incidents& violations = task.violations()[i];
+    if (violations.count == 0 || noted[i]) continue;
+    noted[i] = true;
+    const taskc_requirement& requirement = task.plugin().requirements[i];
+    Warn(fmt::format(
         "warning: episode {}: {} requires `{}` ({}), which did not hold at {:.3f} s; such episodes "
         "are truncated and counted, and this is said once",
-        episode.number, run_.tasks.front().task, requirement.reason,
-        PlaceText(task_.plugin(), requirement.place), violations.first_time));
+        episode.number, task.plugin().name, requirement.reason,
+        PlaceText(task.plugin(), requirement.place), violations.first_time));
   }
 }
 
@@ -147,7 +182,8 @@ std::optional<Recording> Training::RecordingOf(const EpisodeRecord& episode) con
 std::optional<Checkpoint> Training::CheckpointIfDue(bool is_last_episode) {
   const Clock::time_point now = Clock::now();
   const std::chrono::duration<double> since_last = now - last_checkpoint_;
-  if (!is_last_episode && since_last.count() < run_.checkpoint_seconds) return std::nullopt;
+  const bool is_wanted = is_last_episode || hooks_.wants_checkpoint();
+  if (!is_wanted && since_last.count() < run_.checkpoint_seconds) return std::nullopt;
   last_checkpoint_ = now;
   return Checkpoint{episodes_done_, SaveModules(network_)};
 }

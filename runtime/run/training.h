@@ -2,7 +2,10 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
+#include <map>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "runtime/learning/peng_q_lambda.h"
@@ -12,6 +15,8 @@
 #include "runtime/run/return_statistics.h"
 #include "runtime/run/run_database.h"
 #include "runtime/run/stop_request.h"
+#include "runtime/run/task_modules.h"
+#include "runtime/run/training_hooks.h"
 #include "runtime/simulation/robot_environment.h"
 #include "runtime/task/universal_task.h"
 
@@ -19,9 +24,11 @@ namespace runtime {
 
 class Training {
  public:
-  // `network`: started, with the modules `environment`, `task` and `learner`; throws UserError
-  // where one is missing or of another type. Everything passed must outlive the training.
-  Training(Network& network, const RunRecord& run, RunDatabase& database, Progress& progress);
+  // `network`: started, with the modules `environment` and `learner` and a task that pays; throws
+  // UserError where one is missing or of another type. Everything passed must outlive the training.
+  // `run` grows as tasks are loaded and episodes planned.
+  Training(Network& network, const RunRecord& run, RunDatabase& database, Progress& progress,
+           TrainingHooks& hooks);
 
   // Goes back to the last checkpoint (the start, if there is none): loads the modules' state and
   // deletes the episodes that came after it. They will come again, bit for bit.
@@ -36,8 +43,15 @@ class Training {
  private:
   using Clock = std::chrono::steady_clock;
 
+  void RunPlannedEpisodes(const StopRequest& stop);
+  bool stops(const StopRequest& stop) const;
   EpisodeRecord RunEpisode(const StopRequest& stop);
+  // Lets whoever wants to change something do so, after `step` control steps of the episode.
+  void AllowChanges(int64_t step);
+  void NoteStop(const StopRequest& stop);
+  EpisodeRecord RecordOf(int64_t steps) const;  // without the time that it took
   void CaptureFrame();
+  void Warn(const std::string& text);
   void WarnAbout(const EpisodeRecord& episode);
   void WarnAboutFaults(const EpisodeRecord& episode);
   void WarnAboutViolations(const EpisodeRecord& episode);
@@ -48,14 +62,16 @@ class Training {
   const RunRecord& run_;
   RunDatabase& database_;
   Progress& progress_;
+  TrainingHooks& hooks_;
   RobotEnvironment& environment_;
-  UniversalTask& task_;
   PengQLambda& learner_;
+  TaskModules tasks_;
   Recorder recorder_;
   ReturnStatistics statistics_;
   int64_t episodes_done_ = 0;
   bool stop_is_noted_ = false;
-  std::vector<bool> violations_noted_;  // for each requirement: whether a warning was given
+  // Of each task (TaskRecord::id), for each requirement: whether a warning was given.
+  std::map<int64_t, std::vector<bool>> violations_noted_;
   Clock::time_point last_checkpoint_ = Clock::now();
 };
 

@@ -1,5 +1,7 @@
 #include "runtime/simulation/robot_environment.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cassert>
 
@@ -62,7 +64,7 @@ void RobotEnvironment::StepControl() {
   start_of_time_step_(length);
   if (joint_targets_.connected()) {
     const Eigen::VectorXd& targets = joint_targets_();
-    assert(targets.size() == static_cast<Eigen::Index>(targets_.size()));
+    if (targets.size() != static_cast<Eigen::Index>(targets_.size())) ThrowForeignTargets();
     std::copy(targets.begin(), targets.end(), targets_.begin());
   }
   for (int i = 0; i < world_->steps_per_control_step(); ++i) {
@@ -70,6 +72,11 @@ void RobotEnvironment::StepControl() {
   }
   ++control_steps_;
   end_of_time_step_(length);
+}
+
+void RobotEnvironment::ThrowForeignTargets() const {
+  throw UserError(fmt::format("`{}` gets {} joint targets, and the robot `{}` has {} joints",
+                              name(), joint_targets_().size(), robot_.name, targets_.size()));
 }
 
 bool RobotEnvironment::StepPhysics(int index) {

@@ -51,6 +51,7 @@ class RobotEnvironment : public Module {
 
  private:
   // Returns whether the episode can go on.
+  [[noreturn]] void ThrowForeignTargets() const;
   bool StepPhysics(int index);
   void Diverge(const char* why);
 
@@ -60,7 +61,8 @@ class RobotEnvironment : public Module {
 
   RobotSensors sensors_;
   std::deque<SensorOut> sensor_ports_;
-  In<Eigen::VectorXd> joint_targets_{this, "joint_targets"};
+  In<Eigen::VectorXd> joint_targets_{this, "joint_targets", "",
+                                     In<Eigen::VectorXd>::Need::kOptional};
   Signal<> start_of_episode_{this, "start_of_episode"};
   Signal<double> start_of_time_step_{this, "start_of_time_step"};
   Signal<double> start_of_physics_step_{this, "start_of_physics_step"};

@@ -86,17 +86,18 @@ int PrivateCopy(const std::filesystem::path& file, std::span<const std::byte> co
 
 }  // namespace
 
-Plugin::Plugin(const std::filesystem::path& file) : file_(file) {
+Plugin::Plugin(const std::filesystem::path& file, const std::filesystem::path& name)
+    : name_(name.empty() ? file : name) {
   const std::vector<std::byte> content = ReadWhole(file);
   if (const auto defect = ElfDefect(content)) {
-    Refuse(file, *defect + "; build the task with `taskc build`");
+    Refuse(name_, *defect + "; build the task with `taskc build`");
   }
   const std::string_view bytes(reinterpret_cast<const char*>(content.data()), content.size());
   if (seal::StateOf(bytes) == seal::State::kBroken) {
-    Refuse(file,
+    Refuse(name_,
            "is damaged: it has changed since it was built; build the task with `taskc build`");
   }
-  copy_ = PrivateCopy(file, content);
+  copy_ = PrivateCopy(name_, content);
   try {
     Load();
   } catch (...) {
@@ -109,17 +110,17 @@ void Plugin::Load() {
   copy_path_ = fmt::format("/proc/{}/fd/{}", getpid(), copy_);
   handle_ = dlopen(copy_path_.c_str(), RTLD_NOW | RTLD_LOCAL);
   if (handle_ == nullptr) {
-    Refuse(file_,
+    Refuse(name_,
            fmt::format("cannot be loaded: {}; build the task with `taskc build`", dlerror()));
   }
   const auto entry = reinterpret_cast<taskc_plugin_entry>(dlsym(handle_, TASKC_PLUGIN_ENTRY));
   if (entry == nullptr) {
-    Refuse(file_, fmt::format("is no compiled task: it does not export `{}`; build the task with "
+    Refuse(name_, fmt::format("is no compiled task: it does not export `{}`; build the task with "
                               "`taskc build`",
                               TASKC_PLUGIN_ENTRY));
   }
   table_ = entry();
-  CheckPlugin(file_, table_);
+  CheckPlugin(name_, table_);
 }
 
 void Plugin::Unload() {

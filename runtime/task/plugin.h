@@ -19,19 +19,21 @@ class Plugin {
  public:
   // Throws UserError, naming the file and the remedy, for a file that is missing, damaged, cut off,
   // no compiled task, built for another version of the ABI, or described by a senseless table.
-  explicit Plugin(const std::filesystem::path& file);
+  // `name`: what messages call it instead, where the file is nothing that the user knows.
+  explicit Plugin(const std::filesystem::path& file, const std::filesystem::path& name = {});
   ~Plugin();
   Plugin(const Plugin&) = delete;
   Plugin& operator=(const Plugin&) = delete;
 
-  const std::filesystem::path& file() const { return file_; }
+  // As messages call it.
+  const std::filesystem::path& name() const { return name_; }
   const taskc_plugin& table() const { return *table_; }
 
  private:
   void Load();
   void Unload();
 
-  std::filesystem::path file_;
+  std::filesystem::path name_;
   int copy_ = -1;          // descriptor of the private copy
   std::string copy_path_;  // under which the loader knows it
   void* handle_ = nullptr;

@@ -9,8 +9,9 @@ namespace runtime {
 // Written by the one thread that runs tasks; read by a guarding process if it lies in memory that
 // both share.
 struct PluginWatch {
-  std::atomic<int64_t> running = 0;  // TaskInstance::id() of what runs now; 0: no plugin does
-  std::atomic<int64_t> calls = 0;    // that have returned, so that one that loops is seen
+  std::atomic<int64_t> running = 0;      // TaskInstance::id() of what runs now; 0: no plugin does
+  std::atomic<int64_t> calls = 0;        // that have returned, so that one that loops is seen
+  std::atomic<bool> is_loading = false;  // a shared object, which can crash or loop as well
 };
 
 // That of this process. Until SetPluginWatch() it lies in memory of its own.

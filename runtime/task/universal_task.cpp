@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "runtime/module/connections.h"
 #include "runtime/task/robot_check.h"
 #include "runtime/task/saved_values.h"
 
@@ -56,14 +57,7 @@ void UniversalTask::Set(std::string_view parameter, const ParameterValue& value)
   instance_->PassParams();
 }
 
-void UniversalTask::Start() {
-  for (const auto& sensor : sensors_) {
-    if (sensor->connected()) continue;
-    throw UserError(
-        fmt::format("`{}` has no connection: connect it to an out port of the type `{}`",
-                    sensor->full_name(), sensor->type().text));
-  }
-}
+void UniversalTask::Start() { RequireConnections(*this); }
 
 UniversalTask::Sensors::const_iterator UniversalTask::FindSensor(const taskc_sensor& sensor) const {
   const PortType type = TypeOf(sensor);
@@ -102,7 +96,9 @@ void UniversalTask::BindSensors() {
   }
 }
 
-void UniversalTask::CheckCanSwap(const taskc_plugin& table, const Network& network) const {
+void UniversalTask::CheckCanSwap(const Plugin& plugin, const Network& network) const {
+  CheckFitsRobot(plugin, robot_);
+  const taskc_plugin& table = plugin.table();
   for (const taskc_sensor& sensor : SensorsOf(table)) {
     const auto present = FindSensor(sensor);
     if (present != sensors_.end() && (*present)->connected()) continue;
@@ -121,8 +117,7 @@ void UniversalTask::ConnectSensors(const Network& network) {
 }
 
 void UniversalTask::Swap(std::unique_ptr<TaskInstance> next, const Network& network) {
-  CheckFitsRobot(*next->plugin(), robot_);
-  CheckCanSwap(next->table(), network);
+  CheckCanSwap(*next->plugin(), network);
   const bool in_episode = !episode_is_over_ && !is_asleep_;
   next->TakeOver(*instance_, in_episode);
   previous_ = Exchange(std::move(next));

@@ -69,9 +69,12 @@ class UniversalTask : public Module {
   void Save(std::ostream& stream) const override;
   void Load(std::istream& stream) override;
 
+  // Connects the sensors that are not connected yet to the out ports of their name. Precondition:
+  // there are such ports.
+  void ConnectSensors(const Network& network);
   // Throws UserError if the task does not fit the robot, or if it reads a sensor that this module
-  // has not yet and that no module of `network` offers.
-  void CheckCanSwap(const taskc_plugin& table, const Network& network) const;
+  // has not, or not connected, and that no module of `network` offers.
+  void CheckCanSwap(const Plugin& plugin, const Network& network) const;
   // Another task from now on, which takes over what it can (TaskInstance::TakeOver). The sensors
   // that are new in it are connected to the out ports of their name. What was until now is kept as
   // the previous task. Not from inside an event. Throws as CheckCanSwap(), and changes nothing
@@ -143,7 +146,6 @@ class UniversalTask : public Module {
   // Puts `next` in the place of the present task, which is returned. The ports of sensors that only
   // one of the two reads go or come, unconnected.
   std::unique_ptr<TaskInstance> Exchange(std::unique_ptr<TaskInstance> next);
-  void ConnectSensors(const Network& network);
   void BindSensors();
 
   const robot::RobotDescription& robot_;

@@ -12,6 +12,7 @@ enum ExitStatus : int { kSuccess = 0, kFailed = 1, kWrongCall = 2, kStoppedBySig
 void AddTrainCommand(CLI::App& app, int& status);
 void AddResumeCommand(CLI::App& app, int& status);
 void AddAgentCommand(CLI::App& app, int& status);
+void AddServeCommand(CLI::App& app, int& status);
 void AddStudyCommand(CLI::App& app, int& status);
 void AddCtlCommand(CLI::App& app, int& status);
 void AddShowCommand(CLI::App& app, int& status);

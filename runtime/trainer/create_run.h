@@ -1,6 +1,7 @@
 // A new run in its folder, ready to be trained by `trainer resume` or at once.
 #pragma once
 
+#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <filesystem>
 
@@ -16,6 +17,8 @@ struct RunPlan {
   uint64_t seed = 0;
   int64_t record_every = 50;
   double checkpoint_seconds = 60;
+
+  void AddTo(CLI::App& command);
 };
 
 // All that is stored about the run but its plugin.

@@ -39,6 +39,7 @@ int RunTrainer(int argc, char** argv) {
   int status = kSuccess;
   AddTrainCommand(app, status);
   AddResumeCommand(app, status);
+  AddServeCommand(app, status);
   AddStudyCommand(app, status);
   AddCtlCommand(app, status);
   AddShowCommand(app, status);

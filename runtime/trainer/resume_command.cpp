@@ -1,16 +1,10 @@
-#include <fmt/format.h>
-
 #include <optional>
 
-#include "runtime/agent/agent.h"
-#include "runtime/run/module_types.h"
 #include "runtime/run/run_database.h"
-#include "runtime/run/run_files.h"
-#include "runtime/task/plugin.h"
-#include "runtime/trainer/call_error.h"
 #include "runtime/trainer/commands.h"
+#include "runtime/trainer/guard.h"
 #include "runtime/trainer/many_runs.h"
-#include "runtime/trainer/run_session.h"
+#include "runtime/trainer/one_run.h"
 
 namespace runtime {
 namespace {
@@ -19,54 +13,15 @@ struct ResumeOptions {
   std::filesystem::path folder;
   std::optional<int64_t> episodes;
   int jobs = 0;
-  OutputOptions output;
+  SessionOptions session;
 };
 
-// Sets how many episodes the run is to have. Returns whether there is something left to do.
-bool PlanEpisodes(const ResumeOptions& options, RunDatabase& database, RunRecord& run) {
-  const std::optional<Checkpoint> checkpoint = database.ReadCheckpoint();
-  const int64_t done = checkpoint ? checkpoint->episode : 0;
-  if (options.episodes) {
-    if (*options.episodes < done) {
-      throw CallError(
-          fmt::format("--episodes {}: the run has {} episodes already; name a larger number",
-                      *options.episodes, done));
-    }
-    run.episodes_planned = *options.episodes;
-    database.SetEpisodesPlanned(run.episodes_planned);
-  }
-  return done < run.episodes_planned;
-}
-
 int ResumeOne(const ResumeOptions& options) {
-  RunDatabase database = RunDatabase::Open(options.folder);
-  RunRecord run = database.ReadRun();
-  const RunState run_state = database.ReadState();
-  const ProgressStyle style = options.output.style();
-  if (!PlanEpisodes(options, database, run)) {
-    // A run that was finished long ago keeps the time at which it was.
-    if (run_state != RunState::kFinished) database.SetState(RunState::kFinished);
-    if (style == ProgressStyle::kText) {
-      fmt::print("all {} episodes of this run are done; a larger `--episodes` trains on\n",
-                 run.episodes_planned);
-    }
-    return kSuccess;
-  }
-  if (run.version != TASKC_VERSION) {
-    fmt::print(stderr,
-               "warning: the run was started by trainer {}, this is {}: it may go on differently\n",
-               run.version, TASKC_VERSION);
-  }
-  const auto plugin =
-      std::make_shared<const Plugin>(FindKeptPlugin(options.folder, run.tasks.front().plugin));
-  const robot::RobotDescription robot = ReadKeptRobot(options.folder, run.robot_description);
-  ModuleTypes types;
-  RegisterModuleTypes(types);
-  const Agent agent = ParseAgent(run.agent, (options.folder / "run.db").string() + ": agent");
-  Network network = BuildNetwork(agent, types, Context{&robot, plugin, run.seed});
-  network.Start();
-  database.SetState(RunState::kRunning);
-  return RunSession(options.folder, network, run, database, style);
+  const auto resume = [&](std::optional<int64_t> episodes) {
+    return ResumeOneRun(options.folder, episodes, options.session);
+  };
+  return RunGuarded([&] { return resume(options.episodes); },
+                    [&](const std::filesystem::path&) { return resume(std::nullopt); });
 }
 
 // In a folder of runs the new number of episodes is set first, for all of them.
@@ -75,10 +30,10 @@ int ResumeMany(const ResumeOptions& options, const std::vector<std::filesystem::
     for (const std::filesystem::path& folder : runs) {
       RunDatabase database = RunDatabase::Open(folder);
       RunRecord run = database.ReadRun();
-      PlanEpisodes(options, database, run);
+      PlanEpisodes(options.episodes, database, run);
     }
   }
-  return TrainRuns(options.folder, options.jobs, options.output);
+  return TrainRuns(options.folder, options.jobs, options.session.output);
 }
 
 int Resume(const ResumeOptions& options) {
@@ -99,7 +54,7 @@ void AddResumeCommand(CLI::App& app, int& status) {
                    "how many episodes the run is to have in all; otherwise as planned")
       ->check(CLI::Range(int64_t{1}, int64_t{1'000'000'000}));
   AddJobsOption(*command, options->jobs);
-  options->output.AddTo(*command);
+  options->session.AddTo(*command);
   command->callback([options, &status] { status = Resume(*options); });
 }
 

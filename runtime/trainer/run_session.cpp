@@ -2,11 +2,31 @@
 
 #include <fmt/format.h>
 
+#include "runtime/report/report.h"
 #include "runtime/run/stop_request.h"
 #include "runtime/run/training.h"
+#include "runtime/server/server.h"
 #include "runtime/trainer/commands.h"
+#include "runtime/trainer/guard.h"
 
 namespace runtime {
+namespace {
+
+// Where a change that somebody made has brought the network to a halt, the run goes on without it;
+// otherwise it ends.
+int Fail(const RunParts& run, LiveRun& live, Progress& progress, const UserError& error) {
+  const std::string name = run.folder.string();
+  if (live.BlameLastChange(error.what())) {
+    progress.Warn(fmt::format(
+        "warning: {}; the last change is taken back, from the last checkpoint on", error.what()));
+    if (IsGuarded()) return kStartAgain;
+  }
+  throw UserError(fmt::format(
+      "{}; what was saved is kept, and `trainer resume {}` goes on from the last checkpoint",
+      error.what(), name));
+}
+
+}  // namespace
 
 void OutputOptions::AddTo(CLI::App& command) {
   CLI::Option* json_flag =
@@ -19,28 +39,42 @@ ProgressStyle OutputOptions::style() const {
   return quiet ? ProgressStyle::kQuiet : ProgressStyle::kText;
 }
 
-int RunSession(const std::filesystem::path& folder, Network& network, const RunRecord& run,
-               RunDatabase& database, ProgressStyle style) {
-  const std::string name = folder.string();
-  Progress progress(style, run, stdout, stderr);
-  Training training(network, run, database, progress);
-  training.Restore();
-  progress.Note(fmt::format("{}: task {}, robot {}, profile {}, seed {}, episodes {} to {}", name,
-                            run.tasks.front().task, run.robot, run.profile, run.seed,
-                            training.episodes_done() + 1, run.episodes_planned));
+void SessionOptions::AddTo(CLI::App& command) {
+  output.AddTo(command);
+  command
+      .add_option("--port", port,
+                  "port on 127.0.0.1 that clients can connect to; otherwise any that is free")
+      ->check(CLI::Range(1, 65535));
+}
+
+int RunSession(const RunParts& run, const SessionOptions& options) {
+  const std::string name = run.folder.string();
+  TellGuard(run.folder);
   const StopRequest stop;
+  Progress progress(options.output.style(), run.record, stdout, stderr);
+  LiveRun live(run, options.when_done, stop);
+  Training training(run.network, run.record, run.database, progress, live);
+  training.Restore();
+  Server server({.folder = run.folder, .port = options.port}, live,
+                [folder = run.folder] { return ReportPage(folder); });
+  live.PublishTo(&server);
+  progress.Note(fmt::format("{}: task {}, robot {}, profile {}, seed {}, episodes {} to {}", name,
+                            run.record.tasks.front().task, run.record.robot, run.record.profile,
+                            run.record.seed, training.episodes_done() + 1,
+                            run.record.episodes_planned));
+  if (options.when_done == LiveRun::WhenDone::kWait) {
+    progress.Note(fmt::format("{} (`trainer ctl --run {} status`)", server.page_address(), name));
+  }
   try {
-    if (training.Run(stop)) {
+    if (training.Run(stop) && stop.signal() == 0) {
       progress.Note(fmt::format("finished; `trainer report {}` draws the curves", name));
       return kSuccess;
     }
   } catch (const UserError& error) {
-    throw UserError(fmt::format(
-        "{}; what was saved is kept, and `trainer resume {}` goes on from the last checkpoint",
-        error.what(), name));
+    return Fail(run, live, progress, error);
   }
   progress.Note(fmt::format("stopped; `trainer resume {}` goes on", name));
-  return kStoppedBySignal + stop.signal();
+  return stop.signal() == 0 ? kSuccess : kStoppedBySignal + stop.signal();
 }
 
 }  // namespace runtime

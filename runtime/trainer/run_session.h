@@ -1,14 +1,12 @@
-// What `train` and `resume` have in common.
+// What `train`, `resume` and `serve` have in common.
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <filesystem>
+#include <cstdint>
 #include <string>
 
-#include "runtime/module/context.h"
-#include "runtime/module/network.h"
+#include "runtime/control/live_run.h"
 #include "runtime/run/progress.h"
-#include "runtime/run/run_database.h"
 
 namespace runtime {
 
@@ -21,9 +19,17 @@ struct OutputOptions {
   ProgressStyle style() const;
 };
 
-// Trains until all episodes are done or the user stops it, from the last checkpoint if there is
-// one; returns the exit status. `network` is that of `run`, started.
-int RunSession(const std::filesystem::path& folder, Network& network, const RunRecord& run,
-               RunDatabase& database, ProgressStyle style);
+struct SessionOptions {
+  OutputOptions output;
+  uint16_t port = 0;  // on the loopback; 0: any that is free
+  LiveRun::WhenDone when_done = LiveRun::WhenDone::kEnd;
+
+  // --json, --quiet and --port
+  void AddTo(CLI::App& command);
+};
+
+// Trains until all episodes are done or somebody stops it, from the last checkpoint if there is
+// one, and answers requests; returns the exit status.
+int RunSession(const RunParts& run, const SessionOptions& options);
 
 }  // namespace runtime

@@ -4,12 +4,12 @@
 
 #include <algorithm>
 
+#include "runtime/control/build_task.h"
 #include "runtime/module/context.h"
 #include "runtime/module/suggestion.h"
 #include "runtime/run/module_types.h"
 #include "runtime/simulation/profile.h"
 #include "runtime/trainer/agent_layers.h"
-#include "runtime/trainer/build_task.h"
 #include "runtime/trainer/call_error.h"
 
 namespace runtime {
@@ -66,13 +66,13 @@ std::shared_ptr<const Plugin> Load(const std::filesystem::path& file) {
   return plugin;
 }
 
-Network Build(const Agent& agent, const Context& context) {
+}  // namespace
+
+ModuleTypes TypesFor(const Agent& agent) {
   ModuleTypes types;
   RegisterModuleTypes(types);
-  return BuildNetwork(agent, types, context);
+  return WithComposites(std::move(types), agent);
 }
-
-}  // namespace
 
 void TaskOptions::AddTo(CLI::App& command) {
   std::vector<std::string> profiles;
@@ -108,7 +108,9 @@ TaskSetup::TaskSetup(const TaskOptions& options, const std::filesystem::path& fi
           robot::FindRobotFile(RobotName(options, plugin->table()), robot::DefaultRobotFolders())),
       robot(robot::ReadRobot(robot_file)),
       agent(LayersOf(options, plugin->table(), robot_file).Merge()),
-      network(Build(agent, Context{&robot, plugin, seed})) {
+      context{&robot, plugin, seed},
+      types(TypesFor(agent)),
+      network(BuildNetwork(agent, types, context)) {
   agent = Resolved(agent, network);
 }
 

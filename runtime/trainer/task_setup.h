@@ -10,9 +10,10 @@
 
 #include "plugins/robot/robot_description.h"
 #include "runtime/agent/agent.h"
+#include "runtime/control/scratch_folder.h"
+#include "runtime/module/context.h"
 #include "runtime/module/network.h"
 #include "runtime/task/plugin.h"
-#include "runtime/trainer/scratch_folder.h"
 
 namespace runtime {
 
@@ -25,6 +26,9 @@ struct TaskOptions {
 
   void AddTo(CLI::App& command);
 };
+
+// What modules can be made of, also the agent's own composites.
+ModuleTypes TypesFor(const Agent& agent);
 
 // The plugin of a task, built for as long as this object lives if it is not a plugin already.
 class BuiltTask {
@@ -51,6 +55,8 @@ struct TaskSetup {
   std::filesystem::path robot_file;
   robot::RobotDescription robot;
   Agent agent;  // resolved
+  Context context;
+  ModuleTypes types;
   Network network;
 };
 

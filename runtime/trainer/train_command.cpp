@@ -3,8 +3,9 @@
 #include "runtime/run/run_database.h"
 #include "runtime/trainer/commands.h"
 #include "runtime/trainer/create_run.h"
+#include "runtime/trainer/guard.h"
 #include "runtime/trainer/many_runs.h"
-#include "runtime/trainer/run_session.h"
+#include "runtime/trainer/one_run.h"
 #include "runtime/trainer/task_setup.h"
 
 namespace runtime {
@@ -16,32 +17,28 @@ struct TrainOptions {
   int64_t runs = 1;
   int jobs = 0;  // 0: one for each core
   std::filesystem::path out;
-  OutputOptions output;
+  SessionOptions session;
 };
 
-// `name`: of the folder, where the user names none.
-std::filesystem::path FolderOf(const TrainOptions& options, const std::string& name) {
-  return options.out.empty() ? std::filesystem::path("runs") / name : options.out;
-}
-
-int TrainOne(const TrainOptions& options, const std::filesystem::path& plugin) {
-  TaskSetup setup(options.task, plugin, options.plan.seed);
-  RunRecord run = RecordOf(setup, options.plan);
-  const std::filesystem::path folder =
-      FolderOf(options, fmt::format("{}-{}-seed{}", run.tasks.front().task, run.profile, run.seed));
-  RunDatabase::CheckIsFree(folder);
-  setup.network.Start();  // the last that can be wrong: only now the folder is made
-  RunDatabase database = CreateRun(folder, setup, run);
-  return RunSession(folder, setup.network, run, database, options.output.style());
+int TrainOne(const TrainOptions& options) {
+  return RunGuarded(
+      [&] { return TrainOneRun(options.task, options.plan, options.out, options.session); },
+      [&](const std::filesystem::path& run) {
+        return ResumeOneRun(run, std::nullopt, options.session);
+      });
 }
 
 // Makes all runs before the first one starts, so that they go on with the same task and agent
 // whatever becomes of the files; each is then trained as if it were resumed.
-int TrainMany(const TrainOptions& options, const std::filesystem::path& plugin) {
-  TaskSetup setup(options.task, plugin, options.plan.seed);
+int TrainMany(const TrainOptions& options) {
+  const BuiltTask task(options.task.task);
+  if (!task.plugin()) return kFailed;
+  TaskSetup setup(options.task, *task.plugin(), options.plan.seed);
   const RunRecord run = RecordOf(setup, options.plan);
   const std::filesystem::path folder =
-      FolderOf(options, fmt::format("{}-{}", run.tasks.front().task, run.profile));
+      options.out.empty() ? std::filesystem::path("runs") /
+                                fmt::format("{}-{}", run.tasks.front().task, run.profile)
+                          : options.out;
   setup.network.Start();
   const uint64_t end = run.seed + static_cast<uint64_t>(options.runs);
   for (uint64_t seed = run.seed; seed < end; ++seed) {
@@ -50,13 +47,11 @@ int TrainMany(const TrainOptions& options, const std::filesystem::path& plugin) 
   for (uint64_t seed = run.seed; seed < end; ++seed) {
     PrepareRun(SeedFolder(folder, seed), setup, run, seed);
   }
-  return TrainRuns(folder, options.jobs, options.output);
+  return TrainRuns(folder, options.jobs, options.session.output);
 }
 
 int Train(const TrainOptions& options) {
-  const BuiltTask task(options.task.task);
-  if (!task.plugin()) return kFailed;
-  return options.runs == 1 ? TrainOne(options, *task.plugin()) : TrainMany(options, *task.plugin());
+  return options.runs == 1 ? TrainOne(options) : TrainMany(options);
 }
 
 }  // namespace
@@ -66,14 +61,7 @@ void AddTrainCommand(CLI::App& app, int& status) {
   CLI::App* command =
       app.add_subcommand("train", "Starts a run, or many: trains a robot in a task.");
   options->task.AddTo(*command);
-  command->add_option("--episodes", options->plan.episodes, "how many episodes to train")
-      ->check(CLI::Range(int64_t{1}, int64_t{1'000'000'000}))
-      ->capture_default_str();
-  command
-      ->add_option("--seed", options->plan.seed,
-                   "seed of all chance, of many runs the first one's; equal seeds give equal runs")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
+  options->plan.AddTo(*command);
   command
       ->add_option("--runs", options->runs, "how many runs to train, each with a seed of its own")
       ->check(CLI::Range(int64_t{1}, int64_t{10'000}))
@@ -82,17 +70,7 @@ void AddTrainCommand(CLI::App& app, int& status) {
   command->add_option("--out", options->out,
                       "folder of the run; otherwise runs/TASK-PROFILE-seedSEED. Of many runs the "
                       "folder of their folders; otherwise runs/TASK-PROFILE");
-  command
-      ->add_option("--record-every", options->plan.record_every,
-                   "record every N-th episode besides the best ones and the last; 0: only these")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
-  command
-      ->add_option("--checkpoint-every", options->plan.checkpoint_seconds,
-                   "seconds between two checkpoints, at least")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
-  options->output.AddTo(*command);
+  options->session.AddTo(*command);
   command->callback([options, &status] { status = Train(*options); });
 }
 

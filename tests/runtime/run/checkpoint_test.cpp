@@ -56,9 +56,9 @@ TEST(Checkpoint, RefusesTheStateOfOtherModules) {
   Network other;
   AddCounter(other, "other", 1);
   EXPECT_THAT(ErrorOf([&] { LoadModules(two, SaveModules(one)); }),
-              testing::HasSubstr("another number of modules"));
+              testing::HasSubstr("no state for the module `second`"));
   EXPECT_THAT(ErrorOf([&] { LoadModules(one, SaveModules(two)); }),
-              testing::HasSubstr("another number of modules"));
+              testing::HasSubstr("an agent with more modules"));
   EXPECT_THAT(ErrorOf([&] { LoadModules(one, SaveModules(other)); }),
               testing::HasSubstr("`first`"));
 }

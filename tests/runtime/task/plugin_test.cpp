@@ -43,7 +43,7 @@ TEST_F(PluginTest, GivesTheTable) {
   const Plugin plugin(PluginFile("walking"));
   EXPECT_STREQ(plugin.table().name, "walking");
   EXPECT_EQ(plugin.table().sensor_count, 5u);
-  EXPECT_EQ(plugin.file(), PluginFile("walking"));
+  EXPECT_EQ(plugin.name(), PluginFile("walking"));
 }
 
 TEST_F(PluginTest, FileRenamedOverALoadedOneGivesTheNewCode) {

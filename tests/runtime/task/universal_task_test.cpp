@@ -62,7 +62,7 @@ TEST_F(UniversalTaskTest, RefusesToStartWithASensorThatIsNotConnected) {
   Port& in = task_->FindPort("base.velocity");
   Port::Disconnect(in, *in.Connections().front());
   EXPECT_EQ(MessageOf([&] { task_->Start(); }),
-            "`task.base.velocity` has no connection: connect it to an out port of the type `vec3 "
+            "`task.base.velocity` is not connected: connect it to an out port of the type `vec3 "
             "[m/s]`");
 }
 

@@ -1,4 +1,4 @@
-#include "runtime/trainer/scratch_folder.h"
+#include "runtime/control/scratch_folder.h"
 
 #include <fmt/format.h>
 #include <stdlib.h>

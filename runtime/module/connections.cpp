@@ -1,4 +1,4 @@
-#include "runtime/learning/connections.h"
+#include "runtime/module/connections.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@ namespace runtime {
 
 void RequireConnections(const Module& module) {
   for (const Port* port : module.ports()) {
-    if (port->kind() != PortKind::kIn || !port->Connections().empty()) continue;
+    if (!port->must_be_connected() || !port->Connections().empty()) continue;
     throw UserError(fmt::format("`{}` is not connected: connect it to an out port of the type `{}`",
                                 port->full_name(), port->type().text));
   }

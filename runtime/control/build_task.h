@@ -1,0 +1,15 @@
+// From a task's source to a plugin, by the compiler as a program of its own.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace runtime {
+
+// Runs `taskc build`, which lies beside the running executable; returns whether `plugin` was
+// written. What the compiler says goes to `messages`, or else to the user as it is. Throws
+// UserError where the compiler cannot be run.
+bool BuildTask(const std::filesystem::path& task, const std::filesystem::path& plugin,
+               std::string* messages = nullptr);
+
+}  // namespace runtime

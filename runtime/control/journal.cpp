@@ -1,0 +1,84 @@
+#include "runtime/control/journal.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+namespace runtime {
+namespace {
+
+constexpr const char* kQuarantine = "quarantine";
+
+}  // namespace
+
+Journal::Journal(RunDatabase& database) : database_(database) {
+  for (ChangeRecord& change : database.ReadChanges()) {
+    if (change.kind == kQuarantine) {
+      NoteQuarantine(change);
+    } else {
+      changes_.push_back(std::move(change));
+    }
+  }
+  std::ranges::stable_sort(changes_, {}, PositionOf);
+}
+
+void Journal::NoteQuarantine(const ChangeRecord& quarantine) {
+  const auto data = nlohmann::json::parse(quarantine.data);
+  if (data.contains("task")) bad_tasks_.insert(data.at("task").get<int64_t>());
+  if (data.contains("change")) bad_changes_.insert(data.at("change").get<int64_t>());
+}
+
+bool Journal::IsInQuarantine(const ChangeRecord& change) const {
+  if (bad_changes_.contains(change.id)) return true;
+  if (bad_tasks_.empty()) return false;
+  return bad_tasks_.contains(nlohmann::json::parse(change.data).value("task", int64_t{0}));
+}
+
+const ChangeRecord* Journal::TakeDue(const RunPosition& position) {
+  while (has_due(position)) {
+    const ChangeRecord& change = changes_[next_++];
+    if (!IsInQuarantine(change)) return &change;
+  }
+  return nullptr;
+}
+
+const ChangeRecord& Journal::Add(const RunPosition& position, const std::string& kind,
+                                 const std::string& text, const std::string& data) {
+  ChangeRecord change;
+  change.episode = position.episode;
+  change.step = position.step;
+  change.kind = kind;
+  change.text = text;
+  change.data = data;
+  change.id = database_.AddChange(change);
+  const auto place = std::ranges::upper_bound(changes_, position, {}, PositionOf);
+  return *changes_.insert(place, std::move(change));
+}
+
+void Journal::Quarantine(const RunPosition& position, const ChangeRecord& change,
+                         const std::string& why) {
+  const nlohmann::json data = {{"command", kQuarantine}, {"change", change.id}, {"why", why}};
+  ChangeRecord quarantine;
+  quarantine.episode = position.episode;
+  quarantine.step = position.step;
+  quarantine.kind = kQuarantine;
+  quarantine.text = fmt::format("taken back: {} ({})", change.text, why);
+  quarantine.data = data.dump();
+  database_.AddChange(quarantine);
+  NoteQuarantine(quarantine);
+}
+
+void QuarantineTask(RunDatabase& database, int64_t task, const std::string& why) {
+  const nlohmann::json data = {{"command", kQuarantine}, {"task", task}, {"why", why}};
+  const RunRecord run = database.ReadRun();
+  const std::vector<EpisodeRecord> episodes = database.ReadEpisodes();
+  ChangeRecord quarantine;
+  quarantine.episode = episodes.empty() ? 1 : episodes.back().number + 1;
+  quarantine.kind = kQuarantine;
+  quarantine.text = fmt::format("never again: {} ({})", TaskWithId(run, task).task, why);
+  quarantine.data = data.dump();
+  database.AddChange(quarantine);
+}
+
+}  // namespace runtime

@@ -1,0 +1,66 @@
+// The changes of a run: what was done, and what is still to be done again.
+#pragma once
+
+#include <cstdint>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "runtime/run/run_database.h"
+#include "runtime/run/run_records.h"
+
+namespace runtime {
+
+// Between two control steps of a run.
+struct RunPosition {
+  int64_t episode = 0;  // that runs, or is about to start
+  int64_t step = 0;     // control steps done in it
+
+  auto operator<=>(const RunPosition&) const = default;
+};
+
+// A change stands in the run's record from the moment it is accepted, with the position at which it
+// takes effect. So a run that goes on from a checkpoint meets the same changes at the same places,
+// and one that has an effect only in the next episode is not lost with the program.
+class Journal {
+ public:
+  // Reads what the record has. `database` outlives this object.
+  explicit Journal(RunDatabase& database);
+
+  // Of the changes up to `position` that were not taken yet, the first, or null. Changes that are
+  // in quarantine are passed over. The pointer is valid until the next call.
+  const ChangeRecord* TakeDue(const RunPosition& position);
+  // Whether there may be one: as cheap as can be.
+  bool has_due(const RunPosition& position) const {
+    return next_ < changes_.size() && PositionOf(changes_[next_]) <= position;
+  }
+
+  // Writes a change down; the others of its position come before it. It is taken like any other.
+  const ChangeRecord& Add(const RunPosition& position, const std::string& kind,
+                          const std::string& text, const std::string& data);
+  // A change that did harm is never done again.
+  void Quarantine(const RunPosition& position, const ChangeRecord& change, const std::string& why);
+
+  bool IsInQuarantine(const ChangeRecord& change) const;
+  // Tasks (TaskRecord::id) that have crashed.
+  const std::set<int64_t>& bad_tasks() const { return bad_tasks_; }
+  const std::vector<ChangeRecord>& changes() const { return changes_; }
+
+ private:
+  static RunPosition PositionOf(const ChangeRecord& change) {
+    return {change.episode, change.step};
+  }
+  void NoteQuarantine(const ChangeRecord& quarantine);
+
+  RunDatabase& database_;
+  std::vector<ChangeRecord> changes_;  // by position, then id; without the quarantines
+  size_t next_ = 0;
+  std::set<int64_t> bad_tasks_;
+  std::set<int64_t> bad_changes_;
+};
+
+// Writes down that the task crashed, or did not come back, so that it is never run again in this
+// run. For a process that guards the trainer.
+void QuarantineTask(RunDatabase& database, int64_t task, const std::string& why);
+
+}  // namespace runtime

@@ -1,0 +1,121 @@
+// A run that can be talked to while it learns.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "runtime/control/change.h"
+#include "runtime/control/journal.h"
+#include "runtime/control/live_network.h"
+#include "runtime/control/request.h"
+#include "runtime/control/request_queue.h"
+#include "runtime/control/schedules.h"
+#include "runtime/control/task_loader.h"
+#include "runtime/run/run_database.h"
+#include "runtime/run/stop_request.h"
+#include "runtime/run/training_hooks.h"
+
+namespace runtime {
+
+// What a run is made of. All of it outlives the LiveRun.
+struct RunParts {
+  std::filesystem::path folder;
+  RunRecord& record;
+  RunDatabase& database;
+  Network& network;  // started
+  const ModuleTypes& types;
+  const Context& context;
+};
+
+// Requests come on any thread, wait in a queue, and are done by the thread that trains, where
+// nothing of the run is running. All of TrainingHooks is called there.
+class LiveRun : public RequestHandler, public TrainingHooks {
+ public:
+  // What becomes of the trainer when all planned episodes are done.
+  enum class WhenDone { kEnd, kWait };
+
+  // Throws UserError where the record holds what cannot be done again.
+  LiveRun(const RunParts& run, WhenDone when_done, const StopRequest& stop);
+  ~LiveRun() override;  // refuses the requests that still wait
+
+  // Null, or an object that outlives this one. Before the training begins.
+  void PublishTo(EventSink* events) { events_ = events; }
+
+  void Handle(Request request, ReplyHandler reply) override;
+
+  std::set<std::string> BeforeRestore(int64_t episode) override;
+  bool AtSafePoint(int64_t episode, int64_t step) override;
+  void AfterEpisode(const EpisodeRecord& episode, const ReturnStatistics& statistics,
+                    bool checkpoint_was_saved) override;
+  void OnWarning(const std::string& text) override;
+  bool wants_checkpoint() const override { return !waiting_for_checkpoint_.empty(); }
+  bool wants_stop() const override { return stop_was_asked_for_; }
+  bool PlanMore(int64_t episodes_done) override;
+
+  // The network has failed. If a change of the last two episodes can be blamed for it, this change
+  // is put into quarantine, so that the run can go on from its checkpoint without it.
+  bool BlameLastChange(const std::string& why);
+
+ private:
+  enum class State { kRunning, kPaused, kFinished };
+  enum class StepUnit { kStep, kEpisode };
+
+  void SetState(State state);
+  bool stops() const { return stop_was_asked_for_ || stop_.signal() != 0; }
+  void Publish(nlohmann::json event);
+
+  // Does what is due here; where something cannot be done, says so and goes on.
+  void RepeatDueChanges();
+  void Do(const ChangeRecord& record);
+  void NoteDone(const ChangeRecord& record);
+  void ServeQueue();
+  void Serve(const QueuedRequest& request);
+  // Returns the reply's value. Throws UserError.
+  nlohmann::json Answer(const QueuedRequest& request);
+  std::optional<nlohmann::json> Look(const Request& request) const;
+  std::optional<nlohmann::json> Steer(const QueuedRequest& request);
+  nlohmann::json StatusJson() const;
+
+  nlohmann::json LoadOrSwap(const QueuedRequest& request);
+  nlohmann::json Rollback(const nlohmann::json& arguments);
+  nlohmann::json Promote(const nlohmann::json& arguments);
+  nlohmann::json SetParameter(const nlohmann::json& arguments);
+  nlohmann::json GoOn(const nlohmann::json& arguments);
+  nlohmann::json StepOn(const nlohmann::json& arguments);
+  // The record of a plugin that was loaded for a module, which may be an older one.
+  const TaskRecord& RecordTask(const std::string& module, const LoadedTask& task);
+  // Writes a change down, after doing it if it is to take effect here. Returns "now" or
+  // "episode 13". Throws UserError where it cannot be done; then it is not written down.
+  std::string Make(const Change& change, bool now);
+  void CountDown();
+
+  RunParts run_;
+  const WhenDone when_done_;
+  const StopRequest& stop_;
+  LiveNetwork network_;
+  Schedules schedules_;
+  Journal journal_;
+  ChangeMaker maker_;
+  RequestQueue queue_;
+  TaskLoader loader_;
+  EventSink* events_ = nullptr;
+
+  RunPosition position_;
+  bool network_has_changed_ = false;  // at this position
+  State state_ = State::kRunning;
+  std::optional<StepUnit> counts_;  // what is left of `step`
+  int64_t steps_left_ = 0;
+  bool stop_was_asked_for_ = false;
+  std::vector<ReplyHandler> waiting_for_checkpoint_;
+  std::vector<ChangeRecord> recent_;  // done in this episode or the one before
+
+  int64_t episodes_done_ = 0;
+  EpisodeRecord last_episode_;
+  ReturnStatistics statistics_;
+};
+
+}  // namespace runtime

@@ -1,0 +1,236 @@
+#include "runtime/trainer/guard.h"
+
+#include <fmt/format.h>
+#include <poll.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <climits>
+#include <csignal>
+#include <cstring>
+#include <ctime>
+#include <fstream>
+#include <new>
+#include <string>
+
+#include "runtime/control/journal.h"
+#include "runtime/module/user_error.h"
+#include "runtime/run/run_database.h"
+#include "runtime/task/plugin_watch.h"
+
+namespace runtime {
+namespace {
+
+constexpr int kMillisecondsBetweenLooks = 500;
+constexpr double kPatience = 10;  // [s] of CPU time in one call of a plugin
+
+// What both processes see.
+struct SharedPage {
+  PluginWatch watch;
+  char run[PATH_MAX] = "";
+};
+
+SharedPage* shared_page = nullptr;
+volatile pid_t guarded_child = 0;
+
+SharedPage* MakeSharedPage() {
+  void* memory =
+      mmap(nullptr, sizeof(SharedPage), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  if (memory == MAP_FAILED) {
+    throw UserError(fmt::format("cannot share memory: {}", std::strerror(errno)));
+  }
+  return new (memory) SharedPage;
+}
+
+bool IsBeingDebugged() {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);) {
+    if (line.starts_with("TracerPid:")) return line != "TracerPid:\t0";
+  }
+  return false;
+}
+
+void PassOn(int signal) {
+  if (guarded_child > 0) kill(guarded_child, signal);
+}
+
+// Ctrl-Z reaches only us: the child has a process group of its own, so that Ctrl-C reaches it once.
+void StandStill(int) {
+  PassOn(SIGSTOP);
+  raise(SIGSTOP);
+  PassOn(SIGCONT);
+}
+
+// Restores what was there before.
+class PassedSignals {
+ public:
+  PassedSignals() {
+    Handle(SIGINT, PassOn, old_[0]);
+    Handle(SIGTERM, PassOn, old_[1]);
+    Handle(SIGTSTP, StandStill, old_[2]);
+  }
+  PassedSignals(const PassedSignals&) = delete;
+  PassedSignals& operator=(const PassedSignals&) = delete;
+  ~PassedSignals() {
+    sigaction(SIGINT, &old_[0], nullptr);
+    sigaction(SIGTERM, &old_[1], nullptr);
+    sigaction(SIGTSTP, &old_[2], nullptr);
+  }
+
+ private:
+  static void Handle(int signal, void (*handler)(int), struct sigaction& old) {
+    struct sigaction action {};
+    action.sa_handler = handler;
+    action.sa_flags = SA_RESTART;
+    sigaction(signal, &action, &old);
+  }
+  struct sigaction old_[3];
+};
+
+// [s] of CPU time that the process has used.
+double CpuTime(pid_t process) {
+  clockid_t clock;
+  timespec time{};
+  if (clock_getcpuclockid(process, &clock) != 0 || clock_gettime(clock, &time) != 0) return 0;
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+// Whether one and the same call of a plugin is running for longer than it should.
+class LoopDetector {
+ public:
+  explicit LoopDetector(pid_t process) : process_(process) {}
+
+  bool IsLooping(const PluginWatch& watch) {
+    const int64_t calls = watch.calls;
+    const bool is_inside = watch.running != 0 || watch.is_loading;
+    const double now = CpuTime(process_);
+    if (!is_inside || calls != calls_) {
+      calls_ = calls;
+      since_ = now;
+    }
+    return is_inside && now - since_ > kPatience;
+  }
+
+ private:
+  pid_t process_;
+  int64_t calls_ = -1;
+  double since_ = 0;
+};
+
+// Waits for the child's end; kills it if a plugin does not come back. Returns whether it did that.
+bool WaitForEnd(pid_t child, const PluginWatch& watch) {
+  const auto process = static_cast<int>(syscall(SYS_pidfd_open, child, 0));
+  LoopDetector detector(child);
+  bool is_killed = false;
+  pollfd descriptor{process, POLLIN, 0};
+  while (process >= 0) {
+    const int ready = poll(&descriptor, 1, kMillisecondsBetweenLooks);
+    if (ready > 0) break;
+    if (ready == 0 && detector.IsLooping(watch) && !is_killed) {
+      is_killed = true;
+      kill(child, SIGKILL);
+    }
+  }
+  if (process >= 0) close(process);
+  return is_killed;
+}
+
+struct End {
+  int status = 0;  // as waitpid() gives it
+  bool was_looping = false;
+};
+
+// Returns only in the parent; in the child `is_child` is true.
+End RunChild(bool& is_child) {
+  const pid_t parent = getpid();
+  std::fflush(nullptr);  // or else both would print what waits
+  const pid_t child = fork();
+  if (child < 0) throw UserError(fmt::format("cannot start a process: {}", std::strerror(errno)));
+  if (child == 0) {
+    is_child = true;
+    setpgid(0, 0);
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (getppid() != parent) _exit(1);
+    SetPluginWatch(shared_page->watch);
+    return {};
+  }
+  guarded_child = child;
+  const PassedSignals passed_signals;
+  End end;
+  end.was_looping = WaitForEnd(child, shared_page->watch);
+  while (waitpid(child, &end.status, 0) < 0 && errno == EINTR) {
+  }
+  guarded_child = 0;
+  return end;
+}
+
+std::string Reason(const End& end) {
+  if (end.was_looping) return fmt::format("it did not come back within {} s", kPatience);
+  const int signal = WTERMSIG(end.status);
+  return fmt::format("crash: {}", strsignal(signal));
+}
+
+void Say(const std::string& text) { fmt::print(stderr, "warning: {}\n", text); }
+
+// Whether the run can go on without what has brought its process down. Sees to it that it does.
+bool CanGoOn(const End& end) {
+  const bool exited = WIFEXITED(end.status);
+  if (exited && WEXITSTATUS(end.status) != kStartAgain) return false;
+  if (shared_page->run[0] == '\0') return false;
+  const PluginWatch& watch = shared_page->watch;
+  if (exited) return true;
+  if (watch.is_loading) {
+    Say(fmt::format("{}: a task could not be loaded ({}); going on without it", shared_page->run,
+                    Reason(end)));
+    return true;
+  }
+  if (watch.running == 0) return false;
+  RunDatabase database = RunDatabase::Open(shared_page->run);
+  QuarantineTask(database, watch.running, Reason(end));
+  Say(fmt::format("{}: the task `{}` has failed ({}); going on without it from the last checkpoint",
+                  shared_page->run, TaskWithId(database.ReadRun(), watch.running).task,
+                  Reason(end)));
+  return true;
+}
+
+int StatusOf(const End& end) {
+  if (WIFEXITED(end.status)) return WEXITSTATUS(end.status);
+  const int signal = WTERMSIG(end.status);
+  std::signal(signal, SIG_DFL);
+  raise(signal);  // whoever waits for us is to see what has happened
+  return 128 + signal;
+}
+
+}  // namespace
+
+int RunGuarded(const std::function<int()>& train,
+               const std::function<int(const std::filesystem::path& run)>& again) {
+  if (IsBeingDebugged()) return train();
+  shared_page = MakeSharedPage();
+  bool is_child = false;
+  End end = RunChild(is_child);
+  if (is_child) return train();
+  while (CanGoOn(end)) {
+    const std::filesystem::path run = shared_page->run;
+    new (shared_page) SharedPage;
+    end = RunChild(is_child);
+    if (is_child) return again(run);
+  }
+  return StatusOf(end);
+}
+
+void TellGuard(const std::filesystem::path& run) {
+  if (shared_page == nullptr) return;
+  const std::string text = std::filesystem::absolute(run).string();
+  if (text.size() < sizeof shared_page->run) {
+    std::memcpy(shared_page->run, text.c_str(), text.size() + 1);
+  }
+}
+
+bool IsGuarded() { return shared_page != nullptr; }
+
+}  // namespace runtime

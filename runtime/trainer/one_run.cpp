@@ -1,0 +1,87 @@
+#include "runtime/trainer/one_run.h"
+
+#include <fmt/format.h>
+
+#include "runtime/agent/agent.h"
+#include "runtime/run/module_types.h"
+#include "runtime/run/run_database.h"
+#include "runtime/run/run_files.h"
+#include "runtime/trainer/call_error.h"
+#include "runtime/trainer/commands.h"
+
+namespace runtime {
+namespace {
+
+// Whether a session with nothing left to train would end at once.
+bool HasNothingToDo(bool has_episodes_left, const SessionOptions& session) {
+  return !has_episodes_left && session.when_done == LiveRun::WhenDone::kEnd;
+}
+
+void WarnOfOtherVersion(const RunRecord& run) {
+  if (run.version == TASKC_VERSION) return;
+  fmt::print(stderr,
+             "warning: the run was started by trainer {}, this is {}: it may go on differently\n",
+             run.version, TASKC_VERSION);
+}
+
+}  // namespace
+
+int TrainOneRun(const TaskOptions& options, const RunPlan& plan,
+                const std::filesystem::path& named_folder, const SessionOptions& session) {
+  const BuiltTask task(options.task);
+  if (!task.plugin()) return kFailed;
+  TaskSetup setup(options, *task.plugin(), plan.seed);
+  RunRecord run = RecordOf(setup, plan);
+  const std::filesystem::path folder =
+      named_folder.empty()
+          ? std::filesystem::path("runs") /
+                fmt::format("{}-{}-seed{}", run.tasks.front().task, run.profile, run.seed)
+          : named_folder;
+  RunDatabase::CheckIsFree(folder);
+  setup.network.Start();  // the last that can be wrong: only now the folder is made
+  RunDatabase database = CreateRun(folder, setup, run);
+  return RunSession({folder, run, database, setup.network, setup.types, setup.context}, session);
+}
+
+bool PlanEpisodes(std::optional<int64_t> episodes, RunDatabase& database, RunRecord& run) {
+  const std::optional<Checkpoint> checkpoint = database.ReadCheckpoint();
+  const int64_t done = checkpoint ? checkpoint->episode : 0;
+  if (episodes) {
+    if (*episodes < done) {
+      throw CallError(fmt::format(
+          "--episodes {}: the run has {} episodes already; name a larger number", *episodes, done));
+    }
+    run.episodes_planned = *episodes;
+    database.SetEpisodesPlanned(run.episodes_planned);
+  }
+  return done < run.episodes_planned;
+}
+
+int ResumeOneRun(const std::filesystem::path& folder, std::optional<int64_t> episodes,
+                 const SessionOptions& session) {
+  RunDatabase database = RunDatabase::Open(folder);
+  RunRecord run = database.ReadRun();
+  const RunState run_state = database.ReadState();
+  if (HasNothingToDo(PlanEpisodes(episodes, database, run), session)) {
+    // A run that was finished long ago keeps the time at which it was.
+    if (run_state != RunState::kFinished) database.SetState(RunState::kFinished);
+    if (session.output.style() == ProgressStyle::kText) {
+      fmt::print("all {} episodes of this run are done; a larger `--episodes` trains on\n",
+                 run.episodes_planned);
+    }
+    return kSuccess;
+  }
+  WarnOfOtherVersion(run);
+  const auto plugin =
+      std::make_shared<const Plugin>(FindKeptPlugin(folder, run.tasks.front().plugin));
+  const robot::RobotDescription robot = ReadKeptRobot(folder, run.robot_description);
+  const Context context{&robot, plugin, run.seed};
+  const Agent agent = ParseAgent(run.agent, (folder / "run.db").string() + ": agent");
+  const ModuleTypes types = TypesFor(agent);
+  Network network = BuildNetwork(agent, types, context);
+  network.Start();
+  database.SetState(RunState::kRunning);
+  return RunSession({folder, run, database, network, types, context}, session);
+}
+
+}  // namespace runtime

@@ -1,0 +1,27 @@
+// One run, in this process: from its start, or from its last checkpoint.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+
+#include "runtime/trainer/create_run.h"
+#include "runtime/trainer/run_session.h"
+#include "runtime/trainer/task_setup.h"
+
+namespace runtime {
+
+// Both return the exit status, and throw UserError or CallError.
+
+// `folder`: empty for runs/TASK-PROFILE-seedSEED.
+int TrainOneRun(const TaskOptions& task, const RunPlan& plan, const std::filesystem::path& folder,
+                const SessionOptions& session);
+
+// `episodes`: how many the run is to have in all, if not as many as planned.
+int ResumeOneRun(const std::filesystem::path& folder, std::optional<int64_t> episodes,
+                 const SessionOptions& session);
+
+// Sets how many episodes the run is to have. Returns whether there is something left to do.
+bool PlanEpisodes(std::optional<int64_t> episodes, RunDatabase& database, RunRecord& run);
+
+}  // namespace runtime
