@@ -1,14 +1,20 @@
-// What the humanoid's simulation costs in each profile, while it moves at random as a beginner
-// does:
-//   us_per_step     CPU time of one physics step, with everything around it
-//   own_share       the part of it that is not ODE's dWorldStep
-//   times_real_time simulated seconds in one second of CPU time
+// What the humanoid's simulation costs, in each profile and in several situations:
+//   standing   on its feet, holding its pose
+//   lying      on its front, holding its pose
+//   crawling   on its front, with random motion as a beginner's
+// In each situation the profiles are stepped in turns, so that whatever else the machine does slows
+// all alike. Counters, by CPU time:
+//   PROFILE_us   one physics step with everything around it
+//   PROFILE_x    simulated seconds in one second
 #include <benchmark/benchmark.h>
 
 #include <cmath>
 #include <ctime>
-#include <random>
+#include <memory>
+#include <string>
+#include <vector>
 
+#include "bench/random_motion.h"
 #include "runtime/simulation/robot_environment.h"
 
 namespace {
@@ -63,52 +69,41 @@ extern "C" int __wrap_dWorldStep(dWorldID world, dReal step) {
 namespace runtime {
 namespace {
 
-const robot::RobotDescription& Humanoid() {
-  static const robot::RobotDescription robot = robot::ReadRobot(HUMANOID);
-  return robot;
-}
-
-// Every 160 ms a new random posture, approached smoothly, as actions do.
-class RandomMotion : public Module {
+// Moves the robot, or holds its pose.
+class Mover : public Module {
  public:
-  RandomMotion() : Module("motion") { joint_targets_.setZero(17); }
+  explicit Mover(bool moves) : Module("mover"), moves_(moves) { joint_targets_.setZero(17); }
 
   void StartOfTimeStep(double) {
-    constexpr int kControlSteps = 32;
-    if (steps_ % kControlSteps == 0) {
-      from_ = now_;
-      for (size_t i = 0; i < 5; ++i) {
-        to_[i] = std::uniform_real_distribution(net_.low[i], net_.high[i])(random_);
-      }
-    }
-    const double rest = 1 - (steps_ % kControlSteps) / 60.0;
-    for (size_t i = 0; i < 5; ++i) now_[i] = to_[i] - (to_[i] - from_[i]) * rest * rest * rest;
-    for (const robot::Coupling& coupling : dof_.couplings) {
-      joint_targets_[coupling.joint] = coupling.factor * now_[coupling.coordinate];
-    }
-    ++steps_;
+    if (moves_) motion_.Next({joint_targets_.data(), static_cast<size_t>(joint_targets_.size())});
   }
 
-  Slot<double> start_of_time_step{this, "start_of_time_step",
-                                  Bind<&RandomMotion::StartOfTimeStep>{}};
+  Slot<double> start_of_time_step{this, "start_of_time_step", Bind<&Mover::StartOfTimeStep>{}};
   Out<Eigen::VectorXd> joint_targets{this, "joint_targets", &joint_targets_};
 
  private:
-  const robot::DofConfiguration& dof_ = *Humanoid().FindDof("5");
-  const robot::NetDescription& net_ = *Humanoid().FindNet("bq01");
-  std::mt19937 random_{1};
-  std::array<double, 5> from_{}, to_{}, now_{};
-  int steps_ = 0;
+  bool moves_;
+  RandomMotion motion_{1};
   Eigen::VectorXd joint_targets_;
 };
 
-// An environment in the middle of an episode of random motion, whose sensors are read as a task and
-// a state read them.
+struct Situation {
+  const char* pose;
+  bool moves;
+};
+constexpr Situation kStanding = {"standing", false};
+constexpr Situation kLying = {"lying", false};
+constexpr Situation kCrawling = {"lying", true};
+
+// An environment in the middle of an episode, whose sensors are read as a task and a state read
+// them.
 class Episode {
  public:
-  explicit Episode(const char* profile) : environment_("environment", {&Humanoid(), {}, 0}) {
+  Episode(std::string_view profile, Situation situation)
+      : mover_(situation.moves), environment_("environment", {&Humanoid(), {}, 0}) {
     environment_.Set("profile", std::string(profile));
-    for (Port* port : motion_.ports()) {
+    environment_.Set("start_pose", std::string(situation.pose));
+    for (Port* port : mover_.ports()) {
       Port::Connect(environment_.FindPort(port->name()), *port);
     }
     for (const char* name : {"base.position", "base.orientation", "base.velocity", "base.up",
@@ -120,55 +115,51 @@ class Episode {
   }
 
   void StepControl() {
+    const double start = Now(CLOCK_THREAD_CPUTIME_ID);
     environment_.StepControl();
     for (const SensorOut* sensor : sensors_) benchmark::DoNotOptimize((*sensor)().data);
+    seconds_ += Now(CLOCK_THREAD_CPUTIME_ID) - start;
   }
+
+  double seconds() const { return seconds_; }
 
  private:
-  RandomMotion motion_;
+  Mover mover_;
   RobotEnvironment environment_;
   std::vector<SensorOut*> sensors_;
+  double seconds_ = 0;
 };
 
-void ControlStep(benchmark::State& state, const char* profile) {
+void ControlStep(benchmark::State& state, Situation situation) {
   const double control_step = Humanoid().controller.time_step;
-  const int physics_steps = FindProfile(profile).StepsPerControlStep(control_step);
-  Episode episode(profile);
-  spans = {};
-  const double start = Now(CLOCK_THREAD_CPUTIME_ID);
-  for (auto _ : state) episode.StepControl();
-  const double seconds = (Now(CLOCK_THREAD_CPUTIME_ID) - start) / state.iterations();
-  state.counters["us_per_step"] = 1e6 * seconds / physics_steps;
-  state.counters["own_share"] = spans.own_share();
-  state.counters["times_real_time"] = control_step / seconds;
-}
-
-void Paper(benchmark::State& state) { ControlStep(state, "paper"); }
-void Fast(benchmark::State& state) { ControlStep(state, "fast"); }
-void PaperTree(benchmark::State& state) { ControlStep(state, "paper-tree"); }
-void FastTree(benchmark::State& state) { ControlStep(state, "fast-tree"); }
-BENCHMARK(PaperTree)->Unit(benchmark::kMicrosecond)->MinTime(5);
-BENCHMARK(FastTree)->Unit(benchmark::kMicrosecond)->MinTime(5);
-BENCHMARK(Paper)->Unit(benchmark::kMicrosecond)->MinTime(5);
-BENCHMARK(Fast)->Unit(benchmark::kMicrosecond)->MinTime(5);
-
-// Both in turns, so that whatever else the machine does slows both alike.
-void PaperAgainstFast(benchmark::State& state) {
-  Episode paper("paper");
-  Episode fast("fast");
-  double paper_seconds = 0;
-  double fast_seconds = 0;
-  for (auto _ : state) {
-    const double start = Now(CLOCK_THREAD_CPUTIME_ID);
-    paper.StepControl();
-    const double middle = Now(CLOCK_THREAD_CPUTIME_ID);
-    fast.StepControl();
-    paper_seconds += middle - start;
-    fast_seconds += Now(CLOCK_THREAD_CPUTIME_ID) - middle;
+  std::vector<std::unique_ptr<Episode>> episodes;
+  for (const Profile& profile : kProfiles) {
+    episodes.push_back(std::make_unique<Episode>(profile.name, situation));
   }
-  state.counters["ratio"] = paper_seconds / fast_seconds;
+  for (auto _ : state) {
+    for (const auto& episode : episodes) episode->StepControl();
+  }
+  for (size_t i = 0; i < kProfiles.size(); ++i) {
+    const std::string name(kProfiles[i].name);
+    const double seconds = episodes[i]->seconds() / static_cast<double>(state.iterations());
+    state.counters[name + "_us"] = 1e6 * seconds / kProfiles[i].StepsPerControlStep(control_step);
+    state.counters[name + "_x"] = control_step / seconds;
+  }
 }
-BENCHMARK(PaperAgainstFast)->Unit(benchmark::kMicrosecond)->MinTime(3);
+BENCHMARK_CAPTURE(ControlStep, standing, kStanding)->Unit(benchmark::kMicrosecond)->MinTime(3);
+BENCHMARK_CAPTURE(ControlStep, lying, kLying)->Unit(benchmark::kMicrosecond)->MinTime(3);
+BENCHMARK_CAPTURE(ControlStep, crawling, kCrawling)->Unit(benchmark::kMicrosecond)->MinTime(3);
+
+// The part of a physics step of `paper` that is not ODE's dWorldStep: controller, collisions,
+// filter, checks, signals, sensors.
+void OwnWork(benchmark::State& state) {
+  Episode episode("paper", kCrawling);
+  spans = {};
+  for (auto _ : state) episode.StepControl();
+  state.counters["own_share"] = spans.own_share();
+  state.counters["own_us"] = 1e6 * spans.own / static_cast<double>(spans.own_count);
+}
+BENCHMARK(OwnWork)->Unit(benchmark::kMicrosecond)->MinTime(2);
 
 // A fresh world, made at the start of every episode.
 void NewWorld(benchmark::State& state) {
@@ -181,3 +172,5 @@ BENCHMARK(NewWorld)->Unit(benchmark::kMicrosecond);
 
 }  // namespace
 }  // namespace runtime
+
+BENCHMARK_MAIN();

@@ -1,0 +1,100 @@
+// How alike the profiles are: many runs of the humanoid with the same random targets in each, and
+// what their ends and their contacts are on average. Prints a table (Markdown).
+//
+//   profile_ensemble [RUNS [PROFILE...]]
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <ctime>
+#include <string>
+#include <vector>
+
+#include "bench/random_motion.h"
+#include "runtime/simulation/world.h"
+
+namespace runtime {
+namespace {
+
+constexpr double kSeconds = 2;
+
+class Average {
+ public:
+  void Add(double value) {
+    ++count_;
+    sum_ += value;
+    squares_ += value * value;
+  }
+  std::string Text(int digits) const {
+    const double mean = sum_ / count_;
+    const double variance = (squares_ / count_ - mean * mean) / (count_ - 1);
+    return fmt::format("{:.{}f} ± {:.{}f}", mean, digits, std::sqrt(std::max(0.0, variance)),
+                       digits);
+  }
+
+ private:
+  int count_ = 0;
+  double sum_ = 0;
+  double squares_ = 0;
+};
+
+struct Averages {
+  Average height, distance, contacts, links, joint_speed;
+};
+
+void Run(const Profile& profile, unsigned seed, Averages& averages) {
+  World world(Humanoid(), profile, Humanoid().poses[0]);
+  RandomMotion motion(seed);
+  std::vector<double> targets(Humanoid().joints.size());
+  const int control_steps = static_cast<int>(kSeconds / Humanoid().controller.time_step + 0.5);
+  double contacts = 0, links = 0, joint_speed = 0;
+  for (int step = 0; step < control_steps; ++step) {
+    motion.Next(targets);
+    for (int i = 0; i < world.steps_per_control_step(); ++i) world.Step(targets);
+    contacts += static_cast<double>(world.collision().contacts().size());
+    for (int i = 0; i < world.body().link_count(); ++i) links += world.contacts().flag(i);
+    for (int j = 0; j < world.body().joint_count(); ++j) {
+      joint_speed += std::abs(dJointGetHingeAngleRate(world.body().hinge(j)));
+    }
+  }
+  const dReal* base = dBodyGetPosition(world.body().body(0));
+  averages.height.Add(base[2]);
+  averages.distance.Add(std::hypot(base[0], base[1]));
+  averages.contacts.Add(contacts / control_steps);
+  averages.links.Add(links / control_steps);
+  averages.joint_speed.Add(joint_speed / control_steps / world.body().joint_count());
+}
+
+double CpuSeconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+void PrintRow(const Profile& profile, int runs) {
+  Averages averages;
+  int diverged = 0;
+  const double start = CpuSeconds();
+  for (int run = 0; run < runs; ++run) {
+    try {
+      Run(profile, static_cast<unsigned>(run + 1), averages);
+    } catch (const OdeFailure&) {
+      ++diverged;
+    }
+  }
+  fmt::print("| {} | {} | {} | {} | {} | {} | {} | {:.1f} |\n", profile.name,
+             averages.height.Text(4), averages.distance.Text(3), averages.contacts.Text(2),
+             averages.links.Text(2), averages.joint_speed.Text(2), diverged,
+             runs * kSeconds / (CpuSeconds() - start));
+}
+
+}  // namespace
+}  // namespace runtime
+
+int main(int argc, char** argv) {
+  const int runs = argc > 1 ? std::atoi(argv[1]) : 256;
+  fmt::print(
+      "| profile | height (m) | distance (m) | contact points | links in `contact` | joint speed "
+      "(rad/s) | diverged | × real time |\n|---|---|---|---|---|---|---|---|\n");
+  for (const runtime::Profile& profile : runtime::kProfiles) {
+    bool wanted = argc <= 2;
+    for (int i = 2; i < argc; ++i) wanted |= argv[i] == profile.name;
+    if (wanted) runtime::PrintRow(profile, runs);
+  }
+}
