@@ -16,7 +16,7 @@ constexpr double kTemperature = 0.1;
 const GaussianNet& Net() {
   static const GaussianNet net = [] {
     const auto humanoid = robot::ReadRobot(SOURCE_DIR "/plugins/humanoid/robot.toml");
-    return BubbleNet(*humanoid.FindNet("bq01"), 1, Norm::kEuclidean);
+    return BubbleNet(PackSpheres(*humanoid.FindNet("bq01"), 1), Norm::kEuclidean);
   }();
   return net;
 }
@@ -30,7 +30,8 @@ Eigen::VectorXd FeaturesAt(int unit) {
 void MakeBubbleNet(benchmark::State& state) {
   const auto humanoid = robot::ReadRobot(SOURCE_DIR "/plugins/humanoid/robot.toml");
   for (auto _ : state) {
-    benchmark::DoNotOptimize(BubbleNet(*humanoid.FindNet("bq01"), 1, Norm::kEuclidean));
+    benchmark::DoNotOptimize(
+        BubbleNet(PackSpheres(*humanoid.FindNet("bq01"), 1), Norm::kEuclidean));
   }
 }
 BENCHMARK(MakeBubbleNet)->Unit(benchmark::kMillisecond);

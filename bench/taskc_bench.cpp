@@ -184,8 +184,8 @@ class HandWritten {
     for (double torque : s.joint_torque) squares += torque * torque;
     double reward = 0;
     Pay(reward, kForward,
-        0.25 / 0.005 *
-            (s.base_velocity[0] * s.base_up[0] + s.base_velocity[1] * s.base_up[1]) * time_step);
+        0.25 / 0.005 * (s.base_velocity[0] * s.base_up[0] + s.base_velocity[1] * s.base_up[1]) *
+            time_step);
     Pay(reward, kTurning, -0.025 / 0.005 * std::fabs(s.base_angular_velocity[2]) * time_step);
     Pay(reward, kEffort, -4e-9 / 0.0002 * __builtin_sqrt(squares) * time_step);
     if (!fallen_ && (s.contact[0] || s.contact[1])) {

@@ -4,12 +4,12 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdlib>
 #include <cstring>
 #include <optional>
 
 #include "compiler/build/file_io.h"
 #include "compiler/source/diagnostic.h"
+#include "plugins/cache/cache_folder.h"
 #include "plugins/seal/seal.h"
 
 namespace compiler {
@@ -22,21 +22,10 @@ namespace {
       cache.string(), reason));
 }
 
-std::string_view Environment(const char* name) {
-  const char* value = std::getenv(name);
-  return value == nullptr ? "" : value;
-}
-
 }  // namespace
 
 std::filesystem::path DefaultCacheFolder() {
-  if (auto folder = Environment("TASKC_CACHE"); !folder.empty()) return folder;
-  if (auto folder = Environment("XDG_CACHE_HOME"); !folder.empty()) {
-    return std::filesystem::path(folder) / "taskc";
-  }
-  if (auto folder = Environment("HOME"); !folder.empty()) {
-    return std::filesystem::path(folder) / ".cache" / "taskc";
-  }
+  if (auto folder = cache::DefaultFolder()) return *folder;
   throw CallError(
       "no place for the cache: HOME is not set; name a folder with --cache DIR or the environment "
       "variable TASKC_CACHE");

@@ -7,8 +7,7 @@
 
 namespace compiler {
 
-// $TASKC_CACHE, else $XDG_CACHE_HOME/taskc, else ~/.cache/taskc. Throws CallError where no variable
-// tells.
+// That of plugins/cache. Throws CallError where no variable tells.
 std::filesystem::path DefaultCacheFolder();
 
 // Whether a file holds a sealed plugin, whole and unchanged.

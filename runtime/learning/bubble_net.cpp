@@ -161,15 +161,19 @@ class Bubbles {
 
 }  // namespace
 
-GaussianNet BubbleNet(const robot::NetDescription& net, uint64_t seed, Norm norm) {
+Spheres PackSpheres(const robot::NetDescription& net, uint64_t seed) {
   assert(net.kind == robot::NetKind::kBubble);
   const auto dimensions = static_cast<Eigen::Index>(net.low.size());
   Bubbles bubbles(Eigen::Map<const Eigen::VectorXd>(net.low.data(), dimensions),
                   Eigen::Map<const Eigen::VectorXd>(net.high.data(), dimensions), net.units, seed);
   bubbles.Relax();
+  return {bubbles.positions(), bubbles.radius()};
+}
+
+GaussianNet BubbleNet(const Spheres& spheres, Norm norm) {
   Eigen::VectorXd deviations =
-      Eigen::VectorXd::Constant(dimensions, kDeviationOverRadius * bubbles.radius());
-  return GaussianNet(bubbles.positions().transpose(), std::move(deviations), norm);
+      Eigen::VectorXd::Constant(spheres.centres.rows(), kDeviationOverRadius * spheres.radius);
+  return GaussianNet(spheres.centres.transpose(), std::move(deviations), norm);
 }
 
 }  // namespace runtime

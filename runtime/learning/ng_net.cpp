@@ -7,6 +7,7 @@
 
 #include "runtime/learning/bubble_net.h"
 #include "runtime/learning/grid_net.h"
+#include "runtime/learning/kept_spheres.h"
 #include "runtime/module/connections.h"
 #include "runtime/module/suggestion.h"
 
@@ -23,7 +24,7 @@ GaussianNet MakeNet(const robot::NetDescription& net, int seed, Norm norm) {
     case robot::NetKind::kGrid:
       return GridNet(net, norm);
     case robot::NetKind::kBubble:
-      return BubbleNet(net, static_cast<uint64_t>(seed), norm);
+      return BubbleNet(KeptSpheres(net, static_cast<uint64_t>(seed)), norm);
   }
   return {};
 }

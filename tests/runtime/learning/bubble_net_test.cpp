@@ -10,7 +10,7 @@ namespace runtime {
 namespace {
 
 const GaussianNet& Bq01() {
-  static const GaussianNet net = BubbleNet(HumanoidNet("bq01"), 1, Norm::kEuclidean);
+  static const GaussianNet net = BubbleNet(PackSpheres(HumanoidNet("bq01"), 1), Norm::kEuclidean);
   return net;
 }
 
@@ -39,7 +39,7 @@ TEST(BubbleNet, FeaturesOfBq01ArePeakedAtTheCentres) {
 
 // Published: deviation 0.34586, neighbour distances 1.06 .. 1.15.
 TEST(BubbleNet, Bq3dof60IsLikeThePublishedOne) {
-  const GaussianNet net = BubbleNet(HumanoidNet("bq3dof60"), 1, Norm::kEuclidean);
+  const GaussianNet net = BubbleNet(PackSpheres(HumanoidNet("bq3dof60"), 1), Norm::kEuclidean);
   EXPECT_EQ(net.units(), 60);
   EXPECT_NEAR(net.deviations()[0], 0.34586, 0.01);
   EXPECT_NEAR(net.neighbour_distances().minCoeff(), 1.06, 0.02);
@@ -59,9 +59,9 @@ TEST(BubbleNet, CentresStayInTheBox) {
 
 TEST(BubbleNet, EqualSeedsGiveEqualNets) {
   const robot::NetDescription& description = HumanoidNet("bq3dof60");
-  const GaussianNet first = BubbleNet(description, 7, Norm::kEuclidean);
-  const GaussianNet second = BubbleNet(description, 7, Norm::kEuclidean);
-  const GaussianNet other = BubbleNet(description, 8, Norm::kEuclidean);
+  const GaussianNet first = BubbleNet(PackSpheres(description, 7), Norm::kEuclidean);
+  const GaussianNet second = BubbleNet(PackSpheres(description, 7), Norm::kEuclidean);
+  const GaussianNet other = BubbleNet(PackSpheres(description, 8), Norm::kEuclidean);
   EXPECT_EQ(first.centres(), second.centres());
   EXPECT_EQ(first.deviations(), second.deviations());
   EXPECT_NE(first.centres(), other.centres());
@@ -73,7 +73,7 @@ TEST(BubbleNet, OneBubbleComesToRestInTheMiddle) {
   net.units = 1;
   net.low = {0, 0};
   net.high = {1, 1};
-  const GaussianNet one = BubbleNet(net, 1, Norm::kEuclidean);
+  const GaussianNet one = BubbleNet(PackSpheres(net, 1), Norm::kEuclidean);
   EXPECT_NEAR(one.centres()(0, 0), 0.5, 0.05);
   EXPECT_NEAR(one.centres()(0, 1), 0.5, 0.05);
 }

@@ -111,7 +111,7 @@ TEST_F(DcobTest, MotionsOverBq01LastAsLongAsMeasured) {
   Use("5", "bq01");
   features_.Start();
   dcob_.Start();
-  const GaussianNet net = BubbleNet(HumanoidNet("bq01"), 1, Norm::kEuclidean);
+  const GaussianNet net = BubbleNet(PackSpheres(HumanoidNet("bq01"), 1), Norm::kEuclidean);
   Random random(1);
   Eigen::Vector3d sums = Eigen::Vector3d::Zero();
   constexpr int kMotions = 500;

@@ -64,14 +64,14 @@ TEST_F(NgNetTest, BubbleNetsDependOnTheirOwnSeedOnly) {
   Use("3", "bq3dof60");
   module_.Set("net_seed", int64_t{5});
   EXPECT_EQ(reader_.net().centres(),
-            BubbleNet(HumanoidNet("bq3dof60"), 5, Norm::kEuclidean).centres());
+            BubbleNet(PackSpheres(HumanoidNet("bq3dof60"), 5), Norm::kEuclidean).centres());
 }
 
 TEST_F(NgNetTest, MaxNormMeasuresTheNeighbours) {
   Use("3", "bq3dof60");
   module_.Set("max_norm", true);
   EXPECT_EQ(reader_.net().neighbour_distances(),
-            BubbleNet(HumanoidNet("bq3dof60"), 1, Norm::kMax).neighbour_distances());
+            BubbleNet(PackSpheres(HumanoidNet("bq3dof60"), 1), Norm::kMax).neighbour_distances());
 }
 
 TEST_F(NgNetTest, NetsOfAnotherConfigurationWithTheSameCoordinatesFit) {
