@@ -59,6 +59,7 @@ const std::map<std::string, Folders> kMayInclude = {
     {"runtime/run",
      {"plugins/robot", "plugins/seal", "runtime/learning", "runtime/module", "runtime/simulation",
       "runtime/task"}},
+    {"runtime/behavior", {"plugins/robot", "runtime/run"}},
     {"runtime/report", {"runtime/module", "runtime/run"}},
     {"runtime/control",
      {"runtime/learning", "runtime/module", "runtime/run", "runtime/simulation", "runtime/task"}},

@@ -2,16 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstring>
 #include <optional>
-#include <span>
 
 #include "runtime/module/user_error.h"
 #include "runtime/report/base64.h"
 #include "runtime/report/choose_recordings.h"
-#include "runtime/run/compression.h"
+#include "runtime/run/recorded_poses.h"
 #include "runtime/run/recorder.h"
 #include "runtime/run/sqlite.h"
 
@@ -25,7 +21,7 @@ constexpr size_t kMaximumCount = 40;  // more marks than that hide the learning 
 constexpr double kBase64Growth = 4. / 3;
 
 // The links' shapes as the run has noted them (body_json.h); empty where it has not.
-json ParseBody(const std::string& text) {
+json BodyOf(const std::string& text) {
   json body = json::parse(text, nullptr, false);
   return body.is_array() ? body : json::array();
 }
@@ -45,28 +41,12 @@ std::vector<RecordingEntry> ListRecordings(const std::filesystem::path& run_dir,
   return entries;
 }
 
-// The poses up to the first value that is not finite, since a diverged simulation cannot be drawn.
-std::span<const float> FiniteFrames(std::span<const float> poses, size_t frame_size) {
-  const auto bad =
-      std::find_if(poses.begin(), poses.end(), [](float value) { return !std::isfinite(value); });
-  return poses.first(static_cast<size_t>(bad - poses.begin()) / frame_size * frame_size);
-}
-
 // Throws UserError where the recording is damaged.
-json EncodeRecording(const Recording& recording, size_t frame_size) {
-  const std::string bytes = Decompress(recording.poses, "its data");
-  const size_t frames = static_cast<size_t>(std::max<int64_t>(recording.frames, 0));
-  if (frames == 0 || !(recording.frame_interval > 0) ||
-      bytes.size() != frames * frame_size * sizeof(float)) {
-    throw UserError("its data does not fit the robot's links");
-  }
-  std::vector<float> poses(bytes.size() / sizeof(float));
-  std::memcpy(poses.data(), bytes.data(), bytes.size());
-  const std::span<const float> finite = FiniteFrames(poses, frame_size);
-  if (finite.empty()) throw UserError("its poses are not finite");
-  return {{"frames", finite.size() / frame_size},
+json EncodeRecording(const Recording& recording, size_t link_count) {
+  const std::vector<float> poses = ReadPoses(recording, link_count);
+  return {{"frames", poses.size() / (link_count * Recorder::kFloatsPerLink)},
           {"interval", recording.frame_interval},
-          {"poses", EncodeFloats(finite)}};
+          {"poses", EncodeFloats(poses)}};
 }
 
 // The sizes in the page instead of the numbers of frames.
@@ -83,7 +63,7 @@ std::vector<RecordingEntry> WithSizes(std::vector<RecordingEntry> entries, size_
 void AddRecordings(const std::filesystem::path& run_dir, const RunDatabase& database,
                    const std::string& body, const std::vector<EpisodeRecord>& episodes,
                    json& data) {
-  data["body"] = ParseBody(body);
+  data["body"] = BodyOf(body);
   json& notes = data["notes"] = json::array();
   json& recordings = data["recordings"] = json::array();
   const size_t frame_size = data["body"].size() * Recorder::kFloatsPerLink;
@@ -100,7 +80,7 @@ void AddRecordings(const std::filesystem::path& run_dir, const RunDatabase& data
     const std::optional<Recording> stored = database.ReadRecording(episode);
     if (!stored) continue;  // deleted since it was listed
     try {
-      json recording = EncodeRecording(*stored, frame_size);
+      json recording = EncodeRecording(*stored, data["body"].size());
       recording["episode"] = episode;
       recording["best"] = index == BestRecording(entries);
       recordings.push_back(std::move(recording));

@@ -18,6 +18,13 @@ const char* ShapeName(robot::ShapeKind kind) {
   std::abort();
 }
 
+robot::ShapeKind ShapeKindOf(const std::string& name) {
+  for (const auto kind : {robot::ShapeKind::kBox, robot::ShapeKind::kCapsule}) {
+    if (name == ShapeName(kind)) return kind;
+  }
+  return robot::ShapeKind::kSphere;
+}
+
 }  // namespace
 
 std::string BodyJson(const robot::RobotDescription& robot) {
@@ -31,6 +38,24 @@ std::string BodyJson(const robot::RobotDescription& robot) {
                      {"axis", link.shape.axis}});
   }
   return links.dump();
+}
+
+std::vector<robot::Link> ParseBody(const std::string& json) {
+  std::vector<robot::Link> links;
+  try {
+    for (const nlohmann::json& link : nlohmann::json::parse(json)) {
+      robot::Link& parsed = links.emplace_back();
+      parsed.name = link.at("name");
+      parsed.shape.kind = ShapeKindOf(link.at("shape"));
+      parsed.shape.size = link.at("size");
+      parsed.shape.radius = link.at("radius");
+      parsed.shape.length = link.at("length");
+      parsed.shape.axis = link.at("axis");
+    }
+  } catch (const nlohmann::json::exception&) {
+    return {};
+  }
+  return links;
 }
 
 }  // namespace runtime

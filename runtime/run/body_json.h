@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "plugins/robot/robot_description.h"
 
@@ -11,5 +12,9 @@ namespace runtime {
 // {"name", "shape": "box"|"capsule"|"sphere", "size": [x, y, z], "radius", "length", "axis":
 // 0|1|2}.
 std::string BodyJson(const robot::RobotDescription& robot);
+
+// The links of BodyJson(), with their names and shapes and nothing else; none where the text is not
+// such a list.
+std::vector<robot::Link> ParseBody(const std::string& json);
 
 }  // namespace runtime

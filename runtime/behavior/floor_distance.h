@@ -1,0 +1,13 @@
+#pragma once
+
+#include <Eigen/Geometry>
+
+#include "plugins/robot/robot_description.h"
+
+namespace runtime {
+
+// The height of the lowest point of a link with this shape, whose centre is at `height` [m].
+double LowestPoint(const robot::LinkShape& shape, double height,
+                   const Eigen::Quaterniond& orientation);
+
+}  // namespace runtime
