@@ -61,6 +61,7 @@ const std::map<std::string, Folders> kMayInclude = {
       "runtime/task"}},
     {"runtime/behavior", {"plugins/robot", "runtime/run"}},
     {"runtime/report", {"runtime/module", "runtime/run"}},
+    {"runtime/study", {"runtime/behavior", "runtime/module", "runtime/report", "runtime/run"}},
     {"runtime/control",
      {"runtime/learning", "runtime/module", "runtime/run", "runtime/simulation", "runtime/task"}},
     {"runtime/server", {"runtime/control", "runtime/module"}},
@@ -69,7 +70,7 @@ const std::map<std::string, Folders> kMayInclude = {
     {"runtime/trainer",
      {"plugins/robot", "plugins/text", "plugins/watch", "runtime/agent", "runtime/client",
       "runtime/control", "runtime/module", "runtime/report", "runtime/run", "runtime/server",
-      "runtime/simulation", "runtime/task", "runtime/workers"}},
+      "runtime/simulation", "runtime/study", "runtime/task", "runtime/workers"}},
 };
 
 bool IsSource(const std::filesystem::path& file) {

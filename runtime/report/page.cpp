@@ -1,14 +1,19 @@
 #include "runtime/report/page.h"
 
+#include <fmt/chrono.h>
 #include <fmt/format.h>
 
+#include <cerrno>
+#include <chrono>
 #include <fstream>
 #include <functional>
 #include <iterator>
 #include <map>
 #include <string_view>
+#include <system_error>
 
 #include "runtime/module/user_error.h"
+#include "runtime/run/run_files.h"
 
 namespace runtime {
 namespace {
@@ -41,6 +46,14 @@ std::string EscapeHtml(std::string_view text) {
   return escaped;
 }
 
+[[noreturn]] void FailToWrite(const std::filesystem::path& file, const std::error_code& error) {
+  const bool is_full = error == std::errc::no_space_on_device || error.value() == EDQUOT;
+  throw UserError(fmt::format("{}: cannot write the report: {}; {}", file.string(), error.message(),
+                              is_full ? "free some space"
+                                      : "name another file with --output, in a folder that you may "
+                                        "write"));
+}
+
 using Part = std::function<std::string()>;
 
 // Replaces each {{name}} that `parts` knows. What is put in is not searched again, so that data may
@@ -61,9 +74,9 @@ std::string Fill(std::string_view page_template, const std::map<std::string, Par
 
 }  // namespace
 
-std::filesystem::path PageFolder() {
+std::filesystem::path PageFolder(std::string_view name) {
   const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe");
-  return program.parent_path().parent_path() / "share/taskc/report";
+  return program.parent_path().parent_path() / "share/taskc" / name;
 }
 
 std::string JsonForScript(const nlohmann::json& data) {
@@ -81,12 +94,20 @@ std::string JsonForScript(const nlohmann::json& data) {
 }
 
 std::string MakePage(const nlohmann::json& data, const std::filesystem::path& folder) {
-  const std::string task = data.at("run").value("task", "");
   return Fill(ReadPart(folder, "template.html"),
-              {{"title", [&] { return EscapeHtml(task) + " – learning run"; }},
-               {"style", [&] { return ReadPart(folder, "report.css"); }},
-               {"script", [&] { return ReadPart(folder, "report.js"); }},
+              {{"title", [&] { return EscapeHtml(data.at("title").get<std::string>()); }},
+               {"style", [&] { return ReadPart(folder, "page.css"); }},
+               {"script", [&] { return ReadPart(folder, "page.js"); }},
                {"data", [&] { return JsonForScript(data); }}});
+}
+
+void WritePage(const std::filesystem::path& file, const std::string& page) {
+  if (const std::error_code error = ReplaceFile(file, page)) FailToWrite(file, error);
+}
+
+std::string Now() {
+  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}",
+                     std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now()));
 }
 
 }  // namespace runtime

@@ -4,15 +4,22 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 
 namespace runtime {
 
-// share/taskc/report beside the running program's folder.
-std::filesystem::path PageFolder();
+// share/taskc/NAME beside the running program's folder; "report" and "study" are there.
+std::filesystem::path PageFolder(std::string_view name);
 
-// template.html of `folder` with report.css, report.js and `data` in it. Throws UserError where one
-// of these files cannot be read.
+// template.html of `folder` with page.css, page.js and `data` in it; data.title is the title.
+// Throws UserError where one of these files cannot be read.
 std::string MakePage(const nlohmann::json& data, const std::filesystem::path& folder);
+
+// Makes or replaces `file`, whole or not at all. Throws UserError.
+void WritePage(const std::filesystem::path& file, const std::string& page);
+
+// The present time, ISO 8601.
+std::string Now();
 
 // `data` as ASCII text that can stand inside <script>, whatever its strings hold: neither end tags
 // nor comments nor line separators. Bytes that are no UTF-8 become U+FFFD.

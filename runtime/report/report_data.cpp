@@ -1,9 +1,7 @@
 #include "runtime/report/report_data.h"
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 
-#include <chrono>
 #include <map>
 #include <string>
 #include <utility>
@@ -12,6 +10,7 @@
 #include "runtime/module/user_error.h"
 #include "runtime/report/agent_modules.h"
 #include "runtime/report/base64.h"
+#include "runtime/report/page.h"
 #include "runtime/report/report_changes.h"
 #include "runtime/report/report_recordings.h"
 #include "runtime/report/task_curves.h"
@@ -97,12 +96,11 @@ json CollectReportData(const std::filesystem::path& run_dir) {
   }
   json data;
   const TaskRecord& task = TaskWithId(run, episodes.back().active.task);
+  data["title"] = task.task + " – learning run";
   data["run"] = RunTexts(database, task);
   data["agentText"] = run.agent;
   data["modules"] = AgentModules(run.agent);
-  data["madeAt"] =
-      fmt::format("{:%Y-%m-%dT%H:%M:%SZ}",
-                  std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now()));
+  data["madeAt"] = Now();
   data["episode"] = EncodeSeries(episodes, [](const EpisodeRecord& e) { return e.number; });
   data["returns"] =
       EncodeSeries(episodes, [](const EpisodeRecord& e) { return e.active.episode_return; });

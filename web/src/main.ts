@@ -12,7 +12,7 @@ import { ValueCharts } from "./charts/value_charts.ts";
 import { decodeReport, type Recording, type Report } from "./data/report_data.ts";
 import { kWindows, usualWindow } from "./data/statistics.ts";
 import { formatCount, formatNumber } from "./data/words.ts";
-import { byId, element, prefersReducedMotion } from "./page/dom.ts";
+import { byId, element, hasWebGl, prefersReducedMotion } from "./page/dom.ts";
 import { showHistory } from "./page/history.ts";
 import { showKeyFigures, showMasthead } from "./page/masthead.ts";
 import { showProvenance, showSources } from "./page/provenance.ts";
@@ -81,10 +81,8 @@ function makeViewer(report: Report): Viewer | undefined {
         "The curves are complete without it.",
     );
   }
-  return new Viewer(report);
+  return new Viewer(report.body);
 }
-
-const hasWebGl = (): boolean => document.createElement("canvas").getContext("webgl2") !== null;
 
 function main(): void {
   const report = decodeReport(byId("report-data", HTMLElement).textContent ?? "");

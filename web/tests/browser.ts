@@ -1,6 +1,6 @@
-// The page in a real browser: browser.mjs FULL_PAGE FIRST_PAGE TUNED_PAGE SCREENSHOTS, where FULL_PAGE
-// shows a run with recordings, FIRST_PAGE one with a single episode and none, and TUNED_PAGE one with
-// changes and a shadow. CHROMIUM names the browser; without it the exit status is 77 (skipped).
+// The pages in a real browser: browser.mjs FULL_PAGE FIRST_PAGE TUNED_PAGE STUDY_PAGE SCREENSHOTS, where
+// FULL_PAGE shows a run with recordings, FIRST_PAGE one with a single episode and none, TUNED_PAGE one
+// with changes and a shadow, and STUDY_PAGE many runs. CHROMIUM names the browser; without it the exit status is 77 (skipped).
 
 import assert from "node:assert/strict";
 import { existsSync, mkdirSync } from "node:fs";
@@ -8,7 +8,8 @@ import { pathToFileURL } from "node:url";
 
 import { chromium, type Browser, type BrowserContextOptions, type Page } from "playwright-core";
 
-const [fullPage = "", firstPage = "", tunedPage = "", screenshots = "."] = process.argv.slice(2);
+const [fullPage = "", firstPage = "", tunedPage = "", studyPage = "", screenshots = "."] =
+  process.argv.slice(2);
 const kBrowser = process.env["CHROMIUM"] ?? "";
 const kSoftwareGl = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
 
@@ -149,6 +150,36 @@ const showsChangesAndShadows: Check = async (page) => {
   assert.match(await textOf(page, "#curve-readout"), /careful /);
 };
 
+const showsAStudy: Check = async (page) => {
+  assert.equal(await page.locator("#overview tbody tr").count(), 2);
+  assert.equal(await page.locator(".experiment .chart canvas").count(), 2);
+  assert.equal(await page.locator("#experiment-1 .group").count(), 2);
+  assert.match(await textOf(page, "#experiment-1 .group:nth-child(2)"), /Crawls fast\./);
+  assert.match(await textOf(page, "#experiment-1 .group:nth-child(1)"), /5 of 7 runs, 71 %/);
+  assert.match(await textOf(page, "#experiment-1 .group:nth-child(1)"), /groups\.toml/);
+  assert.match(await textOf(page, "#experiment-2"), /No finished run has a recording/);
+  assert.equal(await page.locator("#experiment-1 .runs-table tbody tr").count(), 8);
+};
+
+const drawsTheGroups: Check = async (page) => {
+  const group = page.locator("#experiment-1 .group").nth(1);
+  await group.scrollIntoViewIfNeeded();
+  const pixels = await colourfulPixels(page, "#experiment-1 .group:nth-child(2) .strip li:last-child");
+  assert.ok(pixels > 300, "a snapshot shows the robot");
+  await group.locator(".group-head").click();
+  assert.equal(await group.locator(".group-head").getAttribute("aria-pressed"), "true");
+};
+
+const replaysAGroup: Check = async (page) => {
+  await page.locator("#experiment-1 .group button.text").first().click();
+  await page.locator('#play[data-state="playing"]').waitFor();
+  assert.match(await textOf(page, "#replay-heading"), /crawling, group A: seed \d, episode 40/);
+  assert.ok((await colourfulPixels(page, "#stage canvas")) > 2000, "the robot is drawn");
+  await screenshot("study-replay")(page);
+  await page.locator("#close").click();
+  assert.ok(await page.locator("#stage").isHidden());
+};
+
 const staysAtRest: Check = async (page) => {
   await page.locator(".mark").first().click();
   await page.waitForTimeout(200);
@@ -209,6 +240,20 @@ async function checkFullPage(browser: Browser): Promise<void> {
   });
 }
 
+async function checkStudyPage(browser: Browser): Promise<void> {
+  await onPage(browser, studyPage, { colorScheme: "light" }, async (page) => {
+    for (const check of [showsAStudy, drawsTheGroups, replaysAGroup, fitsItsWidth]) {
+      await check(page);
+    }
+    await screenshot("study")(page);
+  });
+  await onPage(browser, studyPage, { colorScheme: "dark" }, screenshot("study-dark"));
+  await onPage(browser, studyPage, { viewport: { width: 390, height: 844 } }, async (page) => {
+    await screenshot("study-narrow")(page);
+    await fitsItsWidth(page);
+  });
+}
+
 if (!existsSync(kBrowser)) {
   console.log("skipped: there is no Chromium (Debian: apt install chromium)");
   process.exit(77);
@@ -223,6 +268,7 @@ await inBrowser(kSoftwareGl, async (browser) => {
     await screenshot("tuned")(page);
     await fitsItsWidth(page);
   });
+  await checkStudyPage(browser);
 });
 await inBrowser(["--disable-3d-apis"], async (browser) => {
   await onPage(browser, fullPage, {}, async (page) => {

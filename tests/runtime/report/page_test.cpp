@@ -19,8 +19,8 @@ class MakePageTest : public testing::Test {
  protected:
   void SetUp() override {
     Write("template.html", "<title>{{title}}</title>{{style}}<script>{{data}}</script>{{script}}");
-    Write("report.css", "p{}");
-    Write("report.js", "f()");
+    Write("page.css", "p{}");
+    Write("page.js", "f()");
   }
   void Write(const std::string& name, const std::string& text) {
     std::ofstream(folder_.path() / name) << text;
@@ -31,27 +31,27 @@ class MakePageTest : public testing::Test {
 };
 
 TEST_F(MakePageTest, PutsTheFourPartsIntoTheTemplate) {
-  EXPECT_EQ(Make({{"run", {{"task", "hop"}}}}),
+  EXPECT_EQ(Make({{"title", "hop – learning run"}}),
             "<title>hop – learning run</title>p{}"
-            "<script>{\"run\":{\"task\":\"hop\"}}</script>f()");
+            "<script>{\"title\":\"hop \\u2013 learning run\"}</script>f()");
 }
 
 TEST_F(MakePageTest, DataThatLooksLikeAPlaceholderStaysAsItIs) {
-  const std::string page = Make({{"run", {{"task", "{{script}}"}}}});
-  EXPECT_THAT(page, HasSubstr("<title>{{script}} – learning run</title>"));
+  const std::string page = Make({{"title", "{{script}}"}});
+  EXPECT_THAT(page, HasSubstr("<title>{{script}}</title>"));
   EXPECT_THAT(page, HasSubstr("\"{{script}}\""));
 }
 
 TEST_F(MakePageTest, NoTextEndsTheScriptOrTheTitle) {
-  const std::string page = Make({{"run", {{"task", "</title></script><!--<script>\""}}}});
-  EXPECT_THAT(page, HasSubstr("<title>&lt;/title&gt;&lt;/script&gt;&lt;!--&lt;script&gt;&quot; "));
+  const std::string page = Make({{"title", "</title></script><!--<script>\""}});
+  EXPECT_THAT(page, HasSubstr("<title>&lt;/title&gt;&lt;/script&gt;&lt;!--&lt;script&gt;&quot;<"));
   EXPECT_THAT(page, HasSubstr("\\u003c/title>\\u003c/script>\\u003c!--\\u003cscript>\\\""));
 }
 
 TEST_F(MakePageTest, AMissingPartIsNamedWithTheRemedy) {
-  std::filesystem::remove(folder_.path() / "report.js");
-  const std::string error = ErrorOf([&] { Make({{"run", json::object()}}); });
-  EXPECT_THAT(error, HasSubstr((folder_.path() / "report.js").string()));
+  std::filesystem::remove(folder_.path() / "page.js");
+  const std::string error = ErrorOf([&] { Make({{"title", ""}}); });
+  EXPECT_THAT(error, HasSubstr((folder_.path() / "page.js").string()));
   EXPECT_THAT(error, HasSubstr("`web`"));
 }
 

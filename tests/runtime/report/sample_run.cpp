@@ -72,7 +72,7 @@ EpisodeRecord SampleEpisode(int64_t number, int64_t episodes, std::mt19937& rand
 
 }  // namespace
 
-TaskRecord SampleTask() {
+TaskRecord SampleCrawling() {
   TaskRecord task;
   task.id = 1;
   task.module = "task";
@@ -98,7 +98,7 @@ RunRecord SampleRunRecord() {
   run.seed = 1;
   run.episodes_planned = 2000;
   run.record_every = 100;
-  run.tasks = {SampleTask()};
+  run.tasks = {SampleCrawling()};
   return run;
 }
 
@@ -132,7 +132,7 @@ void WriteSampleRun(const std::filesystem::path& folder, const SampleSize& size)
 namespace {
 
 TaskRecord CarefulTask(std::string module) {
-  TaskRecord task = SampleTask();
+  TaskRecord task = SampleCrawling();
   task.module = std::move(module);
   task.task_file = "tasks/careful.task";
   task.task_hash = "c0ffee5b7a1e";

@@ -9,7 +9,7 @@
 namespace runtime {
 
 // The task `crawling` as a run notes it.
-TaskRecord SampleTask();
+TaskRecord SampleCrawling();
 
 // What a run of `crawling` notes about itself; `body` is that of the humanoid.
 RunRecord SampleRunRecord();

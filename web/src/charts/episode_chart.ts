@@ -11,13 +11,16 @@ export interface ChartSeries {
   values: Float32Array;
   color: string;
   kind: "line" | "points";
+  width?: number; // of the line; otherwise 2 [CSS pixels]
   hasGaps?: boolean; // the line is broken where there are no values
 }
 
 export interface ChartOptions {
   episode: Float32Array;
   series: ChartSeries[];
+  band?: { upper: number; lower: number; color: string }; // between two of the series
   height: number;
+  sync?: string; // charts with the same word move their cursors together
   label: string; // for those who cannot see it
   onHover?: (index: number | null) => void;
   onDraw?: (plot: uPlot) => void;
@@ -25,6 +28,7 @@ export interface ChartOptions {
 
 const kFont = "12px system-ui, sans-serif";
 const kEpisodeSync = "episode";
+const kFaint = 0.12; // opacity of what is not emphasised
 
 function axis(side: number, format: (value: number) => string): uPlot.Axis {
   const isBottom = side === 2;
@@ -46,12 +50,17 @@ function plotSeries(series: ChartSeries): uPlot.Series {
   const isLine = series.kind === "line";
   return {
     stroke: () => themeColor(series.color),
-    width: 2,
+    width: series.width ?? 2,
     points: { show: false },
     spanGaps: !series.hasGaps,
     ...(isLine ? {} : { paths: () => null }), // drawn by drawPoints
   };
 }
+
+const plotBand = ({ upper, lower, color }: NonNullable<ChartOptions["band"]>): uPlot.Band => ({
+  series: [upper + 1, lower + 1],
+  fill: () => themeColor(color),
+});
 
 function drawZeroLine(plot: uPlot): void {
   const { min, max } = plot.scales["y"] as uPlot.Scale;
@@ -79,10 +88,11 @@ function plotOptions(options: ChartOptions, width: number): uPlot.Options {
     scales: { x: { time: false, range: rangeOf(options.episode) } },
     axes: [axis(2, formatCount), axis(3, formatNumberOnAxis)],
     series: [{}, ...options.series.map(plotSeries)],
+    ...(options.band ? { bands: [plotBand(options.band)] } : {}),
     cursor: {
       y: false,
       points: { show: false },
-      sync: { key: kEpisodeSync, setSeries: false, scales: ["x", null] },
+      sync: { key: options.sync ?? kEpisodeSync, setSeries: false, scales: ["x", null] },
       drag: { x: true, y: false, dist: 5 },
     },
     hooks: {
@@ -111,7 +121,7 @@ export class EpisodeChart {
     host.tabIndex = 0;
     host.addEventListener("keydown", (event) => this.onKey(event));
     new ResizeObserver(() => this.fit(options.height)).observe(host);
-    uPlot.sync(kEpisodeSync).sub(this.plot);
+    uPlot.sync(options.sync ?? kEpisodeSync).sub(this.plot);
   }
 
   setValues(index: number, values: Float32Array): void {
@@ -122,6 +132,14 @@ export class EpisodeChart {
 
   setVisible(index: number, visible: boolean): void {
     this.plot.setSeries(index + 1, { show: visible });
+  }
+
+  /** Lets all series stand back but those for which `isEmphasised` holds. */
+  emphasise(isEmphasised: (index: number) => boolean): void {
+    this.plot.series.slice(1).forEach((series, i) => {
+      series.alpha = isEmphasised(i) ? 1 : kFaint;
+    });
+    this.plot.redraw(false);
   }
 
   redraw(): void {

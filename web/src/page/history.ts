@@ -2,29 +2,19 @@
 
 import type { Change, Report } from "../data/report_data.ts";
 import { formatCount, formatDate } from "../data/words.ts";
-import { byId, element } from "./dom.ts";
-
-const cell = (text: string, kind: "td" | "th" = "td"): HTMLElement => element(kind, {}, text);
-
-function table(heads: string[], rows: HTMLElement[]): HTMLElement {
-  const head = element("tr", {}, ...heads.map((text) => cell(text, "th")));
-  return element(
-    "div",
-    { class: "scroll" },
-    element("table", { class: "list" }, element("thead", {}, head), element("tbody", {}, ...rows)),
-  );
-}
+import { byId } from "./dom.ts";
+import { row, table } from "./table.ts";
 
 function changeRow({ episode, step, text, at }: Change): HTMLElement {
   const place = formatCount(episode) + (step > 0 ? `, step ${formatCount(step)}` : "");
-  return element("tr", {}, cell(place), cell(text), cell(formatDate(at)));
+  return row([place, text, formatDate(at)]);
 }
 
 function versionRows(report: Report): HTMLElement[] {
   return report.versions.map(({ task, first, last }) => {
     const { name = "", file = "", hash = "" } = report.tasks[task] ?? {};
     const episodes = `${formatCount(first)} – ${formatCount(last)}`;
-    return element("tr", {}, cell(episodes), cell(name), cell(file), cell(hash.slice(0, 8)));
+    return row([episodes, name, file, hash.slice(0, 8)]);
   });
 }
 

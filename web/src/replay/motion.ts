@@ -6,6 +6,9 @@ export const kPoseSize = 7; // x, y, z, then the quaternion w, x, y, z
 
 export type Motion = Pick<Recording, "frames" | "interval" | "poses">;
 
+/** A recorded episode, whatever else is known of it. */
+export type Replay = Motion & Pick<Recording, "episode">;
+
 /** From the first frame to the last one [s]. */
 export const durationOf = (motion: Motion): number =>
   Math.max(0, motion.frames - 1) * motion.interval;

@@ -95,6 +95,13 @@ export class RobotModel {
     });
   }
 
+  dispose(): void {
+    this.object.traverse((part) => {
+      if (part instanceof Mesh) part.geometry.dispose();
+    });
+    for (const material of Object.values(this.materials)) material.dispose();
+  }
+
   private makeLink(link: BodyLink, index: number): Mesh {
     const side = sideOf(link.name);
     const isJoint = link.shape === "sphere" && side !== "trunk";

@@ -33,8 +33,8 @@ export class Stage {
   private readonly controls: OrbitControls;
   private readonly sky = new HemisphereLight(0xffffff, 0xffffff, 2.3);
   private readonly light = new DirectionalLight(0xffffff, 1.9);
-  private readonly robot: RobotModel;
-  private readonly poses: Float32Array;
+  private robot: RobotModel;
+  private poses: Float32Array;
   private readonly target = new Vector3(0, 0, kTargetHeight);
   private motion: Motion = kNothing;
   private path: Float32Array = new Float32Array();
@@ -61,6 +61,15 @@ export class Stage {
     this.controls.maxDistance = 8;
     this.controls.addEventListener("change", onView);
     this.resetView();
+  }
+
+  /** Takes the place of the present robot; the next call is `show`. */
+  setBody(body: BodyLink[]): void {
+    this.scene.remove(this.robot.object);
+    this.robot.dispose();
+    this.robot = new RobotModel(body);
+    this.poses = new Float32Array(body.length * kPoseSize);
+    this.scene.add(this.robot.object);
   }
 
   show(motion: Motion): void {

@@ -1,9 +1,8 @@
 // Snapshots of the replay side by side, as a paper prints a motion. A click leads there.
 
-import type { Recording } from "../data/report_data.ts";
 import { formatTime } from "../data/words.ts";
 import { element, leaveAfterClick } from "../page/dom.ts";
-import { durationOf, snapshotTimes } from "./motion.ts";
+import { durationOf, snapshotTimes, type Motion } from "./motion.ts";
 import type { Player } from "./player.ts";
 import type { Stage } from "./stage.ts";
 
@@ -15,7 +14,7 @@ export class Strip {
   private readonly captions: HTMLElement[] = [];
   private readonly buttons: HTMLButtonElement[] = [];
   private times: number[] = [];
-  private recording: Recording | undefined;
+  private recording: Motion | undefined;
 
   constructor(
     host: HTMLElement,
@@ -28,7 +27,7 @@ export class Strip {
     player.onChange(() => this.showPlace());
   }
 
-  show(recording: Recording): void {
+  show(recording: Motion): void {
     this.recording = recording;
     this.span.value = "";
     this.take();

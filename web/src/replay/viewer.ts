@@ -1,9 +1,9 @@
 // The replay with its controls: buttons, slider, keys, and the loop that draws while it plays.
 
-import type { Recording, Report } from "../data/report_data.ts";
+import type { BodyLink } from "../data/report_data.ts";
 import { formatLength, formatTime } from "../data/words.ts";
 import { byId, onThemeChange } from "../page/dom.ts";
-import { durationOf } from "./motion.ts";
+import { durationOf, type Replay } from "./motion.ts";
 import { Player } from "./player.ts";
 import { Stage } from "./stage.ts";
 import { Strip } from "./strip.ts";
@@ -19,13 +19,13 @@ export class Viewer {
   private readonly slider = byId("scrub", HTMLInputElement);
   private readonly clock = byId("clock", HTMLElement);
   private readonly place = byId("place", HTMLElement);
-  private recording: Recording | undefined;
+  private recording: Replay | undefined;
   private lastFrame: number | undefined;
   private isDrawPlanned = false;
   private settleTimer = 0;
 
-  constructor(report: Report) {
-    this.stage = new Stage(report.body, () => this.onView());
+  constructor(body: BodyLink[]) {
+    this.stage = new Stage(body, () => this.onView());
     this.stage.canvas.tabIndex = 0;
     this.stage.canvas.setAttribute("role", "img");
     this.frame.prepend(this.stage.canvas);
@@ -41,7 +41,7 @@ export class Viewer {
     this.player.onChange(() => this.update());
   }
 
-  show(recording: Recording): void {
+  show(recording: Replay): void {
     this.recording = recording;
     const duration = durationOf(recording);
     this.slider.max = String(duration);
@@ -53,6 +53,15 @@ export class Viewer {
     this.stage.show(recording);
     this.player.load(duration);
     this.strip.show(recording);
+  }
+
+  /** For recordings of another robot. */
+  setBody(body: BodyLink[]): void {
+    this.stage.setBody(body);
+  }
+
+  pause(): void {
+    this.player.pause();
   }
 
   play(): void {

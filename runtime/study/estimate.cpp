@@ -1,0 +1,37 @@
+#include "runtime/study/estimate.h"
+
+#include <algorithm>
+#include <boost/math/distributions/students_t.hpp>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace runtime {
+namespace {
+
+constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
+
+// Half the width of the interval that holds the mean with a probability of 95 %.
+double HalfWidth(const std::vector<double>& values, double mean) {
+  const auto count = static_cast<double>(values.size());
+  double squares = 0;
+  for (const double value : values) squares += (value - mean) * (value - mean);
+  const double error = std::sqrt(squares / (count - 1) / count);
+  return error * boost::math::quantile(boost::math::students_t(count - 1), 0.975);
+}
+
+}  // namespace
+
+Estimate EstimateMean(std::span<const double> values) {
+  std::vector<double> known;
+  std::ranges::copy_if(values, std::back_inserter(known), [](double v) { return !std::isnan(v); });
+  if (known.empty()) return {0, kNothing, kNothing, kNothing, kNothing, kNothing};
+  double sum = 0;
+  for (const double value : known) sum += value;
+  const double mean = sum / static_cast<double>(known.size());
+  const double half = known.size() > 1 ? HalfWidth(known, mean) : kNothing;
+  const auto [least, greatest] = std::ranges::minmax(known);
+  return {static_cast<int>(known.size()), mean, mean - half, mean + half, least, greatest};
+}
+
+}  // namespace runtime

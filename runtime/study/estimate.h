@@ -1,0 +1,20 @@
+#pragma once
+
+#include <span>
+
+namespace runtime {
+
+// The mean of independent values, and what is known of it.
+struct Estimate {
+  int count = 0;    // of the values that are numbers
+  double mean = 0;  // not a number without any
+  double low = 0;   // confidence interval of 95 % (Student's t); not a number for less than two
+  double high = 0;
+  double least = 0;  // of the values
+  double greatest = 0;
+};
+
+// Values that are not numbers are left out.
+Estimate EstimateMean(std::span<const double> values);
+
+}  // namespace runtime

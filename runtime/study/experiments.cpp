@@ -1,0 +1,77 @@
+#include "runtime/study/experiments.h"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <optional>
+#include <set>
+
+#include "runtime/module/user_error.h"
+
+namespace runtime {
+namespace {
+
+// What the runs of an experiment have in common.
+using Key = std::vector<std::string>;
+
+Key KeyOf(const StudyRun& run) {
+  return {run.folder.parent_path().string(), run.record.tasks.front().task_hash,
+          run.record.robot_description, run.record.profile, run.record.agent};
+}
+
+std::optional<StudyRun> ReadRun(const std::filesystem::path& study,
+                                const std::filesystem::path& folder,
+                                std::vector<std::string>& notes) {
+  StudyRun run{folder, folder.lexically_relative(study).string(), {}, {}, {}};
+  try {
+    const RunDatabase database = RunDatabase::OpenToRead(folder);
+    run.record = database.ReadRun();
+    run.state = database.ReadState();
+    run.episodes = database.ReadEpisodes();
+  } catch (const UserError& error) {
+    notes.push_back(fmt::format("{} is left out: {}", run.name, error.what()));
+    return std::nullopt;
+  }
+  return run;
+}
+
+std::string NameOf(const StudyExperiment& experiment, const std::filesystem::path& study,
+                   std::set<std::string>& taken) {
+  const std::filesystem::path parent = experiment.runs.front().folder.parent_path();
+  const std::string folder = parent.lexically_relative(study).string();
+  const bool has_folder = !folder.empty() && folder[0] != '.';  // else "." or ".."
+  const std::string stem =
+      has_folder ? folder
+                 : fmt::format("{}-{}", experiment.task().task, experiment.record().profile);
+  std::string name = stem;
+  for (int count = 2; !taken.insert(name).second; ++count) {
+    name = fmt::format("{} ({})", stem, count);
+  }
+  return name;
+}
+
+}  // namespace
+
+bool StudyRun::is_finished() const {
+  return static_cast<int64_t>(episodes.size()) >= record.episodes_planned;
+}
+
+Study ReadStudyRuns(const std::filesystem::path& folder,
+                    const std::vector<std::filesystem::path>& runs) {
+  Study study;
+  std::map<Key, size_t> index;
+  for (const std::filesystem::path& run_folder : runs) {
+    std::optional<StudyRun> run = ReadRun(folder, run_folder, study.notes);
+    if (!run) continue;
+    const auto [place, is_new] = index.try_emplace(KeyOf(*run), study.experiments.size());
+    if (is_new) study.experiments.emplace_back();
+    study.experiments[place->second].runs.push_back(std::move(*run));
+  }
+  std::set<std::string> taken;
+  for (StudyExperiment& experiment : study.experiments) {
+    experiment.name = NameOf(experiment, folder, taken);
+  }
+  return study;
+}
+
+}  // namespace runtime

@@ -1,0 +1,60 @@
+// What came out of the runs of an experiment.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "runtime/study/behavior_groups.h"
+#include "runtime/study/estimate.h"
+#include "runtime/study/experiments.h"
+#include "runtime/study/learning.h"
+
+namespace runtime {
+
+struct RunResult {
+  const StudyRun* run = nullptr;
+  FinalMeans final;        // of a run with an episode at least
+  double best_return = 0;  // not a number without one
+  std::optional<MostLearned> most_learned;
+  double cpu_seconds = 0;
+  std::optional<size_t> group;  // index
+};
+
+// Sentences that people wrote, by the names of runs (group_notes.h).
+using Sentences = std::map<std::string, std::string>;
+
+struct ExperimentResult {
+  const StudyExperiment* experiment = nullptr;
+  int64_t window = 1;  // of all means, in episodes
+  std::vector<RunResult> runs;
+  std::vector<BehaviorGroup> groups;
+};
+
+// `experiment` outlives the result. `notes`: gets sentences about what is missing.
+ExperimentResult Evaluate(const StudyExperiment& experiment, std::vector<std::string>& notes);
+
+// The mean over runs of what `value` takes from each.
+template <class Runs, class Value>
+Estimate EstimateOver(const Runs& runs, Value value) {
+  std::vector<double> values;
+  for (const RunResult& run : runs) values.push_back(value(run));
+  return EstimateMean(values);
+}
+
+// Of the runs of `group`.
+std::vector<RunResult> MembersOf(const ExperimentResult& result, const BehaviorGroup& group);
+
+// The curves of all runs at the same episodes, at most kPoints of them.
+struct Curves {
+  static constexpr int64_t kPoints = 400;
+  std::vector<double> episodes;
+  std::vector<std::vector<double>> runs;  // moving averages; shorter where a run is
+  std::vector<Estimate> means;            // over the runs that came as far
+};
+
+Curves CurvesOf(const ExperimentResult& result);
+
+}  // namespace runtime

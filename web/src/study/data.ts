@@ -1,0 +1,130 @@
+// What the page of a study shows: the JSON that runtime/study/study_report.cpp writes, decoded.
+
+import { decodeFloats } from "../data/base64.ts";
+import type { AgentModule, BodyLink } from "../data/report_data.ts";
+import type { Replay } from "../replay/motion.ts";
+
+/** A mean over runs with its confidence interval of 95 %; null where there are too few runs. */
+export interface Estimate {
+  count: number;
+  mean: number | null;
+  low: number | null;
+  high: number | null;
+  least: number | null;
+  greatest: number | null;
+}
+
+export interface Metric {
+  name: string;
+  unit: string;
+  reduction: string;
+  doc: string;
+  value: Estimate;
+}
+
+export interface Term {
+  name: string;
+  doc: string;
+  value: Estimate;
+  share: number | null; // of the sum of all terms' magnitudes, with its sign
+}
+
+export interface StudyRun {
+  name: string;
+  seed: number;
+  state: string;
+  episodes: number;
+  episodes_planned: number;
+  final_return: number | null;
+  best_return: number | null;
+  episodes_to_80_percent: number | null;
+  cpu_minutes_to_80_percent: number | null;
+  cpu_minutes: number;
+  metrics: Record<string, number>;
+  group: number | null; // index
+  curve: Float32Array; // moving average at the experiment's episodes; shorter where the run is
+}
+
+/** Runs that ended in the same behavior. */
+export interface Group {
+  runs: number[]; // indices
+  typical: number; // the run in the middle
+  share: number; // of the runs that ended
+  sentences: string[]; // that people wrote
+  final_return: Estimate;
+  metrics: Metric[];
+  recording?: Replay; // of the typical run's last episode
+}
+
+export interface Curve {
+  episodes: Float32Array;
+  mean: Float32Array;
+  low: Float32Array;
+  high: Float32Array;
+}
+
+export interface Experiment {
+  name: string;
+  task: string;
+  task_file: string;
+  robot: string;
+  profile: string;
+  version: string;
+  mean_over: number; // episodes
+  final_return: Estimate;
+  best_return: Estimate;
+  episodes_to_80_percent: Estimate;
+  cpu_minutes_to_80_percent: Estimate;
+  cpu_minutes: Estimate;
+  metrics: Metric[];
+  terms: Term[];
+  groups: Group[];
+  runs: StudyRun[];
+  curve: Curve;
+  modules: Record<string, AgentModule>;
+  agentText: string;
+  source: string; // the task's own text
+  body: BodyLink[];
+}
+
+export interface Study {
+  folder: string;
+  madeAt: string;
+  experiments: Experiment[];
+  notes: string[];
+}
+
+type Encoded<Value> = { [Key in keyof Value]: Value[Key] extends Float32Array ? string : Value[Key] };
+interface EncodedGroup extends Omit<Group, "recording"> {
+  recording?: Encoded<Replay>;
+}
+interface EncodedExperiment extends Omit<Experiment, "curve" | "runs" | "groups"> {
+  curve: Encoded<Curve>;
+  runs: Encoded<StudyRun>[];
+  groups: EncodedGroup[];
+}
+
+const decodeGroup = ({ recording, ...group }: EncodedGroup): Group => ({
+  ...group,
+  ...(recording && { recording: { ...recording, poses: decodeFloats(recording.poses) } }),
+});
+
+const decodeExperiment = (experiment: EncodedExperiment): Experiment => ({
+  ...experiment,
+  curve: {
+    episodes: decodeFloats(experiment.curve.episodes),
+    mean: decodeFloats(experiment.curve.mean),
+    low: decodeFloats(experiment.curve.low),
+    high: decodeFloats(experiment.curve.high),
+  },
+  runs: experiment.runs.map((run) => ({ ...run, curve: decodeFloats(run.curve) })),
+  groups: experiment.groups.map(decodeGroup),
+});
+
+/** The study as `text` (JSON) says it. */
+export function decodeStudy(text: string): Study {
+  const encoded = JSON.parse(text) as Omit<Study, "experiments"> & {
+    experiments: EncodedExperiment[];
+  };
+  return { ...encoded, experiments: encoded.experiments.map(decodeExperiment) };
+}

@@ -1,0 +1,150 @@
+// One experiment: its curves, what came out of its runs, and the groups in which they ended.
+
+import { docOfTask } from "../data/task_source.ts";
+import { agentInWords, formatCount, formatNumber } from "../data/words.ts";
+import { element } from "../page/dom.ts";
+import { row, table } from "../page/table.ts";
+import { Curves } from "./curves.ts";
+import type { Estimate, Experiment, Group, StudyRun, Term } from "./data.ts";
+import { GroupCards } from "./groups.ts";
+import type { Snapshots } from "./snapshots.ts";
+import { colorOf, count, interval, letterOf, mean, runs } from "./words.ts";
+
+const kStates: Record<string, string> = { interrupted: "stopped" };
+
+const number = (value: number | null): string => formatNumber(value ?? undefined);
+
+export const idOf = (index: number): string => `experiment-${index + 1}`;
+
+function heading(experiment: Experiment): HTMLElement {
+  const { name, task, profile, robot } = experiment;
+  const words = [agentInWords(experiment.modules), robot, `profile ${profile}`];
+  return element(
+    "header",
+    {},
+    element("h2", {}, name),
+    element("p", {}, docOfTask(experiment.source) || task.replaceAll("_", " ")),
+    element("p", { class: "note" }, words.filter(Boolean).join(" · ")),
+  );
+}
+
+function figure(name: string, value: string, note: string): HTMLElement {
+  return element(
+    "div",
+    { class: "figure" },
+    element("dt", {}, name),
+    element("dd", { class: "number" }, value),
+    element("dd", { class: "note" }, note),
+  );
+}
+
+/** The interval, or why there is none. */
+const intervalOf = (estimate: Estimate, format?: (value: number | undefined) => string): string =>
+  interval(estimate, format) ? `95 %: ${interval(estimate, format)}` : `of ${runs(estimate.count)}`;
+
+function keyFigures(experiment: Experiment): HTMLElement {
+  const { final_return, best_return, episodes_to_80_percent, cpu_minutes_to_80_percent } =
+    experiment;
+  const list = element("dl", { class: "figures" });
+  list.append(
+    figure("Final return", mean(final_return), intervalOf(final_return)),
+    figure("Best episode", number(best_return.greatest), `mean of the runs’ best ${mean(best_return)}`),
+    figure("Episodes to 80 %", mean(episodes_to_80_percent, count), intervalOf(episodes_to_80_percent, count)),
+    figure("CPU minutes to 80 %", mean(cpu_minutes_to_80_percent), intervalOf(cpu_minutes_to_80_percent)),
+  );
+  for (const { name, unit, value } of experiment.metrics) {
+    list.append(figure(unit ? `${name} [${unit}]` : name, mean(value), intervalOf(value)));
+  }
+  return list;
+}
+
+/** What a term paid at the end, and a bar for its share: to the right if paid, to the left if taken. */
+function termRow({ name, doc, value, share }: Term): HTMLTableRowElement {
+  const bar = element("span", { class: "share-bar" });
+  const part = element("span", { class: (share ?? 0) < 0 ? "taken" : "paid" });
+  part.style.width = `${50 * Math.abs(share ?? 0)}%`;
+  bar.append(part);
+  const title = element("span", doc ? { title: doc } : {}, name);
+  const percent = share === null ? "–" : `${formatNumber(100 * share)} %`;
+  return row([title, bar, percent, mean(value)]);
+}
+
+function termTable(experiment: Experiment): HTMLElement {
+  const rows = experiment.terms.map(termRow);
+  const heads = ["Term", "", "Share", "Per episode"];
+  const host = table(heads, rows);
+  host.classList.add("terms-table");
+  return host;
+}
+
+function runRow(run: StudyRun, experiment: Experiment): HTMLTableRowElement {
+  const group = run.group === null ? "" : letterOf(run.group);
+  const swatch = element("span", { class: "swatch", "aria-hidden": "true" });
+  swatch.style.background = `var(${colorOf(run.group)})`;
+  return row([
+    element("span", {}, swatch, run.name),
+    kStates[run.state] ?? run.state,
+    `${formatCount(run.episodes)} / ${formatCount(run.episodes_planned)}`,
+    number(run.final_return),
+    number(run.best_return),
+    count(run.episodes_to_80_percent ?? undefined),
+    number(run.cpu_minutes_to_80_percent),
+    number(run.cpu_minutes),
+    ...experiment.metrics.map(({ name }) => formatNumber(run.metrics[name])),
+    group,
+  ]);
+}
+
+function runTable(experiment: Experiment): HTMLElement {
+  const heads = [
+    ...["Run", "State", "Episodes", "Final return", "Best", "Episodes to 80 %"],
+    ...["CPU min to 80 %", "CPU min"],
+    ...experiment.metrics.map(({ name, unit }) => (unit ? `${name} [${unit}]` : name)),
+    "Group",
+  ];
+  const rows = experiment.runs.map((run) => runRow(run, experiment));
+  const host = table(heads, rows);
+  host.classList.add("runs-table");
+  return element("details", {}, element("summary", {}, "Runs"), host);
+}
+
+/** Where the runs ended, in words. */
+function groupWords({ groups, runs: all }: Experiment): string {
+  const open = all.filter((run) => run.group === null).length;
+  const rest = open > 0 ? ` ${runs(open)} not finished, or without a recording, in none of them.` : "";
+  if (groups.length === 0) return "No finished run has a recording yet.";
+  const number = groups.length === 1 ? "one group" : `${groups.length} groups`;
+  return `The finished runs, by their last recorded episodes, fall into ${number}.${rest}`;
+}
+
+/** The section of an experiment; `replay` is called for a group whose replay is asked for. */
+export function showExperiment(
+  experiment: Experiment,
+  index: number,
+  snapshots: Snapshots,
+  replay: (group: Group, title: string) => void,
+): HTMLElement {
+  const chart = element("div", {});
+  const section = element(
+    "section",
+    { class: "experiment", id: idOf(index) },
+    heading(experiment),
+    keyFigures(experiment),
+    element(
+      "div",
+      { class: "first-row" },
+      element("div", {}, element("h3", {}, "Learning curves"), chart),
+      element("div", {}, element("h3", {}, "What the return was paid for"), termTable(experiment)),
+    ),
+    element("h3", {}, "Where the runs ended"),
+    element("p", { class: "note" }, groupWords(experiment)),
+  );
+  // The chart takes its width from the page.
+  requestAnimationFrame(() => {
+    const curves = new Curves(experiment, chart);
+    const emphasise = (numbers: number[]): void => curves.emphasise(numbers);
+    const cards = new GroupCards(experiment, snapshots, { emphasise, replay });
+    section.append(cards.element, runTable(experiment));
+  });
+  return section;
+}

@@ -1,0 +1,58 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+
+import { decodeStudy, type Estimate, type Group } from "../src/study/data.ts";
+import { colorOf, count, interval, letterOf, mean, range, shareOf } from "../src/study/words.ts";
+
+const one = "AACAPw=="; // 1
+const known: Estimate = { count: 3, mean: 2, low: -1, high: 5, least: 1, greatest: 3 };
+const unknown: Estimate = {
+  count: 1,
+  mean: 2,
+  low: null,
+  high: null,
+  least: 2,
+  greatest: 2,
+};
+
+test("curves and replays of a study are decoded", () => {
+  const recording = { episode: 40, frames: 1, interval: 0.02, poses: one };
+  const study = decodeStudy(
+    JSON.stringify({
+      folder: "six-tasks",
+      experiments: [
+        {
+          curve: { episodes: one, mean: one, low: one, high: one },
+          runs: [{ name: "seed1", curve: one }],
+          groups: [{ runs: [0], recording }, { runs: [1] }],
+        },
+      ],
+    }),
+  );
+  const experiment = study.experiments[0];
+  assert.deepEqual([...(experiment?.curve.low ?? [])], [1]);
+  assert.deepEqual([...(experiment?.runs[0]?.curve ?? [])], [1]);
+  assert.deepEqual([...(experiment?.groups[0]?.recording?.poses ?? [])], [1]);
+  assert.equal(experiment?.groups[1]?.recording, undefined);
+});
+
+test("an estimate is told with what is known of it", () => {
+  assert.equal(mean(known), "2.000");
+  assert.equal(interval(known), "−1.000 … 5.000");
+  assert.equal(interval(unknown), "");
+  assert.equal(range(known, count), "1 … 3");
+  assert.equal(range(unknown), "");
+  assert.equal(count(undefined), "–");
+});
+
+test("a group is told with its share of the runs", () => {
+  const group = { runs: [0, 3], share: 2 / 7 } as Group;
+  assert.equal(shareOf(group), "2 of 7 runs, 29 %");
+});
+
+test("groups are lettered and coloured", () => {
+  assert.deepEqual([0, 25, 26, 27, 52].map(letterOf), ["A", "Z", "AA", "AB", "BA"]);
+  assert.equal(colorOf(0), "--series-1");
+  assert.equal(colorOf(8), "--series-1");
+  assert.equal(colorOf(null), "--ink-faint");
+});
