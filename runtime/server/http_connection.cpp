@@ -111,6 +111,7 @@ void HttpConnection::OnHeader(error_code error) {
 
 void HttpConnection::ReadBody(error_code error) {
   if (error) return OnReadError(error);
+  stream_.expires_after(service_.limits.patience);  // before, it may have been idle
   http::async_read(stream_, buffer_, *parser_, Then(&HttpConnection::OnBody));
 }
 

@@ -41,22 +41,27 @@ class TaskWatch {
       throw CallError(fmt::format("{}: there is no such file", options_.file.string()));
     }
     options_.file = std::filesystem::absolute(options_.file).lexically_normal();
-    const std::set<std::filesystem::path> files = FilesOfTask(options_.file);
-    files_.Watch(files);
-    const std::vector<std::string> names(files.begin(), files.end());
+    WatchFiles();
+    const std::vector<std::string> names(files_.begin(), files_.end());
     Print({{"watching", names}}, fmt::format("watching {}\n", fmt::join(names, ", ")));
   }
 
   // Until Ctrl-C. A trainer that ends may be resumed; then this goes on as well.
   void Run() {
-    while (files_.Wait(kNeverStop)) {
+    while (watch_.Wait(kNeverStop)) {
       if (!std::filesystem::exists(options_.file)) continue;
       Swap();
-      files_.Watch(FilesOfTask(options_.file));
+      WatchFiles();
     }
   }
 
  private:
+  // Those of the last time too: a file may be gone for a moment.
+  void WatchFiles() {
+    files_.merge(FilesOfTask(options_.file));
+    watch_.Watch(files_);
+  }
+
   Reply AskForSwap() const {
     json arguments = {{"name", options_.name}, {"file", options_.file.string()}};
     if (options_.now) arguments["now"] = true;
@@ -97,7 +102,8 @@ class TaskWatch {
   const bool is_for_a_program_;
   const std::filesystem::path run_;
   WatchOptions options_;
-  watch::FileWatch files_;
+  std::set<std::filesystem::path> files_;
+  watch::FileWatch watch_;
 };
 
 }  // namespace

@@ -1,6 +1,8 @@
 // Clients that are wrong, slow, or many.
 #include <fmt/format.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <thread>
@@ -230,6 +232,36 @@ TEST_F(RobustnessTest, AClientMayGoBeforeItsReplyComes) {
   client.reset();
   reply({.value = "saved"});
   ExpectThatItStillAnswers();
+}
+
+// While it lives, this process can open only so many files more.
+class FileLimit {
+ public:
+  explicit FileLimit(int more) {
+    getrlimit(RLIMIT_NOFILE, &before_);
+    const Descriptor next(dup(STDERR_FILENO));  // the lowest number that is free
+    rlimit lower = before_;
+    lower.rlim_cur = static_cast<rlim_t>(next.get() + more);
+    setrlimit(RLIMIT_NOFILE, &lower);
+  }
+  FileLimit(const FileLimit&) = delete;
+  FileLimit& operator=(const FileLimit&) = delete;
+  ~FileLimit() { setrlimit(RLIMIT_NOFILE, &before_); }
+
+ private:
+  rlimit before_;
+};
+
+TEST_F(RobustnessTest, ClientsWaitWhileThereAreNoMoreDescriptors) {
+  Start();
+  std::optional<FileLimit> limit(1);
+  RawClient client = OnPort();
+  ASSERT_TRUE(client.socket().is_open());
+  client.Send(StatusRequest());
+  std::this_thread::sleep_for(300ms);
+  EXPECT_EQ(handler_.count(), 0);
+  limit.reset();
+  EXPECT_EQ(client.Receive().status, 200);
 }
 
 }  // namespace
