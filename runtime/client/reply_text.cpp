@@ -67,21 +67,36 @@ bool IsSection(const json& value) {
   return (value.is_object() && !IsFlat(value)) || IsTable(value) || HasLines(value);
 }
 
+std::vector<std::string> Ordered(std::vector<std::string> names) {
+  std::ranges::stable_sort(names, {}, [](const std::string& name) {
+    return std::ranges::find(kOrder, std::string_view(name)) - kOrder.begin();
+  });
+  return names;
+}
+
 std::string CellText(std::string_view name, const json& value);
 
-// "forward 12.5, effort -0.3"
 std::string ListText(std::string_view name, const json& list) {
   std::string text;
-  for (const auto& [key, value] : list.items()) {
-    text += text.empty() ? "" : ", ";
-    text += list.is_object() ? key + " " + CellText(key, value) : CellText(name, value);
+  for (const json& value : list) text += (text.empty() ? "" : ", ") + CellText(name, value);
+  return text;
+}
+
+// "forward 12.5, effort -0.3"
+std::string MembersText(const json& object) {
+  std::vector<std::string> names;
+  for (const auto& [name, value] : object.items()) names.push_back(name);
+  std::string text;
+  for (const std::string& name : Ordered(std::move(names))) {
+    text += (text.empty() ? "" : ", ") + name + " " + CellText(name, object[name]);
   }
   return text;
 }
 
 std::string CellText(std::string_view name, const json& value) {
   if (value.is_null() || (value.is_structured() && value.empty())) return "-";
-  if (value.is_structured()) return ListText(name, value);
+  if (value.is_object()) return MembersText(value);
+  if (value.is_array()) return ListText(name, value);
   if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
   if (value.is_number_float()) return fmt::format("{:.6g}", value.get<double>());
   if (!value.is_string()) return value.dump();
@@ -112,13 +127,6 @@ std::string Aligned(const std::vector<Row>& rows) {
     text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
   }
   return text;
-}
-
-std::vector<std::string> Ordered(std::vector<std::string> names) {
-  std::ranges::stable_sort(names, {}, [](const std::string& name) {
-    return std::ranges::find(kOrder, std::string_view(name)) - kOrder.begin();
-  });
-  return names;
 }
 
 // The members of all rows that fit into a cell.

@@ -8,6 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "runtime/control/build_task.h"
+
 namespace runtime {
 namespace {
 
@@ -31,10 +33,9 @@ std::string OutputOf(const std::string& command) {
 }
 
 nlohmann::json CompilersReport(const std::filesystem::path& task) {
-  const std::filesystem::path compiler =
-      std::filesystem::read_symlink("/proc/self/exe").parent_path() / "taskc";
-  const std::string command = fmt::format("{} check --format json {} 2>/dev/null",
-                                          Quoted(compiler.string()), Quoted(task.string()));
+  const std::string command =
+      fmt::format("{} check --format json {} 2>/dev/null", Quoted(CompilerProgram().string()),
+                  Quoted(task.string()));
   return nlohmann::json::parse(OutputOf(command), nullptr, false);
 }
 

@@ -58,10 +58,13 @@ class ChildOutput {
 
 }  // namespace
 
+std::filesystem::path CompilerProgram() {
+  return std::filesystem::read_symlink("/proc/self/exe").parent_path() / "taskc";
+}
+
 bool BuildTask(const std::filesystem::path& task, const std::filesystem::path& plugin,
                std::string* messages) {
-  const std::filesystem::path compiler =
-      std::filesystem::read_symlink("/proc/self/exe").parent_path() / "taskc";
+  const std::filesystem::path compiler = CompilerProgram();
   std::array<std::string, 5> words = {compiler.string(), "build", task.string(), "-o",
                                       plugin.string()};
   std::array<char*, words.size() + 1> arguments{};

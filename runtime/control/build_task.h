@@ -6,7 +6,10 @@
 
 namespace runtime {
 
-// Runs `taskc build`, which lies beside the running executable; returns whether `plugin` was
+// `taskc`, which lies beside the running executable.
+std::filesystem::path CompilerProgram();
+
+// Runs `taskc build`; returns whether `plugin` was
 // written. What the compiler says goes to `messages`, or else to the user as it is. Throws
 // UserError where the compiler cannot be run.
 bool BuildTask(const std::filesystem::path& task, const std::filesystem::path& plugin,

@@ -46,6 +46,8 @@ int AskAndPrint(const CtlOptions& options, const Request& request) {
                                 : json{{"ok", false}, {"error", reply.error}}.dump());
   } else if (reply.ok) {
     fmt::print("{}", ReplyText(reply.value));
+  } else if (reply.error.find('\n') != std::string::npos) {
+    fmt::print(stderr, "{}\n", reply.error);  // the compiler's messages, as it writes them
   } else {
     throw UserError(reply.error);
   }

@@ -110,7 +110,7 @@ TEST_F(CtlTest, WrongLinesAreRefusedBeforeTheTrainerHearsOfThem) {
 TEST_F(CtlTest, ARefusalIsAnError) {
   const ProgramResult text = Ctl({"unload", "shadow"});
   EXPECT_EQ(text.exit_status, 1);
-  EXPECT_EQ(text.errors, "trainer: error: there is no task module `shadow`\nthere is `task`\n");
+  EXPECT_EQ(text.errors, "there is no task module `shadow`\nthere is `task`\n");
   const ProgramResult with_json = Ctl({"unload", "shadow", "--json"});
   EXPECT_EQ(with_json.exit_status, 1);
   EXPECT_EQ(json::parse(with_json.output),

@@ -1,0 +1,102 @@
+// A trainer that is talked to while it trains.
+#include <signal.h>
+#include <unistd.h>
+
+#include <nlohmann/json.hpp>
+
+#include "runtime/client/client.h"
+#include "tests/runtime/trainer/trainer_test.h"
+
+namespace runtime {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+constexpr int kManyEpisodes = 100'000;
+
+class ServeTest : public TrainerTest {
+ protected:
+  // The words of a call of the trainer, with a run that ends only where it is told to.
+  std::vector<std::string> Words(const std::string& command) const {
+    std::vector<std::string> words = Training("run", kManyEpisodes);
+    words.front() = command;
+    words.insert(words.begin(), TRAINER);
+    return words;
+  }
+
+  bool IsAnswering() const {
+    for (int tries = 0; tries < 3000; ++tries) {
+      if (std::filesystem::exists(RunFolder("run")) && HasTrainer(RunFolder("run"))) return true;
+      usleep(10'000);
+    }
+    return false;
+  }
+
+  json ValueOf(const std::string& command, const json& arguments = json::object()) const {
+    const Reply reply = Ask(RunFolder("run"), {command, arguments});
+    EXPECT_TRUE(reply.ok) << command << ": " << reply.error;
+    return reply.value;
+  }
+};
+
+TEST_F(ServeTest, ARunIsLookedAtChangedAndStopped) {
+  ChildProcess trainer(Words("train"));
+  ASSERT_TRUE(IsAnswering());
+  EXPECT_EQ(ValueOf("status")["state"], "running");
+  EXPECT_EQ(ValueOf("set", {{"name", "task.limit"}, {"value", "0.2 s"}})["value"], 0.2);
+  EXPECT_EQ(
+      ValueOf("swap",
+              {{"name", "task"}, {"file", TaskFile("leaning")}, {"now", true}})["takes_effect"],
+      "now");
+  EXPECT_EQ(ValueOf("get", {{"name", "task.limit"}})["value"], 0.2);
+  ValueOf("stop");
+  EXPECT_EQ(trainer.Wait().exit_status, 0);
+  EXPECT_FALSE(std::filesystem::exists(folder() / "run" / "control.sock"));
+  EXPECT_FALSE(std::filesystem::exists(folder() / "run" / "control.json"));
+}
+
+TEST_F(ServeTest, ATaskWithErrorsChangesNothing) {
+  ChildProcess trainer(Words("train"));
+  ASSERT_TRUE(IsAnswering());
+  const ProgramResult result =
+      Trainer({"ctl", "--run", RunFolder("run"), "swap", "task", TaskFile("wrong"), "--now"});
+  EXPECT_EQ(result.exit_status, 1);
+  EXPECT_THAT(result.errors, HasSubstr("did you mean `base.velocity`?"));
+  EXPECT_EQ(ValueOf("list")["tasks"].size(), 1u);
+  EXPECT_EQ(ValueOf("status")["state"], "running");
+}
+
+TEST_F(ServeTest, AKilledTrainersFilesDoNotKeepTheNextFromAnswering) {
+  {
+    ChildProcess killed(Words("train"));
+    ASSERT_TRUE(IsAnswering());
+    killed.Send(SIGKILL);
+    killed.Wait();
+  }
+  for (int tries = 0; tries < 3000 && HasTrainer(RunFolder("run")); ++tries) usleep(10'000);
+  ASSERT_TRUE(std::filesystem::exists(folder() / "run" / "control.sock"));
+  ChildProcess resumed({TRAINER, "resume", RunFolder("run")});
+  ASSERT_TRUE(IsAnswering());
+  EXPECT_EQ(ValueOf("status")["state"], "running");
+}
+
+TEST_F(ServeTest, ServeWaitsWhenAllEpisodesAreDone) {
+  std::vector<std::string> words = Training("run", 2);
+  words.front() = "serve";
+  words.insert(words.begin(), TRAINER);
+  ChildProcess trainer(words);
+  ASSERT_TRUE(IsAnswering());
+  json status;
+  for (int tries = 0; tries < 3000 && status["state"] != "finished"; ++tries) {
+    status = ValueOf("status");
+    usleep(10'000);
+  }
+  EXPECT_EQ(status["state"], "finished");
+  EXPECT_EQ(status["episodes_done"], 2);
+  ValueOf("stop");
+  EXPECT_EQ(trainer.Wait().exit_status, 0);
+}
+
+}  // namespace
+}  // namespace runtime
