@@ -67,7 +67,8 @@ Reply Ask(const std::filesystem::path& folder, const Request& request) {
   http::request<http::string_body> message(http::verb::post, "/api/" + request.command, 11);
   message.set(http::field::host, kHost);
   message.keep_alive(false);
-  message.body() = request.arguments.dump();
+  // A file name that is no UTF-8 cannot be sent as it is; the trainer then says that there is none.
+  message.body() = request.arguments.dump(-1, ' ', false, json::error_handler_t::replace);
   message.prepare_payload();
   error_code error;
   // What was refused early, such as a body that is too large, is answered even so.
