@@ -48,6 +48,8 @@ constexpr ArgumentSpec kModuleAdd[] = {
     {"name", kText, kRequired, "name of the new module"},
     {"parameters", kObject, kOptional, "values of its parameters"}};
 constexpr ArgumentSpec kModuleRemove[] = {{"name", kText, kRequired, "name of the module"}};
+constexpr ArgumentSpec kResume[] = {
+    {"episodes", kWhole, kOptional, "how many episodes the run is to have in all"}};
 constexpr ArgumentSpec kStep[] = {
     {"count", kWhole, kOptional, "how many; otherwise 1"},
     {"unit", kText, kOptional, "`step` (a time step) or `episode`; otherwise `step`"}};
@@ -70,7 +72,7 @@ constexpr CommandSpec kCommands[] = {
     {"module_add", "adds a module", kChanges, kModuleAdd},
     {"module_remove", "removes a module", kChanges, kModuleRemove},
     {"pause", "stands still after the present time step", kChanges, {}},
-    {"resume", "goes on after a pause", kChanges, {}},
+    {"resume", "goes on after a pause", kChanges, kResume},
     {"step", "goes on for a few time steps or episodes, then pauses", kChanges, kStep},
     {"save", "writes a checkpoint when the present episode is over", kChanges, {}},
     {"stop", "ends the trainer after the present episode", kChanges, {}},

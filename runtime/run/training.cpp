@@ -59,6 +59,8 @@ bool Training::Run(const StopRequest& stop) {
 
 void Training::RunPlannedEpisodes(const StopRequest& stop) {
   while (episodes_done_ < run_.episodes_planned && !stops(stop)) {
+    const bool has_changed = AllowChanges(0);
+    if (stops(stop)) return SaveBeforeStop(has_changed);
     const EpisodeRecord episode = RunEpisode(stop);
     ++episodes_done_;
     const bool is_last = stops(stop) || episodes_done_ == run_.episodes_planned;
@@ -73,7 +75,6 @@ void Training::RunPlannedEpisodes(const StopRequest& stop) {
 }
 
 EpisodeRecord Training::RunEpisode(const StopRequest& stop) {
-  AllowChanges(0);
   const Clock::time_point start = Clock::now();
   const std::clock_t cpu_start = std::clock();
   int64_t steps = 0;
@@ -93,8 +94,18 @@ EpisodeRecord Training::RunEpisode(const StopRequest& stop) {
   return episode;
 }
 
-void Training::AllowChanges(int64_t step) {
-  if (hooks_.AtSafePoint(episodes_done_ + 1, step)) tasks_ = FindTaskModules(network_, learner_);
+bool Training::AllowChanges(int64_t step) {
+  const bool has_changed = hooks_.AtSafePoint(episodes_done_ + 1, step);
+  if (has_changed) tasks_ = FindTaskModules(network_, learner_);
+  return has_changed;
+}
+
+// What was changed after the last episode is no part of its checkpoint: then the one before has to
+// do, and the changes are made again.
+void Training::SaveBeforeStop(bool has_changed) {
+  if (!has_changed && episodes_done_ > 0) {
+    database_.WriteCheckpoint({episodes_done_, SaveModules(network_)});
+  }
 }
 
 void Training::NoteStop(const StopRequest& stop) {

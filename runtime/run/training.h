@@ -47,7 +47,9 @@ class Training {
   bool stops(const StopRequest& stop) const;
   EpisodeRecord RunEpisode(const StopRequest& stop);
   // Lets whoever wants to change something do so, after `step` control steps of the episode.
-  void AllowChanges(int64_t step);
+  // Returns whether somebody did.
+  bool AllowChanges(int64_t step);
+  void SaveBeforeStop(bool has_changed);
   void NoteStop(const StopRequest& stop);
   EpisodeRecord RecordOf(int64_t steps) const;  // without the time that it took
   void CaptureFrame();
