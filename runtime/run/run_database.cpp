@@ -241,7 +241,8 @@ int64_t RunDatabase::AddTask(const TaskRecord& task) {
 int64_t RunDatabase::AddChange(const ChangeRecord& change) {
   SqliteStatement row(*impl_->database, "INSERT INTO change VALUES (NULL, ?, ?, ?, ?, ?, ?)",
                       "note a change");
-  row.Bind(change.episode, change.step, std::string_view(change.at), std::string_view(change.kind),
+  const std::string at = change.at.empty() ? Now() : change.at;
+  row.Bind(change.episode, change.step, std::string_view(at), std::string_view(change.kind),
            std::string_view(change.text), std::string_view(change.data))
       .Run();
   return sqlite3_last_insert_rowid(impl_->database->handle());

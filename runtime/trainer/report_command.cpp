@@ -17,13 +17,18 @@ struct ReportOptions {
   bool json = false;
 };
 
+// Of one run as of a study that has only this one.
+nlohmann::ordered_json FiguresOfOne(const std::filesystem::path& folder) {
+  const std::filesystem::path run = std::filesystem::weakly_canonical(folder);
+  return StudyFigures(run.parent_path(), {run});
+}
+
 void Report(const ReportOptions& options) {
   const std::vector<std::filesystem::path> runs = FindRuns(options.folder);
   const bool is_one = runs.empty() || RunDatabase::Exists(options.folder);
   if (options.json) {
     const nlohmann::ordered_json figures =
-        is_one ? StudyFigures(options.folder.parent_path(), {options.folder})
-               : StudyFigures(options.folder, runs);
+        is_one ? FiguresOfOne(options.folder) : StudyFigures(options.folder, runs);
     fmt::print("{}\n", figures.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
   } else {
     const std::filesystem::path file = is_one

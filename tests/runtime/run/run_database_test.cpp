@@ -127,11 +127,13 @@ TEST_F(RunDatabaseTest, GivesBackChangesAndKeepsThemWhenEpisodesAreDeleted) {
   database.AddEpisode(SampleEpisode(1), {}, {});
   const ChangeRecord set{0, 1, 250, "2026-01-02T03:04:05Z", "set", "set task.gain = 2", "{}"};
   const ChangeRecord swap{0, 2, 0, "2026-01-02T03:04:06Z", "swap", "swap task: a \"b\"", "[1]"};
+  const ChangeRecord unload{0, 3, 0, "", "unload", "unload careful", "{}"};
   EXPECT_EQ(database.AddChange(set), 1);
   EXPECT_EQ(database.AddChange(swap), 2);
+  EXPECT_EQ(database.AddChange(unload), 3);
   database.DeleteEpisodesAfter(0);
   const std::vector<ChangeRecord> read = RunDatabase::OpenToRead(folder()).ReadChanges();
-  ASSERT_EQ(read.size(), 2u);
+  ASSERT_EQ(read.size(), 3u);
   EXPECT_EQ(read[0].id, 1);
   EXPECT_EQ(read[0].episode, 1);
   EXPECT_EQ(read[0].step, 250);
@@ -140,6 +142,7 @@ TEST_F(RunDatabaseTest, GivesBackChangesAndKeepsThemWhenEpisodesAreDeleted) {
   EXPECT_EQ(read[1].id, 2);
   EXPECT_EQ(read[1].text, swap.text);
   EXPECT_EQ(read[1].data, swap.data);
+  EXPECT_THAT(read[2].at, testing::MatchesRegex("20..-..-..T..:..:..Z"));
 }
 
 TEST_F(RunDatabaseTest, GivesBackEpisodesBitForBit) {

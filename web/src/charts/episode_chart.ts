@@ -30,6 +30,12 @@ const kFont = "12px system-ui, sans-serif";
 const kEpisodeSync = "episode";
 const kFaint = 0.12; // opacity of what is not emphasised
 
+/** Between two marks of the axis: whole episodes. */
+const kEpisodeSteps = Array.from({ length: 21 }, (_, i) => {
+  const digit = [1, 2, 5][i % 3] as number;
+  return digit * 10 ** Math.floor(i / 3);
+});
+
 function axis(side: number, format: (value: number) => string): uPlot.Axis {
   const isBottom = side === 2;
   return {
@@ -40,6 +46,7 @@ function axis(side: number, format: (value: number) => string): uPlot.Axis {
     ...(isBottom ? { label: "episode", labelSize: 18, labelGap: 0, labelFont: kFont } : {}),
     gap: 6,
     space: isBottom ? 70 : 36,
+    ...(isBottom ? { incrs: kEpisodeSteps } : {}),
     grid: { stroke: () => themeColor("--grid"), width: 1 },
     ticks: { show: false },
     values: (_, splits) => splits.map((value) => (value === null ? "" : format(value))),
