@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <chrono>
+#include <random>
 #include <thread>
 
 #include "tests/runtime/server/server_test.h"
@@ -231,6 +232,27 @@ TEST_F(RobustnessTest, AClientMayGoBeforeItsReplyComes) {
   const ReplyHandler reply = handler_.TakeSave();
   client.reset();
   reply({.value = "saved"});
+  ExpectThatItStillAnswers();
+}
+
+// Requests of which a few bytes are others: each is answered or closed, and nothing else happens.
+TEST_F(RobustnessTest, DamagedRequestsAreSurvived) {
+  Start();
+  std::mt19937 random(1);
+  const auto below = [&random](size_t end) { return random() % end; };
+  for (int i = 0; i < 3'000; ++i) {
+    std::string request =
+        i % 2 == 0 ? RequestText("POST", "/api/set", Credentials(),
+                                 R"({"name": "task.gain", "from": 1, "to": 2e0, "episodes": 3})")
+                   : RequestText("GET", "/api/get?name=task%2Egain", Credentials());
+    for (size_t damage = 0; damage <= below(4); ++damage) {
+      request[below(request.size())] = static_cast<char>(below(256));
+    }
+    RawClient client = OnSocket();
+    client.Send(request);
+    shutdown(client.socket().get(), SHUT_WR);
+    ASSERT_TRUE(client.IsClosed()) << request;
+  }
   ExpectThatItStillAnswers();
 }
 

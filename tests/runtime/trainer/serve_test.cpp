@@ -2,9 +2,12 @@
 #include <signal.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "runtime/client/client.h"
+#include "runtime/module/user_error.h"
 #include "tests/runtime/trainer/trainer_test.h"
 
 namespace runtime {
@@ -96,6 +99,43 @@ TEST_F(ServeTest, ServeWaitsWhenAllEpisodesAreDone) {
   EXPECT_EQ(status["episodes_done"], 2);
   ValueOf("stop");
   EXPECT_EQ(trainer.Wait().exit_status, 0);
+}
+
+TEST_F(ServeTest, ClientsThatOnlyLookChangeNothingOfWhatIsLearned) {
+  constexpr int kEpisodes = 60;
+  Train("alone", kEpisodes, {"--quiet"});
+  ChildProcess trainer([this] {
+    std::vector<std::string> words = Training("run", kEpisodes, {"--quiet"});
+    words.insert(words.begin(), TRAINER);
+    return words;
+  }());
+  ASSERT_TRUE(IsAnswering());
+  std::atomic<int> answers = 0;
+  const auto pester = [&](const std::vector<Request>& requests) {
+    try {
+      while (true) {
+        for (const Request& request : requests) Ask(RunFolder("run"), request);
+        ++answers;
+      }
+    } catch (const UserError&) {  // the trainer has ended
+    }
+  };
+  std::jthread first(pester, std::vector<Request>{{"status", json::object()},
+                                                  {"get", {{"name", "learner"}}},
+                                                  {"swap", {{"name", "task"}, {"file", "/none"}}}});
+  std::jthread second(pester, std::vector<Request>{{"list", json::object()},
+                                                   {"graph", {{"format", "json"}}},
+                                                   {"set", {{"name", "task.limit"}}},
+                                                   {"nothing", json::object()}});
+  std::jthread listener([this] {
+    try {
+      FollowEvents(RunFolder("run"), [](const json&) { usleep(10'000); });
+    } catch (const UserError&) {
+    }
+  });
+  EXPECT_EQ(trainer.Wait().exit_status, 0);
+  EXPECT_GT(answers, 10);
+  ExpectEqual(TraceOf("alone"), TraceOf("run"));
 }
 
 }  // namespace
