@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <memory>
+
 #include "runtime/report/report.h"
 #include "runtime/run/stop_request.h"
 #include "runtime/run/training.h"
@@ -24,6 +26,21 @@ int Fail(const RunParts& run, LiveRun& live, Progress& progress, const UserError
   throw UserError(fmt::format(
       "{}; what was saved is kept, and `trainer resume {}` goes on from the last checkpoint",
       error.what(), name));
+}
+
+// Where clients cannot be served, such as on a disk without sockets, the run is worth as much:
+// null, unless a server was asked for.
+std::unique_ptr<Server> StartServer(const RunParts& run, const SessionOptions& options,
+                                    LiveRun& live, Progress& progress) {
+  try {
+    return std::make_unique<Server>(ServerOptions{.folder = run.folder, .port = options.port}, live,
+                                    [folder = run.folder] { return ReportPage(folder); });
+  } catch (const UserError& error) {
+    if (options.port != 0 || options.when_done == LiveRun::WhenDone::kWait) throw;
+    progress.Warn(fmt::format("warning: {}; the run goes on, but `trainer ctl` cannot reach it",
+                              error.what()));
+    return nullptr;
+  }
 }
 
 }  // namespace
@@ -55,15 +72,14 @@ int RunSession(const RunParts& run, const SessionOptions& options) {
   LiveRun live(run, options.when_done, stop);
   Training training(run.network, run.record, run.database, progress, live);
   training.Restore();
-  Server server({.folder = run.folder, .port = options.port}, live,
-                [folder = run.folder] { return ReportPage(folder); });
-  live.PublishTo(&server);
+  const std::unique_ptr<Server> server = StartServer(run, options, live, progress);
+  live.PublishTo(server.get());
   progress.Note(fmt::format("{}: task {}, robot {}, profile {}, seed {}, episodes {} to {}", name,
                             run.record.tasks.front().task, run.record.robot, run.record.profile,
                             run.record.seed, training.episodes_done() + 1,
                             run.record.episodes_planned));
   if (options.when_done == LiveRun::WhenDone::kWait) {
-    progress.Note(fmt::format("{} (`trainer ctl --run {} status`)", server.page_address(), name));
+    progress.Note(fmt::format("{} (`trainer ctl --run {} status`)", server->page_address(), name));
   }
   try {
     if (training.Run(stop) && stop.signal() == 0) {

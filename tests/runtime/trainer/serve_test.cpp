@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <thread>
 
@@ -14,6 +15,7 @@ namespace runtime {
 namespace {
 
 using nlohmann::json;
+using testing::AllOf;
 using testing::HasSubstr;
 
 constexpr int kManyEpisodes = 100'000;
@@ -99,6 +101,17 @@ TEST_F(ServeTest, ServeWaitsWhenAllEpisodesAreDone) {
   EXPECT_EQ(status["episodes_done"], 2);
   ValueOf("stop");
   EXPECT_EQ(trainer.Wait().exit_status, 0);
+}
+
+TEST_F(ServeTest, ARunGoesOnWhereNobodyCanBeServed) {
+  Train("run", 1, {"--quiet"});
+  std::ofstream(folder() / "run" / "control.sock") << "in the way";
+  const ProgramResult trained = Trainer({"resume", RunFolder("run"), "--episodes", "2", "--quiet"});
+  EXPECT_EQ(trained.exit_status, 0) << trained.errors;
+  EXPECT_THAT(trained.errors, AllOf(HasSubstr("move this file away"), HasSubstr("goes on")));
+  const ProgramResult served = Trainer({"serve", RunFolder("run"), "--quiet"});
+  EXPECT_EQ(served.exit_status, 1);
+  EXPECT_THAT(served.errors, HasSubstr("move this file away"));
 }
 
 TEST_F(ServeTest, ClientsThatOnlyLookChangeNothingOfWhatIsLearned) {
