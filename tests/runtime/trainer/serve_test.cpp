@@ -9,6 +9,8 @@
 
 #include "runtime/client/client.h"
 #include "runtime/module/user_error.h"
+#include "runtime/server/control_socket.h"
+#include "tests/runtime/server/raw_client.h"
 #include "tests/runtime/trainer/trainer_test.h"
 
 namespace runtime {
@@ -101,6 +103,34 @@ TEST_F(ServeTest, ServeWaitsWhenAllEpisodesAreDone) {
   EXPECT_EQ(status["episodes_done"], 2);
   ValueOf("stop");
   EXPECT_EQ(trainer.Wait().exit_status, 0);
+}
+
+TEST_F(ServeTest, ThePageIsThatOfTheRunningRun) {
+  if (!HAS_REPORT_PAGE) GTEST_SKIP() << "the report's page is not built";
+  ChildProcess trainer(Words("train"));
+  ASSERT_TRUE(IsAnswering());
+  while (ValueOf("status")["episodes_done"] < 1) usleep(10'000);
+  RawClient client(ConnectToTrainer(OpenRunFolder(RunFolder("run"))));
+  client.Send(RequestText("GET", "/", ""));
+  const RawResponse page = client.Receive();
+  EXPECT_EQ(page.status, 200) << page.body;
+  EXPECT_THAT(page.body, AllOf(HasSubstr("<html"), HasSubstr("leaning")));
+}
+
+TEST_F(ServeTest, ManyRunsAnswerEachInItsFolder) {
+  std::vector<std::string> words = Words("train");
+  words.insert(words.end(), {"--runs", "2", "--jobs", "2", "--quiet"});
+  ChildProcess trainer(words);
+  for (const char* seed : {"seed0", "seed1"}) {
+    const std::string run = RunFolder("run/" + std::string(seed));
+    for (int tries = 0; tries < 3000 && !(std::filesystem::exists(run) && HasTrainer(run));
+         ++tries) {
+      usleep(10'000);
+    }
+    EXPECT_EQ(Ask(run, {"status", json::object()}).value["run"], run);
+  }
+  trainer.Send(SIGTERM);
+  trainer.Wait();
 }
 
 TEST_F(ServeTest, ARunGoesOnWhereNobodyCanBeServed) {
