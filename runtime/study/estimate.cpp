@@ -29,7 +29,8 @@ Estimate EstimateMean(std::span<const double> values) {
   double sum = 0;
   for (const double value : known) sum += value;
   const double mean = sum / static_cast<double>(known.size());
-  const double half = known.size() > 1 ? HalfWidth(known, mean) : kNothing;
+  // That of two values is so wide that it says nothing.
+  const double half = known.size() > 2 ? HalfWidth(known, mean) : kNothing;
   const auto [least, greatest] = std::ranges::minmax(known);
   return {static_cast<int>(known.size()), mean, mean - half, mean + half, least, greatest};
 }

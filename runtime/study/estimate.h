@@ -8,7 +8,7 @@ namespace runtime {
 struct Estimate {
   int count = 0;    // of the values that are numbers
   double mean = 0;  // not a number without any
-  double low = 0;   // confidence interval of 95 % (Student's t); not a number for less than two
+  double low = 0;   // confidence interval of 95 % (Student's t); not a number for less than three
   double high = 0;
   double least = 0;  // of the values
   double greatest = 0;

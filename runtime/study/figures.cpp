@@ -111,6 +111,7 @@ Json GroupJson(const BehaviorGroup& group, const ExperimentResult& result,
 Json Figures(const ExperimentResult& result, const Sentences& sentences) {
   const StudyExperiment& experiment = *result.experiment;
   const TaskRecord& task = experiment.task();
+  const std::vector<RunResult> settled = SettledRuns(result);
   Json runs = Json::array();
   for (const RunResult& run : result.runs) runs.push_back(RunJson(run));
   Json groups = Json::array();
@@ -125,14 +126,15 @@ Json Figures(const ExperimentResult& result, const Sentences& sentences) {
           {"profile", experiment.record().profile},
           {"version", experiment.record().version},
           {"mean_over", result.window},
-          {"final_return", ToJson(EstimateOver(result.runs, FinalReturn))},
+          {"is_settled", settled.front().run->is_finished()},
+          {"final_return", ToJson(EstimateOver(settled, FinalReturn))},
           {"best_return",
-           ToJson(EstimateOver(result.runs, [](const RunResult& run) { return run.best_return; }))},
-          {"episodes_to_80_percent", ToJson(EstimateOver(result.runs, EpisodesToMost))},
-          {"cpu_minutes_to_80_percent", ToJson(EstimateOver(result.runs, MinutesToMost))},
-          {"cpu_minutes", ToJson(EstimateOver(result.runs, Minutes))},
-          {"metrics", MetricsOf(task.metrics, result.runs)},
-          {"terms", TermsOf(task.terms, result.runs)},
+           ToJson(EstimateOver(settled, [](const RunResult& run) { return run.best_return; }))},
+          {"episodes_to_80_percent", ToJson(EstimateOver(settled, EpisodesToMost))},
+          {"cpu_minutes_to_80_percent", ToJson(EstimateOver(settled, MinutesToMost))},
+          {"cpu_minutes", ToJson(EstimateOver(settled, Minutes))},
+          {"metrics", MetricsOf(task.metrics, settled)},
+          {"terms", TermsOf(task.terms, settled)},
           {"groups", std::move(groups)},
           {"runs", std::move(runs)}};
 }

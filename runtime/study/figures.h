@@ -7,11 +7,7 @@
 
 namespace runtime {
 
-// {"name", "task", "task_file", "task_hash", "robot", "profile", "version", "mean_over", "runs":
-// [{...}], "final_return": {...}, "best_return", "episodes_to_80_percent",
-// "cpu_minutes_to_80_percent", "cpu_minutes", "metrics": [{...}], "terms": [{...}], "groups":
-// [{...}]}, see docs/trainer.md. An estimate is {"count", "mean", "low", "high", "least",
-// "greatest"}.
+// What docs/trainer.md describes, but for "curve".
 nlohmann::ordered_json Figures(const ExperimentResult& result, const Sentences& sentences);
 
 // {"episodes": [...], "mean": [...], "low": [...], "high": [...]}

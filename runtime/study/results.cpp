@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "runtime/run/return_statistics.h"
@@ -54,6 +55,13 @@ ExperimentResult Evaluate(const StudyExperiment& experiment, std::vector<std::st
     for (const size_t run : result.groups[group].runs) result.runs[run].group = group;
   }
   return result;
+}
+
+std::vector<RunResult> SettledRuns(const ExperimentResult& result) {
+  std::vector<RunResult> runs;
+  std::ranges::copy_if(result.runs, std::back_inserter(runs),
+                       [](const RunResult& each) { return each.run->is_finished(); });
+  return runs.empty() ? result.runs : runs;
 }
 
 std::vector<RunResult> MembersOf(const ExperimentResult& result, const BehaviorGroup& group) {

@@ -44,6 +44,9 @@ Estimate EstimateOver(const Runs& runs, Value value) {
   return EstimateMean(values);
 }
 
+// Those that are finished, since they show what learning led to; all, while none is.
+std::vector<RunResult> SettledRuns(const ExperimentResult& result);
+
 // Of the runs of `group`.
 std::vector<RunResult> MembersOf(const ExperimentResult& result, const BehaviorGroup& group);
 

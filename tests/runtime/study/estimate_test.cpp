@@ -26,8 +26,9 @@ TEST(EstimateMean, LeavesOutWhatIsNotANumber) {
   EXPECT_DOUBLE_EQ(estimate.mean, 3);
 }
 
-TEST(EstimateMean, OfOneValueHasNoInterval) {
-  const Estimate estimate = EstimateMean(std::vector<double>{5});
+TEST(EstimateMean, OfOneOrTwoValuesHasNoInterval) {
+  EXPECT_EQ(EstimateMean(std::vector<double>{5}).mean, 5);
+  const Estimate estimate = EstimateMean(std::vector<double>{4, 6});
   EXPECT_EQ(estimate.mean, 5);
   EXPECT_TRUE(std::isnan(estimate.low));
   EXPECT_TRUE(std::isnan(estimate.high));

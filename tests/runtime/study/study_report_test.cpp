@@ -33,7 +33,8 @@ TEST_F(StudyReportTest, FiguresNameWhatCameOutOfEachExperiment) {
   EXPECT_EQ(crawling["name"], "crawling");
   EXPECT_EQ(crawling["task"], "crawling");
   EXPECT_EQ(crawling["profile"], "paper");
-  EXPECT_EQ(crawling["final_return"]["count"], 8);
+  EXPECT_EQ(crawling["final_return"]["count"], 7);  // those that are finished
+  EXPECT_EQ(crawling["is_settled"], true);
   EXPECT_EQ(crawling["cpu_minutes"]["greatest"], 1);  // 40 episodes of 1.5 s
   ASSERT_THAT(crawling["runs"], SizeIs(8));
   EXPECT_EQ(crawling["runs"][5]["group"], 1);
@@ -90,6 +91,18 @@ TEST_F(StudyReportTest, ThePageStaysBelowItsSize) {
   const json data = DataOfPage(page);
   EXPECT_THAT(data["notes"], ElementsAre(HasSubstr("groups have no replay here")));
   EXPECT_TRUE(data["experiments"][0]["groups"][0].contains("recording"));  // of five runs
+}
+
+TEST_F(StudyReportTest, WhileNoRunIsFinishedAllCount) {
+  std::vector<std::filesystem::path> runs;
+  for (uint64_t seed = 1; seed <= 3; ++seed) {
+    runs.push_back(folder() / "new" / std::to_string(seed));
+    WriteStudyRun(runs.back(), {.seed = seed, .episodes = static_cast<int64_t>(9 * seed - 9)});
+  }
+  const json figures = StudyFigures(folder(), runs)["experiments"][0];
+  EXPECT_EQ(figures["is_settled"], false);
+  EXPECT_EQ(figures["final_return"]["count"], 2);  // one has no episode yet
+  EXPECT_THAT(figures["groups"], SizeIs(0));
 }
 
 TEST_F(StudyReportTest, AStudyWithoutAnEpisodeSaysToWait) {

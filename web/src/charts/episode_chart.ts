@@ -12,6 +12,7 @@ export interface ChartSeries {
   color: string;
   kind: "line" | "points";
   width?: number; // of the line; otherwise 2 [CSS pixels]
+  isOutside?: boolean; // the axis need not reach its values
   hasGaps?: boolean; // the line is broken where there are no values
 }
 
@@ -59,6 +60,7 @@ function plotSeries(series: ChartSeries): uPlot.Series {
     stroke: () => themeColor(series.color),
     width: series.width ?? 2,
     points: { show: false },
+    auto: !series.isOutside,
     spanGaps: !series.hasGaps,
     ...(isLine ? {} : { paths: () => null }), // drawn by drawPoints
   };

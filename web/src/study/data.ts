@@ -71,6 +71,7 @@ export interface Experiment {
   profile: string;
   version: string;
   mean_over: number; // episodes
+  is_settled: boolean; // all but the runs' own figures are of finished runs; else of all so far
   final_return: Estimate;
   best_return: Estimate;
   episodes_to_80_percent: Estimate;

@@ -43,11 +43,11 @@ const intervalOf = (estimate: Estimate, format?: (value: number | undefined) => 
   interval(estimate, format) ? `95 %: ${interval(estimate, format)}` : `of ${runs(estimate.count)}`;
 
 function keyFigures(experiment: Experiment): HTMLElement {
-  const { final_return, best_return, episodes_to_80_percent, cpu_minutes_to_80_percent } =
+  const { final_return, best_return, episodes_to_80_percent, cpu_minutes_to_80_percent, is_settled } =
     experiment;
   const list = element("dl", { class: "figures" });
   list.append(
-    figure("Final return", mean(final_return), intervalOf(final_return)),
+    figure(is_settled ? "Final return" : "Return so far", mean(final_return), intervalOf(final_return)),
     figure("Best episode", number(best_return.greatest), `mean of the runs’ best ${mean(best_return)}`),
     figure("Episodes to 80 %", mean(episodes_to_80_percent, count), intervalOf(episodes_to_80_percent, count)),
     figure("CPU minutes to 80 %", mean(cpu_minutes_to_80_percent), intervalOf(cpu_minutes_to_80_percent)),
@@ -124,10 +124,15 @@ export function showExperiment(
   snapshots: Snapshots,
   replay: (group: Group, title: string) => void,
 ): HTMLElement {
+  const id = { class: "experiment", id: idOf(index) };
+  if (experiment.curve.episodes.length === 0) {
+    const note = element("p", { class: "note" }, "No run has an episode yet.");
+    return element("section", id, heading(experiment), note);
+  }
   const chart = element("div", {});
   const section = element(
     "section",
-    { class: "experiment", id: idOf(index) },
+    id,
     heading(experiment),
     keyFigures(experiment),
     element(

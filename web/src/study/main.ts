@@ -43,7 +43,7 @@ function overviewRow(experiment: Experiment, index: number): HTMLTableRowElement
   return row([
     element("a", { href: `#${idOf(index)}` }, experiment.name),
     `${formatCount(finished)} of ${formatCount(runs.length)}`,
-    mean(final_return),
+    (experiment.is_settled || final_return.count === 0 ? "" : "so far ") + mean(final_return),
     interval(final_return),
     mean(experiment.best_return),
     mean(episodes_to_80_percent, count),

@@ -20,6 +20,7 @@ export class Snapshots {
     this.observer = new IntersectionObserver((entries) => this.onView(entries), {
       rootMargin: "300px",
     });
+    window.addEventListener("beforeprint", () => this.draw.forEach((draw) => draw()));
     onThemeChange(() => this.drawn.forEach((strip) => this.draw.get(strip)?.()));
   }
 
