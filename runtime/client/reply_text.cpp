@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
+#include <iterator>
 #include <string_view>
 #include <vector>
 
@@ -13,38 +13,38 @@ namespace {
 using nlohmann::json;
 
 // Members in the order in which people want them; all others follow by the alphabet.
-constexpr std::array kOrder = {"run",
-                               "robot",
-                               "module",
-                               "name",
-                               "type",
-                               "task",
-                               "role",
-                               "state",
-                               "value",
-                               "takes_effect",
-                               "from",
-                               "to",
-                               "unit",
-                               "minimum",
-                               "maximum",
-                               "first_episode",
-                               "episode",
-                               "episodes",
-                               "step",
-                               "time",
-                               "speed",
-                               "episodes_done",
-                               "episodes_planned",
-                               "last_return",
-                               "mean_return",
-                               "best_return",
-                               "return",
-                               "terms",
-                               "hash",
-                               "previous",
-                               "doc",
-                               "file"};
+constexpr std::string_view kOrder[] = {"run",
+                                       "robot",
+                                       "module",
+                                       "name",
+                                       "type",
+                                       "task",
+                                       "role",
+                                       "state",
+                                       "value",
+                                       "takes_effect",
+                                       "from",
+                                       "to",
+                                       "unit",
+                                       "minimum",
+                                       "maximum",
+                                       "first_episode",
+                                       "episode",
+                                       "episodes",
+                                       "step",
+                                       "time",
+                                       "speed",
+                                       "episodes_done",
+                                       "episodes_planned",
+                                       "last_return",
+                                       "mean_return",
+                                       "best_return",
+                                       "return",
+                                       "terms",
+                                       "hash",
+                                       "previous",
+                                       "doc",
+                                       "file"};
 
 constexpr size_t kHashDigits = 8;  // enough for people to tell versions apart
 constexpr size_t kGap = 2;         // between two columns
@@ -69,7 +69,7 @@ bool IsSection(const json& value) {
 
 std::vector<std::string> Ordered(std::vector<std::string> names) {
   std::ranges::stable_sort(names, {}, [](const std::string& name) {
-    return std::ranges::find(kOrder, std::string_view(name)) - kOrder.begin();
+    return std::ranges::find(kOrder, name) - std::begin(kOrder);
   });
   return names;
 }
