@@ -58,7 +58,7 @@ on end_of_time_step {
 TEST(Check, AcceptsThePapersTasks) {
   TaskcProcess taskc;
   auto files = golden::FilesIn(SOURCE_DIR "/tasks", "", ".task");
-  EXPECT_EQ(files.size(), 6u);
+  EXPECT_GE(files.size(), 6u);  // and variants of them
   for (const auto& file : files) {
     Outcome outcome = taskc.Run("check '" + file.string() + "'");
     EXPECT_EQ(outcome.status, 0);
