@@ -22,15 +22,21 @@ Key KeyOf(const StudyRun& run) {
 std::optional<StudyRun> ReadRun(const std::filesystem::path& study,
                                 const std::filesystem::path& folder,
                                 std::vector<std::string>& notes) {
-  StudyRun run{folder, folder.lexically_relative(study).string(), {}, {}, {}};
+  StudyRun run{folder, folder.lexically_relative(study).string(), {}, {}, {}, 0};
   try {
     const RunDatabase database = RunDatabase::OpenToRead(folder);
     run.record = database.ReadRun();
     run.state = database.ReadState();
     run.episodes = database.ReadEpisodes();
+    run.changes = database.ReadChanges().size();
   } catch (const UserError& error) {
     notes.push_back(fmt::format("{} is left out: {}", run.name, error.what()));
     return std::nullopt;
+  }
+  if (run.changes > 0) {
+    notes.push_back(fmt::format("{} was changed while it learned, {}; its own report says how.",
+                                run.name,
+                                run.changes == 1 ? "once" : fmt::format("{} times", run.changes)));
   }
   return run;
 }

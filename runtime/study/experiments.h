@@ -15,6 +15,7 @@ struct StudyRun {
   RunRecord record;
   RunState state = RunState::kInterrupted;
   std::vector<EpisodeRecord> episodes;
+  size_t changes = 0;  // that were made to it while it learned
 
   bool is_finished() const;  // all planned episodes are done
 };
@@ -30,11 +31,12 @@ struct StudyExperiment {
 
 struct Study {
   std::vector<StudyExperiment> experiments;  // in the order of their first runs
-  std::vector<std::string> notes;            // why runs were left out
+  std::vector<std::string> notes;            // which runs are missing, or not like the others
 };
 
 // `runs`: folders of runs in `folder`, or `folder` itself. Runs of one folder that do not belong
-// together are experiments of their own. A run that cannot be read is left out with a note.
+// together are experiments of their own. A run that cannot be read is left out with a note; one
+// that was changed while it learned stays, with a note.
 Study ReadStudyRuns(const std::filesystem::path& folder,
                     const std::vector<std::filesystem::path>& runs);
 

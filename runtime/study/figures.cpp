@@ -73,6 +73,7 @@ Json RunJson(const RunResult& result) {
       {"state", run.is_finished() ? RunStateName(RunState::kFinished) : RunStateName(run.state)},
       {"episodes", run.episodes.size()},
       {"episodes_planned", run.record.episodes_planned},
+      {"changes", run.changes},
       {"final_return", FinalReturn(result)},
       {"best_return", result.best_return},
       {"episodes_to_80_percent", EpisodesToMost(result)},

@@ -72,6 +72,18 @@ TEST_F(ReadStudyRunsTest, ARunThatCannotBeReadIsLeftOut) {
   EXPECT_THAT(study.notes, ElementsAre(HasSubstr("bad is left out: ")));
 }
 
+TEST_F(ReadStudyRunsTest, ARunThatWasChangedIsNoted) {
+  Write("a", SampleRunRecord());
+  Write("b", SampleRunRecord());
+  RunDatabase database = RunDatabase::Open(folder() / "b");
+  database.AddChange({0, 1, 0, "", "set", "set task.gain = 2", "{}"});
+  database.AddChange({0, 2, 0, "", "set", "set task.gain = 3", "{}"});
+  const Study study = Read();
+  EXPECT_EQ(study.experiments[0].runs[1].changes, 2u);
+  EXPECT_THAT(study.notes, ElementsAre("b was changed while it learned, 2 times; its own report "
+                                       "says how."));
+}
+
 TEST_F(ReadStudyRunsTest, ARunIsFinishedWhenAllItsEpisodesAreDone) {
   WriteStudyRun(folder() / "a", {.seed = 1, .episodes = 5, .planned = 5});
   WriteStudyRun(folder() / "b", {.seed = 2, .episodes = 4, .planned = 5});
