@@ -27,6 +27,8 @@ void ContactFilter::Start(std::span<const unsigned char> raw) {
 
 void ContactFilter::Update(std::span<const unsigned char> raw) {
   for (size_t i = 0; i < states_.size(); ++i) {
+    const bool at_rest = raw[i] == 0 && states_[i].v1 == 0 && states_[i].v2 == 0;
+    if (at_rest) continue;  // would stay so: many links never touch the ground
     for (int n = 0; n < substeps_; ++n) Advance(states_[i], raw[i]);
   }
 }

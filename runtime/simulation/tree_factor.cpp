@@ -7,7 +7,7 @@ namespace runtime {
 namespace {
 
 // A torque about the axis, taken away from an impulse.
-void RemoveTurn(const Vector3& axis, Vector6& impulse) {
+[[gnu::always_inline]] inline void RemoveTurn(const Vector3& axis, Vector6& impulse) {
   impulse.tail<3>() -= axis.dot(impulse.tail<3>()) * axis;
 }
 
