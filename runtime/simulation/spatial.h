@@ -13,6 +13,9 @@ using Matrix3 = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 using Matrix6 = Eigen::Matrix<double, 6, 6, Eigen::RowMajor>;
 
+// From three numbers of ODE's or of a robot's description.
+inline Vector3 ToEigen(const double* v) { return {v[0], v[1], v[2]}; }
+
 inline Matrix3 CrossMatrix(const Vector3& v) {
   Matrix3 cross;
   cross << 0, -v[2], v[1], v[2], 0, -v[0], -v[1], v[0], 0;

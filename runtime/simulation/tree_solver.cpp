@@ -8,9 +8,6 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-Vector3 ToEigen(const robot::Vector3& v) { return {v[0], v[1], v[2]}; }
-Vector3 ToEigen(const dReal* v) { return {v[0], v[1], v[2]}; }
-
 std::vector<TreeJoint> TreeJoints(const robot::RobotDescription& robot, double hold) {
   std::vector<TreeJoint> joints;
   for (const robot::Joint& joint : robot.joints) {
@@ -20,20 +17,6 @@ std::vector<TreeJoint> TreeJoints(const robot::RobotDescription& robot, double h
     added.hold = hold;
   }
   return joints;
-}
-
-// The angular velocity after a time of free rotation, to first order and implicitly, as ODE has it:
-// (I - h [L]x) w = L  with the angular momentum L; in the frame of the principal axes.
-Vector3 FreeRotation(const Vector3& inertia, const Vector3& angular_velocity, double time) {
-  const Vector3 momentum = inertia.cwiseProduct(angular_velocity);
-  Matrix3 matrix = -time * CrossMatrix(momentum);
-  matrix.diagonal() += inertia;
-  const Vector3 columns[] = {matrix.col(0), matrix.col(1), matrix.col(2)};
-  const Vector3 cross = columns[1].cross(columns[2]);
-  const double determinant = columns[0].dot(cross);
-  return Vector3(momentum.dot(cross), momentum.dot(columns[2].cross(columns[0])),
-                 momentum.dot(columns[0].cross(columns[1]))) /
-         determinant;
 }
 
 // What a spring of the same stiffness in all directions, at `arm` from the centre, does to a body's
@@ -65,49 +48,30 @@ TreeSolver::TreeSolver(const robot::RobotDescription& robot, const Profile& prof
       inertias_(robot.links.size()),
       momenta_(robot.links.size()),
       scratch_(robot.links.size()) {
-  for (int i = 0; i < body.link_count(); ++i) {
-    dMass mass;
-    dBodyGetMass(body.body(i), &mass);
-    shapes_.push_back({mass.mass, {mass.I[0], mass.I[5], mass.I[10]}});
-  }
+  for (int i = 0; i < body.link_count(); ++i) link_inertias_.push_back(InertiaOf(body.body(i)));
   for (const robot::Joint& joint : robot.joints) {
-    const Vector3 anchor = ToEigen(joint.anchor);
-    hinges_.push_back({anchor - ToEigen(robot.links[joint.parent].position),
-                       anchor - ToEigen(robot.links[joint.child].position),
-                       ToEigen(joint.axis).normalized(), joint.low, joint.high});
+    const Vector3 anchor = ToEigen(joint.anchor.data());
+    hinges_.push_back({anchor - ToEigen(robot.links[joint.parent].position.data()),
+                       anchor - ToEigen(robot.links[joint.child].position.data()),
+                       ToEigen(joint.axis.data()).normalized(), joint.low, joint.high});
   }
 }
 
 void TreeSolver::Step(std::span<const Contact> contacts, const JointController& controller) {
-  for (int i = 0; i < body_.link_count(); ++i) ReadLink(i);
+  ReadLinks();
   for (int j = 0; j < body_.joint_count(); ++j) ReadHinge(j, controller);
   ReadContacts(contacts);
   SolveForVelocities();
-  for (int i = 0; i < body_.link_count(); ++i) MoveLink(i);
+  for (int i = 0; i < body_.link_count(); ++i) {
+    MoveLink(body_.body(i), links_[i], velocities_[i], settings_.time_step);
+  }
 }
 
-void TreeSolver::ReadLink(int link) {
-  const dBodyID body = body_.body(link);
-  const LinkShape& shape = shapes_[link];
-  LinkState& state = links_[link];
-  state.position = ToEigen(dBodyGetPosition(body));
-  const dReal* rotation = dBodyGetRotation(body);  // rows of four
-  for (int row = 0; row < 3; ++row) {
-    state.rotation.row(row) = ToEigen(rotation + 4 * row).transpose();
+void TreeSolver::ReadLinks() {
+  for (int i = 0; i < body_.link_count(); ++i) {
+    links_[i] = ReadLink(body_.body(i), link_inertias_[i], settings_.time_step, settings_.gravity);
+    velocities_[i] = links_[i].velocity;
   }
-  velocities_[link] << ToEigen(dBodyGetLinearVel(body)), ToEigen(dBodyGetAngularVel(body));
-
-  state.inertia.setZero();
-  state.inertia.topLeftCorner<3, 3>().diagonal().setConstant(shape.mass);
-  state.inertia.bottomRightCorner<3, 3>() =
-      state.rotation * shape.inertia.asDiagonal() * state.rotation.transpose();
-
-  const double h = settings_.time_step;
-  const Vector3 turning = state.rotation.transpose() * velocities_[link].tail<3>();
-  state.momentum.head<3>() =
-      shape.mass * (velocities_[link].head<3>() - Vector3(0, 0, h * settings_.gravity));
-  state.momentum.tail<3>() =
-      state.rotation * shape.inertia.cwiseProduct(FreeRotation(shape.inertia, turning, h));
 }
 
 void TreeSolver::ReadHinge(int hinge, const JointController& controller) {
@@ -265,24 +229,6 @@ int TreeSolver::CorrectStates(bool all) {
   }
   if (last != nullptr) last->state = last_state;
   return wrong;
-}
-
-// First order, as ODE does it.
-void TreeSolver::MoveLink(int link) {
-  const dBodyID body = body_.body(link);
-  const double h = settings_.time_step;
-  const Vector3 velocity = velocities_[link].head<3>();
-  const Vector3 turning = velocities_[link].tail<3>();
-  dBodySetLinearVel(body, velocity[0], velocity[1], velocity[2]);
-  dBodySetAngularVel(body, turning[0], turning[1], turning[2]);
-  const Vector3 position = links_[link].position + h * velocity;
-  dBodySetPosition(body, position[0], position[1], position[2]);
-  const dReal* now = dBodyGetQuaternion(body);
-  const double scalar = now[0];
-  const Vector3 vector = ToEigen(now + 1);
-  const Vector3 turned = vector + h / 2 * (scalar * turning + turning.cross(vector));
-  const dQuaternion next = {scalar - h / 2 * turning.dot(vector), turned[0], turned[1], turned[2]};
-  dBodySetQuaternion(body, next);  // which makes it a unit quaternion
 }
 
 }  // namespace runtime

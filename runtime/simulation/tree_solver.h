@@ -20,6 +20,7 @@
 
 #include "runtime/simulation/limit.h"
 #include "runtime/simulation/link_contacts.h"
+#include "runtime/simulation/link_motion.h"
 #include "runtime/simulation/physics_solver.h"
 #include "runtime/simulation/tree_factor.h"
 
@@ -34,25 +35,13 @@ class TreeSolver : public PhysicsSolver {
   void Step(std::span<const Contact> contacts, const JointController& controller) override;
 
  private:
-  // What does not change, in the frames of the bodies.
-  struct LinkShape {
-    double mass;
-    Vector3 inertia;  // principal; the axes are those of the link
-  };
+  // What does not change of a hinge, in the frames of its links.
   struct Hinge {
     Vector3 parent_anchor;
     Vector3 child_anchor;
     Vector3 axis;
     double low_stop;
     double high_stop;
-  };
-
-  // One link at the start of the step, in the world's frame.
-  struct LinkState {
-    Vector3 position;
-    Matrix3 rotation;
-    Matrix6 inertia;   // with what keeps it from sliding on the ground
-    Vector6 momentum;  // that it would have at the end of the step without any constraint
   };
 
   // A contact's normal with the ground.
@@ -68,7 +57,7 @@ class TreeSolver : public PhysicsSolver {
     LimitedPull stop;
   };
 
-  void ReadLink(int link);
+  void ReadLinks();
   void ReadHinge(int hinge, const JointController& controller);
   void ReadContacts(std::span<const Contact> contacts);
   // One that pushes the link towards `normal`.
@@ -82,17 +71,16 @@ class TreeSolver : public PhysicsSolver {
   void SolveAsAssumed();
   // Returns how many states are wrong, and corrects all of them, or the last one only.
   int CorrectStates(bool all);
-  void MoveLink(int link);
 
   SolverSettings settings_;
   JointDrive drive_;
   double hold_;  // stiffness of the constraints that have no mixing of their own
   RobotBody& body_;
-  std::vector<LinkShape> shapes_;
+  std::vector<LinkInertia> link_inertias_;
   std::vector<Hinge> hinges_;
 
   TreeFactor tree_;
-  std::vector<LinkState> links_;
+  std::vector<LinkState> links_;  // their inertias with what keeps them from sliding on the ground
   std::vector<HingeLimits> limits_;
   std::vector<GroundContact> ground_contacts_;
   LinkContacts link_contacts_;
