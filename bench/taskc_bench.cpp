@@ -17,6 +17,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/plugin_host.h"
 #include "compiler/build/build_plugin.h"
 #include "compiler/build/file_io.h"
 #include "compiler/build/plugin_cache.h"
@@ -268,58 +269,23 @@ const void* FindSensor(const Sensors& sensors, std::string_view name) {
   throw std::runtime_error(fmt::format("the task reads {}, which is not measured here", name));
 }
 
-// The memory that a host gives to the plugin.
-class Host {
- public:
-  Host(const taskc_plugin& plugin, const Sensors& sensors)
-      : memory_(plugin.memory_size / sizeof(std::max_align_t) + 1),
-        terms_(plugin.term_count),
-        metrics_(plugin.metric_count),
-        logs_(plugin.log_count) {
-    for (const taskc_sensor& sensor : std::span(plugin.sensors, plugin.sensor_count)) {
-      places_.push_back(FindSensor(sensors, sensor.name));
-    }
-    for (const taskc_param& param : std::span(plugin.params, plugin.param_count)) {
-      params_.push_back(param.initial);
-    }
-    frame_.sensors = places_.data();
-    frame_.params = params_.data();
-    frame_.memory = memory_.data();
-    frame_.terms = terms_.data();
-    frame_.metrics = metrics_.data();
-    frame_.logs = logs_.data();
-    plugin.initialize(&frame_);
+std::vector<const void*> PlacesOf(const taskc_plugin& plugin, const Sensors& sensors) {
+  std::vector<const void*> places;
+  for (const taskc_sensor& sensor : std::span(plugin.sensors, plugin.sensor_count)) {
+    places.push_back(FindSensor(sensors, sensor.name));
   }
-
-  // As before each call of a callback.
-  taskc_frame* NextFrame() {
-    frame_.time_step = kTimeStep;
-    frame_.reward = 0;
-    frame_.end = -1;
-    frame_.fault = -1;
-    frame_.violation = -1;
-    return &frame_;
-  }
-
- private:
-  std::vector<const void*> places_;
-  std::vector<double> params_;
-  std::vector<std::max_align_t> memory_;
-  std::vector<double> terms_;
-  std::vector<double> metrics_;
-  std::vector<taskc_log_state> logs_;
-  taskc_frame frame_{};
-};
+  return places;
+}
 
 template <class Callback>
 void CallWithPlugin(benchmark::State& state, const Callback& callback) {
   Sensors own_sensors;
   Sensors& sensors = Opaque(own_sensors);
-  Host host(LoadTask(), sensors);
+  PluginHost host(LoadTask(), PlacesOf(LoadTask(), sensors));
   for (auto _ : state) {
     sensors.Advance();
     benchmark::ClobberMemory();
-    taskc_frame* frame = host.NextFrame();
+    taskc_frame* frame = host.NextFrame(kTimeStep);
     callback(frame);
     benchmark::DoNotOptimize(frame->reward);
     benchmark::DoNotOptimize(frame->end);

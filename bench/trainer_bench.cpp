@@ -146,7 +146,8 @@ void RegisterTraining() {
   for (const char* task :
        {"crawling", "handstanding", "jumping", "forward_rolling", "backward_rolling", "turning"}) {
     for (const Profile& profile : kProfiles) {
-      const int episodes = profile.name == "paper" ? 10 : 40;
+      const bool slow = profile.solver == SolverKind::kOde;
+      const int episodes = slow ? 5 : 20;
       benchmark::RegisterBenchmark(fmt::format("Train/{}/{}", task, profile.name).c_str(), Train,
                                    std::string(task), std::string(profile.name), episodes)
           ->UseManualTime()

@@ -1,0 +1,114 @@
+// What a control step costs with each of the six tasks, besides physics and learning:
+//   Sensing    the sensors that the task reads at the end of every control step, out of the
+//   simulation Callback   the task's end_of_time_step on them
+#include <benchmark/benchmark.h>
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "bench/plugin_host.h"
+#include "bench/random_motion.h"
+#include "runtime/simulation/robot_sensors.h"
+#include "runtime/task/plugin.h"
+
+namespace runtime {
+namespace {
+
+const Plugin& LoadTask(const std::string& name) {
+  static std::map<std::string, std::unique_ptr<Plugin>> plugins;
+  std::unique_ptr<Plugin>& plugin = plugins[name];
+  if (plugin != nullptr) return *plugin;
+  const std::filesystem::path file =
+      std::filesystem::temp_directory_path() / fmt::format("task-bench-{}.so", name);
+  const std::string command = fmt::format("'{}' build '{}/tasks/{}.task' -o '{}' >/dev/null", TASKC,
+                                          SOURCE_DIR, name, file.string());
+  if (std::system(command.c_str()) != 0) throw std::runtime_error("taskc failed");
+  plugin = std::make_unique<Plugin>(file);
+  std::filesystem::remove(file);
+  return *plugin;
+}
+
+// The robot in the middle of a random motion, and the sensors of a task there.
+class Scene {
+ public:
+  explicit Scene(const taskc_plugin& plugin)
+      : world_(Humanoid(), FindProfile("fast-tree"), Humanoid().poses[0]), sensors_(Humanoid()) {
+    std::vector<double> targets(Humanoid().joints.size());
+    RandomMotion motion(1);
+    for (int step = 0; step < 200; ++step) {
+      motion.Next(targets);
+      for (int i = 0; i < world_.steps_per_control_step(); ++i) world_.Step(targets);
+    }
+    for (const taskc_sensor& sensor : std::span(plugin.sensors, plugin.sensor_count)) {
+      RobotSensor& found = Find(sensor.name);
+      found_.push_back(&found);
+      if ((sensor.read_by & 1u << TASKC_END_OF_TIME_STEP) != 0) read_.push_back(&found);
+    }
+    Sense();
+  }
+
+  // As in every control step.
+  void Sense() {
+    sensors_.Refresh(world_, 1);
+    for (RobotSensor* sensor : read_) benchmark::DoNotOptimize(sensor->Read().data);
+  }
+
+  std::vector<const void*> Places() {
+    std::vector<const void*> places;
+    for (RobotSensor* sensor : found_) places.push_back(sensor->Read().data);
+    return places;
+  }
+
+ private:
+  RobotSensor& Find(std::string_view name) {
+    for (RobotSensor& sensor : sensors_.sensors()) {
+      if (sensor.description().name == name) return sensor;
+    }
+    throw std::runtime_error("the robot lacks a sensor");
+  }
+
+  World world_;
+  RobotSensors sensors_;
+  std::vector<RobotSensor*> found_;  // in the plugin's order
+  std::vector<RobotSensor*> read_;   // at the end of a control step
+};
+
+void Sensing(benchmark::State& state, const char* task) {
+  Scene scene(LoadTask(task).table());
+  for (auto _ : state) scene.Sense();
+}
+
+void Callback(benchmark::State& state, const char* task) {
+  const taskc_plugin& plugin = LoadTask(task).table();
+  Scene scene(plugin);
+  PluginHost host(plugin, scene.Places());
+  const taskc_event_function callback = plugin.events[TASKC_END_OF_TIME_STEP];
+  for (auto _ : state) {
+    benchmark::ClobberMemory();
+    taskc_frame* frame = host.NextFrame(0.005);
+    callback(frame);
+    benchmark::DoNotOptimize(frame->reward);
+  }
+}
+
+#define TASK(name)                         \
+  BENCHMARK_CAPTURE(Sensing, name, #name); \
+  BENCHMARK_CAPTURE(Callback, name, #name)
+TASK(crawling);
+TASK(handstanding);
+TASK(jumping);
+TASK(forward_rolling);
+TASK(backward_rolling);
+TASK(turning);
+#undef TASK
+
+}  // namespace
+}  // namespace runtime
+
+BENCHMARK_MAIN();
