@@ -25,7 +25,8 @@ std::vector<std::string> PoseNames(const robot::RobotDescription& robot) {
 RobotEnvironment::RobotEnvironment(std::string name, const Context& context)
     : Module(std::move(name)), robot_(*context.robot), sensors_(robot_) {
   AddParameter({.name = "profile",
-                .doc = "how exactly the robot is simulated: as in the paper, or faster",
+                .doc = "how the robot is simulated: as in the paper or with longer steps, by ODE "
+                       "or along its tree",
                 .target = &profile_,
                 .choices = ProfileNames(),
                 .is_live = false});

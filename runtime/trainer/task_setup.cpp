@@ -79,8 +79,10 @@ void TaskOptions::AddTo(CLI::App& command) {
   for (const Profile& each : kProfiles) profiles.emplace_back(each.name);
   command.add_option("TASK", task, "a .task file, or a .so that taskc built from one")->required();
   command
-      .add_option("--profile", profile,
-                  "how to simulate: `paper` faithfully, `fast` with longer steps")
+      .add_option(
+          "--profile", profile,
+          "how to simulate: `paper` faithfully, `fast` with longer steps; each `-tree`: the same "
+          "equations, solved several times as fast")
       ->check(CLI::IsMember(profiles));
   command.add_option("--agent", agent, "agent file that changes the robot's default agent")
       ->check(CLI::ExistingFile);
