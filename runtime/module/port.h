@@ -200,6 +200,7 @@ class Signal : public SignalPort {
       : SignalPort(owner, std::move(name), MakeEventType<Args...>()) {}
 
   void operator()(Args... args) {
+    if (peers_.empty()) return;
     Emission emission(*this);
     while (Port* slot = emission.Next()) (*static_cast<const Slot<Args...>*>(slot))(args...);
   }

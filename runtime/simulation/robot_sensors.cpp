@@ -27,14 +27,6 @@ RobotSensor::RobotSensor(RobotSensors* all, const robot::SensorDescription& desc
   }
 }
 
-const SensorData& RobotSensor::Read() {
-  if (moment_ != all_->moment_) {
-    moment_ = all_->moment_;
-    Compute();
-  }
-  return data_;
-}
-
 void RobotSensor::Compute() {
   const World& world = *all_->world_;
   const RobotBody& body = world.body();

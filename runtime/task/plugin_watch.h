@@ -14,9 +14,14 @@ struct PluginWatch {
   std::atomic<bool> is_loading = false;  // a shared object, which can crash or loop as well
 };
 
+namespace detail {
+inline PluginWatch own_watch;
+inline PluginWatch* the_watch = &own_watch;
+}  // namespace detail
+
 // That of this process. Until SetPluginWatch() it lies in memory of its own.
-PluginWatch& ThePluginWatch();
+inline PluginWatch& ThePluginWatch() { return *detail::the_watch; }
 // `watch` outlives all task instances.
-void SetPluginWatch(PluginWatch& watch);
+inline void SetPluginWatch(PluginWatch& watch) { detail::the_watch = &watch; }
 
 }  // namespace runtime

@@ -1,0 +1,245 @@
+// What it costs that tasks can be exchanged, compared and talked to while a robot learns.
+#include <benchmark/benchmark.h>
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "plugins/robot/robot_description.h"
+#include "runtime/agent/agent.h"
+#include "runtime/client/client.h"
+#include "runtime/control/live_network.h"
+#include "runtime/module/user_error.h"
+#include "runtime/run/module_types.h"
+#include "runtime/simulation/robot_environment.h"
+
+namespace runtime {
+namespace {
+
+std::shared_ptr<const Plugin> LoadTask(const std::string& name) {
+  return std::make_shared<const Plugin>(std::string(PLUGIN_FOLDER) + "/" + name + ".so");
+}
+
+// The humanoid with its default agent, in the first steps of crawling.
+class Humanoid {
+ public:
+  Humanoid() {
+    network_.Start();
+    environment().StartEpisode();
+    for (int step = 0; step < 20; ++step) environment().StepControl();
+  }
+
+  RobotEnvironment& environment() { return network_.FindAs<RobotEnvironment>("environment"); }
+  UniversalTask& task() { return network_.FindAs<UniversalTask>("task"); }
+  LiveNetwork& live() { return live_; }
+  // Nothing hears what the task pays: only the task itself is measured.
+  void Isolate() {
+    for (Port* slot : task().reward.Connections()) Port::Disconnect(task().reward, *slot);
+  }
+
+ private:
+  static ModuleTypes Types() {
+    ModuleTypes types;
+    RegisterModuleTypes(types);
+    return types;
+  }
+
+  robot::RobotDescription robot_ = robot::ReadRobot(SOURCE_DIR "/plugins/humanoid/robot.toml");
+  ModuleTypes types_ = Types();
+  Context context_{&robot_, LoadTask("crawling"), 1};
+  Network network_ =
+      BuildNetwork(ReadAgent(SOURCE_DIR "/plugins/humanoid/agent.toml"), types_, context_);
+  LiveNetwork live_{network_, types_, context_};
+};
+
+// ---- A time step ----------------------------------------------------------------------------
+
+// The plugin's function with nothing around it.
+void EventOfThePlugin(benchmark::State& state) {
+  Humanoid humanoid;
+  humanoid.Isolate();
+  const taskc_plugin& table = humanoid.task().plugin();
+  std::vector<const void*> sensors;
+  for (uint32_t i = 0; i < table.sensor_count; ++i) {
+    auto& port = dynamic_cast<SensorOut&>(humanoid.environment().FindPort(table.sensors[i].name));
+    sensors.push_back(port().data);
+  }
+  std::vector<double> params, terms(table.term_count), metrics(table.metric_count);
+  for (uint32_t i = 0; i < table.param_count; ++i) params.push_back(table.params[i].initial);
+  std::vector<taskc_log_state> logs(table.log_count);
+  std::vector<std::max_align_t> memory(table.memory_size / sizeof(std::max_align_t) + 1);
+  taskc_frame frame{};
+  frame.sensors = sensors.data();
+  frame.params = params.data();
+  frame.memory = memory.data();
+  frame.terms = terms.data();
+  frame.metrics = metrics.data();
+  frame.logs = logs.data();
+  table.initialize(&frame);
+  const taskc_event_function volatile function = table.events[TASKC_END_OF_TIME_STEP];
+  for (auto _ : state) {
+    frame.time_step = 0.005;
+    frame.reward = 0;
+    frame.end = frame.fault = frame.violation = -1;
+    function(&frame);
+    benchmark::DoNotOptimize(frame.reward);
+  }
+}
+BENCHMARK(EventOfThePlugin);
+
+// Through the instance that can be exchanged, watched by the guard, with its checks.
+void EventOfAnInstance(benchmark::State& state) {
+  Humanoid humanoid;
+  TaskInstance instance(humanoid.task().instance().plugin());
+  for (uint32_t i = 0; i < instance.table().sensor_count; ++i) {
+    auto& port =
+        dynamic_cast<SensorOut&>(humanoid.environment().FindPort(instance.table().sensors[i].name));
+    *instance.sensor_data(i) = port().data;
+  }
+  for (auto _ : state) benchmark::DoNotOptimize(instance.Call(TASKC_END_OF_TIME_STEP, 0.005));
+}
+BENCHMARK(EventOfAnInstance);
+
+// Through the module, which brings its sensors up to date and emits the reward.
+void EventOfAModule(benchmark::State& state) {
+  Humanoid humanoid;
+  humanoid.Isolate();
+  for (auto _ : state) humanoid.task().on_end_of_time_step(0.005);
+}
+BENCHMARK(EventOfAModule);
+
+// The same event for the active task and as many shadows of another kind.
+void EventWithShadows(benchmark::State& state) {
+  Humanoid humanoid;
+  humanoid.Isolate();
+  std::vector<UniversalTask*> tasks = {&humanoid.task()};
+  const auto plugin = LoadTask("crawling");
+  // A shadow listens like the active task, which pays the learner: give it one.
+  auto& learner = humanoid.live().network().FindPort("learner.reward");
+  Port::Connect(humanoid.task().reward, learner);
+  for (int64_t i = 0; i < state.range(0); ++i) {
+    tasks.push_back(
+        &humanoid.live().Load(fmt::format("shadow{}", i), std::make_unique<TaskInstance>(plugin)));
+    tasks.back()->SetRole(UniversalTask::Role::kShadowEndsWithAction);
+    tasks.back()->on_start_of_episode();
+  }
+  Port::Disconnect(humanoid.task().reward, learner);
+  Slot<double>* active = &humanoid.task().on_end_of_time_step;
+  Signal<double> signal(&humanoid.environment(), "bench");
+  signal.Connect(*active);
+  for (size_t i = 1; i < tasks.size(); ++i) signal.Connect(tasks[i]->on_end_of_time_step);
+  for (auto _ : state) signal(0.005);
+}
+BENCHMARK(EventWithShadows)->Arg(0)->Arg(1)->Arg(2)->Arg(4);
+
+// ---- Swaps ----------------------------------------------------------------------------------
+
+// From a plugin's file to the first event, and the old plugin unloaded.
+void Swap(benchmark::State& state) {
+  Humanoid humanoid;
+  const char* names[] = {"turning", "crawling"};
+  size_t next = 0;
+  for (auto _ : state) {
+    humanoid.live().Swap("task", std::make_unique<TaskInstance>(LoadTask(names[next++ % 2])));
+  }
+}
+BENCHMARK(Swap)->Unit(benchmark::kMicrosecond);
+
+// ---- A trainer and a client that does not leave it alone ------------------------------------
+
+class Folder {
+ public:
+  Folder() {
+    std::string name = (std::filesystem::temp_directory_path() / "live-bench-XXXXXX").string();
+    path_ = mkdtemp(name.data());
+  }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  ~Folder() { std::filesystem::remove_all(path_); }
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+pid_t StartTrainer(const std::filesystem::path& run) {
+  std::vector<std::string> words = {
+      TRAINER,     "train",   SOURCE_DIR "/tasks/forward_rolling.task",
+      "--profile", "fast",    "--episodes",
+      "10",        "--quiet", "--out",
+      run.string()};
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  pid_t process = 0;
+  if (posix_spawn(&process, TRAINER, nullptr, nullptr, arguments.data(), environ) != 0) return 0;
+  return process;
+}
+
+// Reads the events and asks ten times a second.
+class Client {
+ public:
+  explicit Client(const std::filesystem::path& run)
+      : listener_([=] { WhenThere(run, [&] { FollowEvents(run, [](const auto&) {}); }); }),
+        asker_([=, this] {
+          while (!is_over_) {
+            WhenThere(run, [&] { Ask(run, {"list", nlohmann::json::object()}); });
+            std::this_thread::sleep_for(std::chrono::milliseconds(100));
+          }
+        }) {}
+  Client(const Client&) = delete;
+  Client& operator=(const Client&) = delete;
+  ~Client() {
+    is_over_ = true;
+    listener_.join();
+    asker_.join();
+  }
+
+ private:
+  template <class Action>
+  static void WhenThere(const std::filesystem::path& run, Action action) {
+    for (int tries = 0; tries < 100 && !HasTrainer(run); ++tries) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    try {
+      action();
+    } catch (const UserError&) {  // it has ended
+    }
+  }
+
+  std::atomic<bool> is_over_ = false;
+  std::thread listener_;
+  std::thread asker_;
+};
+
+// A whole short run; the argument says whether a client is attached.
+void Training(benchmark::State& state) {
+  for (auto _ : state) {
+    const Folder folder;
+    const std::filesystem::path run = folder.path() / "run";
+    const pid_t trainer = StartTrainer(run);
+    std::unique_ptr<Client> client;
+    if (state.range(0) != 0) client = std::make_unique<Client>(run);
+    int status = 0;
+    waitpid(trainer, &status, 0);
+    if (status != 0) state.SkipWithError("the trainer failed");
+    state.PauseTiming();
+    client.reset();
+    state.ResumeTiming();
+  }
+}
+BENCHMARK(Training)->ArgName("client")->Arg(0)->Arg(1)->UseRealTime()->Unit(benchmark::kSecond);
+
+}  // namespace
+}  // namespace runtime
+
+BENCHMARK_MAIN();
