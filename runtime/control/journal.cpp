@@ -17,10 +17,10 @@ Journal::Journal(RunDatabase& database) : database_(database) {
     if (change.kind == kQuarantine) {
       NoteQuarantine(change);
     } else {
-      changes_.push_back(std::move(change));
+      due_.push_back(std::move(change));
     }
   }
-  std::ranges::stable_sort(changes_, {}, PositionOf);
+  std::ranges::stable_sort(due_, {}, PositionOf);
 }
 
 void Journal::NoteQuarantine(const ChangeRecord& quarantine) {
@@ -35,16 +35,18 @@ bool Journal::IsInQuarantine(const ChangeRecord& change) const {
   return bad_tasks_.contains(nlohmann::json::parse(change.data).value("task", int64_t{0}));
 }
 
-const ChangeRecord* Journal::TakeDue(const RunPosition& position) {
+std::optional<ChangeRecord> Journal::TakeDue(const RunPosition& position) {
   while (has_due(position)) {
-    const ChangeRecord& change = changes_[next_++];
-    if (!IsInQuarantine(change)) return &change;
+    ChangeRecord change = std::move(due_.front());
+    due_.pop_front();
+    if (!IsInQuarantine(change)) return change;
+    passed_over_.push_back(std::move(change));
   }
-  return nullptr;
+  return std::nullopt;
 }
 
-const ChangeRecord& Journal::Add(const RunPosition& position, const std::string& kind,
-                                 const std::string& text, const std::string& data) {
+ChangeRecord Journal::AddDone(const RunPosition& position, const std::string& kind,
+                              const std::string& text, const std::string& data) {
   ChangeRecord change;
   change.episode = position.episode;
   change.step = position.step;
@@ -52,8 +54,13 @@ const ChangeRecord& Journal::Add(const RunPosition& position, const std::string&
   change.text = text;
   change.data = data;
   change.id = database_.AddChange(change);
-  const auto place = std::ranges::upper_bound(changes_, position, {}, PositionOf);
-  return *changes_.insert(place, std::move(change));
+  return change;
+}
+
+void Journal::AddDue(const RunPosition& position, const std::string& kind, const std::string& text,
+                     const std::string& data) {
+  ChangeRecord change = AddDone(position, kind, text, data);
+  due_.insert(std::ranges::upper_bound(due_, position, {}, PositionOf), std::move(change));
 }
 
 void Journal::Quarantine(const RunPosition& position, const ChangeRecord& change,

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -27,34 +29,38 @@ class Journal {
   // Reads what the record has. `database` outlives this object.
   explicit Journal(RunDatabase& database);
 
-  // Of the changes up to `position` that were not taken yet, the first, or null. Changes that are
-  // in quarantine are passed over. The pointer is valid until the next call.
-  const ChangeRecord* TakeDue(const RunPosition& position);
+  // Of the changes up to `position` that were not taken yet, the first. Changes that are in
+  // quarantine are passed over. What was taken is in the run's record only.
+  std::optional<ChangeRecord> TakeDue(const RunPosition& position);
   // Whether there may be one: as cheap as can be.
   bool has_due(const RunPosition& position) const {
-    return next_ < changes_.size() && PositionOf(changes_[next_]) <= position;
+    return !due_.empty() && PositionOf(due_.front()) <= position;
   }
 
-  // Writes a change down; the others of its position come before it. It is taken like any other.
-  const ChangeRecord& Add(const RunPosition& position, const std::string& kind,
-                          const std::string& text, const std::string& data);
+  // Writes down a change that takes effect now.
+  ChangeRecord AddDone(const RunPosition& position, const std::string& kind,
+                       const std::string& text, const std::string& data);
+  // Writes down a change that is taken when it is due, after all others of its position.
+  void AddDue(const RunPosition& position, const std::string& kind, const std::string& text,
+              const std::string& data);
   // A change that did harm is never done again.
   void Quarantine(const RunPosition& position, const ChangeRecord& change, const std::string& why);
 
-  bool IsInQuarantine(const ChangeRecord& change) const;
   // Tasks (TaskRecord::id) that have crashed.
   const std::set<int64_t>& bad_tasks() const { return bad_tasks_; }
-  const std::vector<ChangeRecord>& changes() const { return changes_; }
+  // The changes that were passed over so far.
+  const std::vector<ChangeRecord>& passed_over() const { return passed_over_; }
 
  private:
   static RunPosition PositionOf(const ChangeRecord& change) {
     return {change.episode, change.step};
   }
   void NoteQuarantine(const ChangeRecord& quarantine);
+  bool IsInQuarantine(const ChangeRecord& change) const;
 
   RunDatabase& database_;
-  std::vector<ChangeRecord> changes_;  // by position, then id; without the quarantines
-  size_t next_ = 0;
+  std::deque<ChangeRecord> due_;  // by position, then id
+  std::vector<ChangeRecord> passed_over_;
   std::set<int64_t> bad_tasks_;
   std::set<int64_t> bad_changes_;
 };

@@ -118,9 +118,8 @@ std::set<std::string> LiveRun::BeforeRestore(int64_t episode) {
   episodes_done_ = episode;
   recent_.clear();
   std::set<std::string> left_out;
-  for (const ChangeRecord& change : journal_.changes()) {
-    if (change.kind != "load" || !journal_.IsInQuarantine(change)) continue;
-    left_out.insert(Change(Json::parse(change.data)).text("name"));
+  for (const ChangeRecord& change : journal_.passed_over()) {
+    if (change.kind == "load") left_out.insert(Change(Json::parse(change.data)).text("name"));
   }
   return left_out;
 }
@@ -150,12 +149,11 @@ void LiveRun::CountDown() {
 }
 
 void LiveRun::RepeatDueChanges() {
-  while (const ChangeRecord* due = journal_.TakeDue(position_)) {
-    const ChangeRecord change = *due;
+  while (const std::optional<ChangeRecord> change = journal_.TakeDue(position_)) {
     try {
-      Do(change);
+      Do(*change);
     } catch (const std::exception& error) {
-      OnWarning(fmt::format("{}: not done: {}", change.text, error.what()));
+      OnWarning(fmt::format("{}: not done: {}", change->text, error.what()));
     }
   }
 }
@@ -177,15 +175,14 @@ void LiveRun::NoteDone(const ChangeRecord& record) {
 }
 
 std::string LiveRun::Make(const Change& change, bool now) {
-  const bool takes_effect_here = now || position_.step == 0;
-  const RunPosition position =
-      takes_effect_here ? position_ : RunPosition{position_.episode + 1, 0};
-  if (takes_effect_here) maker_.Do(change, FirstEpisodeAfter(position));
-  const ChangeRecord& record =
-      journal_.Add(position, change.kind(), change.Description(run_.record), change.data().dump());
-  if (!takes_effect_here) return fmt::format("episode {}", position.episode);
-  NoteDone(record);
-  journal_.TakeDue(position_);  // itself
+  const auto text = [&] { return change.Description(run_.record); };
+  if (!now && position_.step != 0) {
+    const RunPosition next_start = {position_.episode + 1, 0};
+    journal_.AddDue(next_start, change.kind(), text(), change.data().dump());
+    return fmt::format("episode {}", next_start.episode);
+  }
+  maker_.Do(change, FirstEpisodeAfter(position_));
+  NoteDone(journal_.AddDone(position_, change.kind(), text(), change.data().dump()));
   return "now";
 }
 
