@@ -1,10 +1,8 @@
 #include "runtime/report/page.h"
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 
 #include <cerrno>
-#include <chrono>
 #include <fstream>
 #include <functional>
 #include <iterator>
@@ -103,11 +101,6 @@ std::string MakePage(const nlohmann::json& data, const std::filesystem::path& fo
 
 void WritePage(const std::filesystem::path& file, const std::string& page) {
   if (const std::error_code error = ReplaceFile(file, page)) FailToWrite(file, error);
-}
-
-std::string Now() {
-  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}",
-                     std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now()));
 }
 
 }  // namespace runtime

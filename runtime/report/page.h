@@ -18,9 +18,6 @@ std::string MakePage(const nlohmann::json& data, const std::filesystem::path& fo
 // Makes or replaces `file`, whole or not at all. Throws UserError.
 void WritePage(const std::filesystem::path& file, const std::string& page);
 
-// The present time, ISO 8601.
-std::string Now();
-
 // `data` as ASCII text that can stand inside <script>, whatever its strings hold: neither end tags
 // nor comments nor line separators. Bytes that are no UTF-8 become U+FFFD.
 std::string JsonForScript(const nlohmann::json& data);

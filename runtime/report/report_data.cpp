@@ -14,6 +14,7 @@
 #include "runtime/report/report_changes.h"
 #include "runtime/report/report_recordings.h"
 #include "runtime/report/task_curves.h"
+#include "runtime/run/iso_time.h"
 #include "runtime/run/run_database.h"
 
 namespace runtime {
@@ -100,7 +101,7 @@ json CollectReportData(const std::filesystem::path& run_dir) {
   data["run"] = RunTexts(database, task);
   data["agentText"] = run.agent;
   data["modules"] = AgentModules(run.agent);
-  data["madeAt"] = Now();
+  data["madeAt"] = IsoTimeNow();
   data["episode"] = EncodeSeries(episodes, [](const EpisodeRecord& e) { return e.number; });
   data["returns"] =
       EncodeSeries(episodes, [](const EpisodeRecord& e) { return e.active.episode_return; });

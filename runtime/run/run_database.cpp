@@ -1,11 +1,9 @@
 #include "runtime/run/run_database.h"
 
-#include <fmt/chrono.h>
 #include <fmt/format.h>
 
-#include <chrono>
-
 #include "runtime/module/user_error.h"
+#include "runtime/run/iso_time.h"
 #include "runtime/run/run_database_impl.h"
 #include "runtime/run/run_schema.h"
 
@@ -23,11 +21,6 @@ std::filesystem::path DatabaseFile(const std::filesystem::path& folder) {
 
 std::span<const std::byte> Bytes(const std::string& text) {
   return std::as_bytes(std::span(text.data(), text.size()));
-}
-
-std::string Now() {
-  const auto now = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
-  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", now);
 }
 
 void CheckSchema(SqliteDatabase& database) {
@@ -145,7 +138,7 @@ void RunDatabase::Impl::WriteRun(const RunRecord& run) {
   Set("episodes_planned", fmt::format("{}", run.episodes_planned));
   Set("record_every", fmt::format("{}", run.record_every));
   Set("checkpoint_seconds", fmt::format("{}", run.checkpoint_seconds));
-  Set("started_at", Now());
+  Set("started_at", IsoTimeNow());
   Set("state", std::string(RunStateName(RunState::kRunning)));
   for (const TaskRecord& task : run.tasks) WriteTask(task);
 }
@@ -241,7 +234,7 @@ int64_t RunDatabase::AddTask(const TaskRecord& task) {
 int64_t RunDatabase::AddChange(const ChangeRecord& change) {
   SqliteStatement row(*impl_->database, "INSERT INTO change VALUES (NULL, ?, ?, ?, ?, ?, ?)",
                       "note a change");
-  const std::string at = change.at.empty() ? Now() : change.at;
+  const std::string at = change.at.empty() ? IsoTimeNow() : change.at;
   row.Bind(change.episode, change.step, std::string_view(at), std::string_view(change.kind),
            std::string_view(change.text), std::string_view(change.data))
       .Run();
@@ -261,7 +254,7 @@ void RunDatabase::SetState(RunState state) {
   if (state == RunState::kRunning) {
     impl_->database->Execute("DELETE FROM run WHERE key = 'finished_at'", "save the run's state");
   } else {
-    impl_->Set("finished_at", Now());
+    impl_->Set("finished_at", IsoTimeNow());
   }
   transaction.Commit();
 }

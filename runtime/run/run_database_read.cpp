@@ -189,6 +189,10 @@ std::optional<Checkpoint> RunDatabase::ReadCheckpoint() const {
   return Checkpoint{query.Integer(0), query.Blob(1)};
 }
 
+int64_t RunDatabase::ReadLastRecordedEpisode() const {
+  return impl_->database->QueryInteger("SELECT max(episode) FROM recording", "read the recordings");
+}
+
 std::optional<Recording> RunDatabase::ReadRecording(int64_t episode) const {
   SqliteStatement query(
       *impl_->database,

@@ -6,7 +6,6 @@
 #include "runtime/behavior/clustering.h"
 #include "runtime/module/user_error.h"
 #include "runtime/run/body_json.h"
-#include "runtime/run/sqlite.h"
 
 namespace runtime {
 namespace {
@@ -54,14 +53,9 @@ Eigen::MatrixXd Distances(const std::vector<RunBehavior>& behaviors) {
 }  // namespace
 
 std::optional<FinalRecording> ReadFinalRecording(const StudyRun& run) {
-  const std::filesystem::path file = run.folder / "run.db";
-  int64_t episode = 0;
-  {
-    SqliteDatabase database(file, SqliteAccess::kRead);
-    episode = database.QueryInteger("SELECT max(episode) FROM recording", "find a recording");
-  }
-  if (episode == 0) return std::nullopt;
-  std::optional<Recording> recording = RunDatabase::OpenToRead(run.folder).ReadRecording(episode);
+  const RunDatabase database = RunDatabase::OpenToRead(run.folder);
+  const int64_t episode = database.ReadLastRecordedEpisode();
+  std::optional<Recording> recording = database.ReadRecording(episode);
   if (!recording) return std::nullopt;
   return FinalRecording{episode, std::move(*recording)};
 }

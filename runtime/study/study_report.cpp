@@ -8,6 +8,7 @@
 #include "runtime/report/agent_modules.h"
 #include "runtime/report/base64.h"
 #include "runtime/report/page.h"
+#include "runtime/run/iso_time.h"
 #include "runtime/study/figures.h"
 #include "runtime/study/group_notes.h"
 #include "runtime/study/group_recordings.h"
@@ -78,7 +79,7 @@ json PageData(const std::filesystem::path& folder, const Study& study) {
   const Sentences sentences = ReadGroupNotes(folder);
   json data = {{"folder", NameOf(folder)},
                {"title", NameOf(folder) + " – study"},
-               {"madeAt", Now()},
+               {"madeAt", IsoTimeNow()},
                {"experiments", json::array()}};
   std::vector<std::string> notes = study.notes;
   std::vector<ExperimentResult> results;

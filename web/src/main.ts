@@ -23,7 +23,11 @@ function showCharts(report: Report, replay: (recording: Recording) => void): Lea
   const window = usualWindow(report.episode.length);
   const curve = new LearningCurve(
     report,
-    { chart: byId("curve", HTMLElement), readout: byId("curve-readout", HTMLElement), key: byId("curve-key", HTMLElement) },
+    {
+      chart: byId("curve", HTMLElement),
+      readout: byId("curve-readout", HTMLElement),
+      key: byId("curve-key", HTMLElement),
+    },
     window,
     replay,
   );

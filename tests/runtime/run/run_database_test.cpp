@@ -191,6 +191,7 @@ TEST_F(RunDatabaseTest, KeepsTheLastCheckpointAndAllRecordings) {
   EXPECT_TRUE(recording->is_best);
   EXPECT_EQ(recording->poses, poses);
   EXPECT_FALSE(database.ReadRecording(2).has_value());
+  EXPECT_EQ(database.ReadLastRecordedEpisode(), 1);
 }
 
 TEST_F(RunDatabaseTest, DeletesLaterEpisodesWithAllThatBelongsToThem) {
@@ -212,6 +213,7 @@ TEST_F(RunDatabaseTest, IsReadWhileItIsWritten) {
   RunDatabase writer = RunDatabase::Create(folder(), SampleRun());
   const RunDatabase reader = RunDatabase::OpenToRead(folder());
   EXPECT_TRUE(reader.ReadEpisodes().empty());
+  EXPECT_EQ(reader.ReadLastRecordedEpisode(), 0);
   writer.AddEpisode(SampleEpisode(1), {}, {});
   EXPECT_EQ(reader.ReadEpisodes().size(), 1u);
   EXPECT_EQ(reader.ReadState(), RunState::kRunning);

@@ -13,7 +13,8 @@ interface Place {
 }
 
 /** Before the episode, for a change between two episodes; else at it. */
-export const placeOf = ({ episode, step }: Change): number => (step === 0 ? episode - 0.5 : episode);
+export const placeOf = ({ episode, step }: Change): number =>
+  step === 0 ? episode - 0.5 : episode;
 
 export const changeWords = ({ episode, step, text }: Change): string =>
   `episode ${formatCount(episode)}${step > 0 ? `, step ${formatCount(step)}` : ""}: ${text}`;

@@ -1,5 +1,5 @@
-// The return of each episode, its running mean, what shadows say of it, a mark for each episode that
-// can be replayed, and one for each change.
+// The return of each episode, its running mean, what shadows say of it, a mark for each episode
+// that can be replayed, and one for each change.
 
 import type uPlot from "uplot";
 

@@ -23,7 +23,12 @@ export class TermCurves {
     report.terms.forEach((term, i) => this.parts.legend.append(this.legendEntry(term, i)));
     this.chart = new EpisodeChart(parts.chart, {
       episode: report.episode,
-      series: this.means.map((values, i) => ({ values, color: colorName(i), kind: "line", hasGaps: true })),
+      series: this.means.map((values, i) => ({
+        values,
+        color: colorName(i),
+        kind: "line",
+        hasGaps: true,
+      })),
       height: 260,
       label: "Running mean of each reward term's sum per episode.",
       onHover: (index) => this.showValues(index),

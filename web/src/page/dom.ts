@@ -34,7 +34,8 @@ export const themeColor = (name: string): string =>
 export const prefersReducedMotion = (): boolean =>
   window.matchMedia("(prefers-reduced-motion: reduce)").matches;
 
-export const hasWebGl = (): boolean => document.createElement("canvas").getContext("webgl2") !== null;
+export const hasWebGl = (): boolean =>
+  document.createElement("canvas").getContext("webgl2") !== null;
 
 /** Gives up the focus after a click by mouse or finger: the next space bar is for the replay. */
 export function leaveAfterClick(button: HTMLElement, event: MouseEvent): void {

@@ -12,6 +12,7 @@ import {
   formatNumber,
 } from "../data/words.ts";
 import { byId, element } from "./dom.ts";
+import { figure } from "./figure.ts";
 
 const kMeanOf = 100; // episodes at the end of the run
 
@@ -52,16 +53,6 @@ export function showMasthead(report: Report): void {
     if (!value) continue;
     facts.append(element("div", {}, element("dt", {}, name), element("dd", {}, value)));
   }
-}
-
-function figure(name: string, value: string, note: string): HTMLElement {
-  return element(
-    "div",
-    { class: "figure" },
-    element("dt", {}, name),
-    element("dd", { class: "number" }, value),
-    element("dd", { class: "note" }, note),
-  );
 }
 
 export function showKeyFigures(report: Report): void {

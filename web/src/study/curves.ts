@@ -7,7 +7,7 @@ import type { Experiment } from "./data.ts";
 import { colorOf } from "./words.ts";
 
 const kHint = "Point at the curves for their values; drag to zoom, double-click to see all.";
-const kBesideRuns = 3; // series before those of the runs: low, high; and after them the mean
+const kBeforeRuns = 2; // series before those of the runs: low and high; after them comes the mean
 
 /** `values` with NaN up to `length`. */
 function padded(values: Float32Array, length: number): Float32Array {
@@ -53,7 +53,7 @@ export class Curves {
 
   /** Lets only these runs stand out; all, where there are none. */
   emphasise(runs: number[]): void {
-    this.chart.emphasise((series) => runs.length === 0 || runs.includes(series - kBesideRuns + 1));
+    this.chart.emphasise((series) => runs.length === 0 || runs.includes(series - kBeforeRuns));
   }
 
   private key(): HTMLElement {

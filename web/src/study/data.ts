@@ -95,7 +95,9 @@ export interface Study {
   notes: string[];
 }
 
-type Encoded<Value> = { [Key in keyof Value]: Value[Key] extends Float32Array ? string : Value[Key] };
+type Encoded<Value> = {
+  [Key in keyof Value]: Value[Key] extends Float32Array ? string : Value[Key];
+};
 interface EncodedGroup extends Omit<Group, "recording"> {
   recording?: Encoded<Replay>;
 }

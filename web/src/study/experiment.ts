@@ -3,6 +3,7 @@
 import { docOfTask } from "../data/task_source.ts";
 import { agentInWords, formatCount, formatNumber } from "../data/words.ts";
 import { element } from "../page/dom.ts";
+import { figure } from "../page/figure.ts";
 import { row, table } from "../page/table.ts";
 import { Curves } from "./curves.ts";
 import type { Estimate, Experiment, Group, StudyRun, Term } from "./data.ts";
@@ -28,29 +29,21 @@ function heading(experiment: Experiment): HTMLElement {
   );
 }
 
-function figure(name: string, value: string, note: string): HTMLElement {
-  return element(
-    "div",
-    { class: "figure" },
-    element("dt", {}, name),
-    element("dd", { class: "number" }, value),
-    element("dd", { class: "note" }, note),
-  );
-}
-
 /** The interval, or why there is none. */
 const intervalOf = (estimate: Estimate, format?: (value: number | undefined) => string): string =>
   interval(estimate, format) ? `95 %: ${interval(estimate, format)}` : `of ${runs(estimate.count)}`;
 
 function keyFigures(experiment: Experiment): HTMLElement {
-  const { final_return, best_return, episodes_to_80_percent, cpu_minutes_to_80_percent, is_settled } =
-    experiment;
+  const { final_return, best_return } = experiment;
+  const { episodes_to_80_percent: episodes, cpu_minutes_to_80_percent: minutes } = experiment;
+  const name = experiment.is_settled ? "Final return" : "Return so far";
+  const bests = `mean of the runs’ best ${mean(best_return)}`;
   const list = element("dl", { class: "figures" });
   list.append(
-    figure(is_settled ? "Final return" : "Return so far", mean(final_return), intervalOf(final_return)),
-    figure("Best episode", number(best_return.greatest), `mean of the runs’ best ${mean(best_return)}`),
-    figure("Episodes to 80 %", mean(episodes_to_80_percent, count), intervalOf(episodes_to_80_percent, count)),
-    figure("CPU minutes to 80 %", mean(cpu_minutes_to_80_percent), intervalOf(cpu_minutes_to_80_percent)),
+    figure(name, mean(final_return), intervalOf(final_return)),
+    figure("Best episode", number(best_return.greatest), bests),
+    figure("Episodes to 80 %", mean(episodes, count), intervalOf(episodes, count)),
+    figure("CPU minutes to 80 %", mean(minutes), intervalOf(minutes)),
   );
   for (const { name, unit, value } of experiment.metrics) {
     list.append(figure(unit ? `${name} [${unit}]` : name, mean(value), intervalOf(value)));
@@ -58,7 +51,7 @@ function keyFigures(experiment: Experiment): HTMLElement {
   return list;
 }
 
-/** What a term paid at the end, and a bar for its share: to the right if paid, to the left if taken. */
+/** What a term paid at the end, and a bar for its share: to the right paid, to the left taken. */
 function termRow({ name, doc, value, share }: Term): HTMLTableRowElement {
   const bar = element("span", { class: "share-bar" });
   const part = element("span", { class: (share ?? 0) < 0 ? "taken" : "paid" });
@@ -111,10 +104,10 @@ function runTable(experiment: Experiment): HTMLElement {
 /** Where the runs ended, in words. */
 function groupWords({ groups, runs: all }: Experiment): string {
   const open = all.filter((run) => run.group === null).length;
-  const rest = open > 0 ? ` ${runs(open)} not finished, or without a recording, in none of them.` : "";
+  const words = ` ${runs(open)} not finished, or without a recording, in none of them.`;
   if (groups.length === 0) return "No finished run has a recording yet.";
   const number = groups.length === 1 ? "one group" : `${groups.length} groups`;
-  return `The finished runs, by their last recorded episodes, fall into ${number}.${rest}`;
+  return `The finished runs, by their last recorded episodes, fall into ${number}.${open > 0 ? words : ""}`;
 }
 
 /** The section of an experiment; `replay` is called for a group whose replay is asked for. */
