@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "runtime/control/parameter_json.h"
 #include "runtime/module/suggestion.h"
 #include "runtime/module/user_error.h"
 
@@ -83,7 +84,7 @@ bool Fits(const nlohmann::json& value, ArgumentType type) {
     case kText:
       return value.is_string();
     case kWhole:
-      return value.is_number_integer();
+      return IsInt64(value);
     case kNumber:
       return value.is_number();
     case kFlag:

@@ -4,13 +4,27 @@
 
 #include <charconv>
 #include <cmath>
+#include <utility>
 
 namespace runtime {
 namespace {
 
+bool IsWhole(const Parameter& parameter) {
+  return std::holds_alternative<int*>(parameter.target) ||
+         std::holds_alternative<int64_t*>(parameter.target);
+}
+
 bool IsNumber(const Parameter& parameter) {
-  return !std::holds_alternative<std::string*>(parameter.target) &&
-         !std::holds_alternative<bool*>(parameter.target);
+  return IsWhole(parameter) || std::holds_alternative<double*>(parameter.target);
+}
+
+// JSON does not tell 3.0 from 3.
+ParameterValue NumberFor(const Parameter& parameter, double number) {
+  constexpr double kExact = 9007199254740992;  // up to here every whole number is a double
+  if (IsWhole(parameter) && number == std::floor(number) && std::abs(number) <= kExact) {
+    return static_cast<int64_t>(number);
+  }
+  return number;
 }
 
 // "20 s", where `unit` is "s".
@@ -41,6 +55,11 @@ std::vector<double> ListFromJson(const nlohmann::json& json, const std::string& 
 
 }  // namespace
 
+bool IsInt64(const nlohmann::json& json) {
+  if (json.is_number_unsigned()) return std::in_range<int64_t>(json.get<uint64_t>());
+  return json.is_number_integer();
+}
+
 nlohmann::json ToJson(const ParameterValue& value) {
   return std::visit([](const auto& each) -> nlohmann::json { return each; }, value);
 }
@@ -48,22 +67,15 @@ nlohmann::json ToJson(const ParameterValue& value) {
 ParameterValue ValueFromJson(const nlohmann::json& json, const Parameter& parameter,
                              const std::string& name) {
   if (json.is_boolean()) return json.get<bool>();
-  if (json.is_number_integer()) return json.get<int64_t>();
-  if (json.is_number()) return json.get<double>();
+  if (IsInt64(json)) return json.get<int64_t>();
+  if (json.is_number()) return NumberFor(parameter, json.get<double>());
   if (json.is_array()) return ListFromJson(json, name);
   if (!json.is_string()) {
     throw UserError(fmt::format("`{}` cannot be {}", name, json.dump()));
   }
   const auto text = json.get<std::string>();
   if (!IsNumber(parameter)) return text;
-  const double number = NumberWithUnit(text, parameter.unit, name);
-  const bool is_whole = std::holds_alternative<int*>(parameter.target) ||
-                        std::holds_alternative<int64_t*>(parameter.target);
-  constexpr double kExact = 9007199254740992;  // up to here every whole number is a double
-  if (is_whole && number == std::floor(number) && std::abs(number) <= kExact) {
-    return static_cast<int64_t>(number);
-  }
-  return number;
+  return NumberFor(parameter, NumberWithUnit(text, parameter.unit, name));
 }
 
 nlohmann::json ParameterJson(const Module& module, const Parameter& parameter) {

@@ -8,6 +8,9 @@
 
 namespace runtime {
 
+// Whether it is a whole number that int64_t holds. Beyond it, nlohmann::json wraps around.
+bool IsInt64(const nlohmann::json& json);
+
 nlohmann::json ToJson(const ParameterValue& value);
 
 // A number may be a text that ends with the parameter's unit: "20 s". Throws UserError for another
