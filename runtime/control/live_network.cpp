@@ -52,15 +52,19 @@ UniversalTask& LiveNetwork::active_task() const {
   return *FindTaskModules(network_, learner_).active;
 }
 
+void LiveNetwork::CheckLoad(const std::string& name, const Plugin& plugin) const {
+  network_.CheckNewName(name);
+  UniversalTask::CheckCanLoad(plugin, *context_.robot, network_);
+}
+
 UniversalTask& LiveNetwork::Load(const std::string& name, std::unique_ptr<TaskInstance> instance) {
+  CheckLoad(name, *instance->plugin());
   const UniversalTask& active = active_task();
   auto made = std::make_unique<UniversalTask>(name, *context_.robot, std::move(instance));
-  made->CheckCanSwap(*made->instance().plugin(), network_);
   UniversalTask& shadow = *made;
   network_.Add(std::move(made));
   shadow.ConnectSensors(network_);
   ListenLike(active, shadow);
-  shadow.Sleep();
   return shadow;
 }
 
@@ -85,7 +89,7 @@ void LiveNetwork::Rollback(const std::string& name) { FindTask(name).Rollback(ne
 void LiveNetwork::CheckPromote(const std::string& name, bool now) const {
   const UniversalTask& task = FindTask(name);
   if (&task == &active_task()) throw UserError(fmt::format("`{}` is active already", name));
-  if (now && (task.is_asleep() || task.has_ended())) {
+  if (now && !task.can_end()) {
     throw UserError(fmt::format(
         "for `{}` this episode is over, or has never begun: promote it without `now`", name));
   }
@@ -161,18 +165,32 @@ void LiveNetwork::Disconnect(const std::string& first, const std::string& second
         "replaces this one",
         port->full_name(), port->type().text));
   }
+  CheckIsStillPaid(a, b);
   Port::Disconnect(a, b);
-  try {
-    active_task();
-  } catch (const UserError&) {
-    Port::Connect(a, b);
-    throw;
+}
+
+// Without the connection of the two.
+void LiveNetwork::CheckIsStillPaid(const Port& a, const Port& b) const {
+  for (const auto& module : network_.modules()) {
+    const auto* task = dynamic_cast<const UniversalTask*>(module.get());
+    if (task == nullptr) continue;
+    for (const Port* slot : task->reward.Connections()) {
+      const bool is_theirs =
+          (&task->reward == &a && slot == &b) || (&task->reward == &b && slot == &a);
+      if (&slot->owner() == &learner_ && !is_theirs) return;
+    }
   }
+  throw UserError(fmt::format(
+      "without `{}` to `{}` no task pays the learner: promote another task module instead",
+      a.full_name(), b.full_name()));
 }
 
 void LiveNetwork::AddModule(const std::string& type, const std::string& name,
                             const std::vector<std::pair<std::string, ParameterValue>>& parameters) {
   std::unique_ptr<Module> module = types_.Make(type, name, context_);
+  if (dynamic_cast<UniversalTask*>(module.get()) != nullptr) {
+    throw UserError(fmt::format("`{}` is a task module: load a task under this name", name));
+  }
   for (const auto& [parameter, value] : parameters) module->Set(parameter, value);
   network_.Add(std::move(module));
   not_started_[name] = "";

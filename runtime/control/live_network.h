@@ -24,6 +24,7 @@ class LiveNetwork {
   UniversalTask& FindTask(std::string_view name) const;
   UniversalTask& active_task() const;
 
+  void CheckLoad(const std::string& name, const Plugin& plugin) const;
   // A new task module that hears of everything the active task hears of, right after it. It sleeps
   // until the next episode starts.
   UniversalTask& Load(const std::string& name, std::unique_ptr<TaskInstance> instance);
@@ -33,7 +34,7 @@ class LiveNetwork {
   void Swap(const std::string& name, std::unique_ptr<TaskInstance> instance);
   void Rollback(const std::string& name);
 
-  // `now`: in the middle of an episode, which the shadow must still be evaluating.
+  // `now`: in the middle of an episode, of which the shadow must not have reached the end.
   void CheckPromote(const std::string& name, bool now) const;
   // The shadow's reward and ends go where those of the active task went.
   void Promote(const std::string& name);
@@ -49,7 +50,7 @@ class LiveNetwork {
   // Refuses to leave an in port without a value, or the learner without a task.
   void Disconnect(const std::string& first, const std::string& second);
 
-  // Starts it as soon as its in ports are connected.
+  // Starts it as soon as its in ports are connected. Task modules come by Load().
   void AddModule(const std::string& type, const std::string& name,
                  const std::vector<std::pair<std::string, ParameterValue>>& parameters);
   // Refuses what the run cannot do without.
@@ -64,6 +65,7 @@ class LiveNetwork {
   };
   ParameterName Split(const std::string& parameter) const;
   void CheckIsUsable(const Port& port, const Port& by) const;
+  void CheckIsStillPaid(const Port& a, const Port& b) const;
   void CheckIsNeeded(const Module& module) const;
   void StartWhatCan();
 

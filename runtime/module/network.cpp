@@ -100,14 +100,18 @@ Network::~Network() {
   while (!modules_.empty()) modules_.pop_back();
 }
 
-Module& Network::Add(std::unique_ptr<Module> module) {
-  const std::string& name = module->name();
-  if (name.empty() || name.find('.') != std::string::npos) {
+void Network::CheckNewName(std::string_view name) const {
+  if (name.empty()) throw UserError("a module needs a name");
+  if (name.find('.') != std::string_view::npos) {
     throw UserError(fmt::format("`{}` cannot name a module: a name has no '.'", name));
   }
   for (const auto& other : modules_) {
     if (other->name() == name) throw UserError(fmt::format("there is a module `{}` already", name));
   }
+}
+
+Module& Network::Add(std::unique_ptr<Module> module) {
+  CheckNewName(module->name());
   return *modules_.emplace_back(std::move(module));
 }
 

@@ -46,6 +46,8 @@ class Network {
   ~Network();  // destroys the modules in the reverse order of their creation
 
   // Throws UserError if the name is taken, empty, or contains a '.'.
+  void CheckNewName(std::string_view name) const;
+  // Throws as CheckNewName().
   Module& Add(std::unique_ptr<Module> module);
   // Disconnects and destroys a module. Not from inside one of its own slots. Throws UserError for
   // an unknown module.

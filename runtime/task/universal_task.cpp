@@ -33,6 +33,13 @@ Port* FindOffer(const Network& network, const taskc_sensor& sensor) {
   return nullptr;
 }
 
+void CheckIsOffered(const Network& network, const taskc_sensor& sensor, const taskc_plugin& table) {
+  if (FindOffer(network, sensor) != nullptr) return;
+  throw UserError(fmt::format(
+      "the task `{}` reads the sensor `{}`, and no module has an out port `{}` of the type `{}`",
+      table.name, sensor.name, sensor.name, TypeOf(sensor).text));
+}
+
 std::unique_ptr<TaskInstance> FirstInstance(const std::string& name, const Context& context) {
   if (context.task == nullptr) {
     throw UserError(fmt::format("the module `{}` has no task to begin with", name));
@@ -96,16 +103,21 @@ void UniversalTask::BindSensors() {
   }
 }
 
+void UniversalTask::CheckCanLoad(const Plugin& plugin, const robot::RobotDescription& robot,
+                                 const Network& network) {
+  CheckFitsRobot(plugin, robot);
+  for (const taskc_sensor& sensor : SensorsOf(plugin.table())) {
+    CheckIsOffered(network, sensor, plugin.table());
+  }
+}
+
 void UniversalTask::CheckCanSwap(const Plugin& plugin, const Network& network) const {
   CheckFitsRobot(plugin, robot_);
   const taskc_plugin& table = plugin.table();
   for (const taskc_sensor& sensor : SensorsOf(table)) {
     const auto present = FindSensor(sensor);
     if (present != sensors_.end() && (*present)->connected()) continue;
-    if (FindOffer(network, sensor) != nullptr) continue;
-    throw UserError(fmt::format(
-        "the task `{}` reads the sensor `{}`, and no module has an out port `{}` of the type `{}`",
-        table.name, sensor.name, sensor.name, TypeOf(sensor).text));
+    CheckIsOffered(network, sensor, table);
   }
 }
 

@@ -72,6 +72,10 @@ class UniversalTask : public Module {
   // Connects the sensors that are not connected yet to the out ports of their name. Precondition:
   // there are such ports.
   void ConnectSensors(const Network& network);
+  // Throws UserError if the task does not fit the robot, or if it reads a sensor that no module of
+  // `network` offers.
+  static void CheckCanLoad(const Plugin& plugin, const robot::RobotDescription& robot,
+                           const Network& network);
   // Throws UserError if the task does not fit the robot, or if it reads a sensor that this module
   // has not, or not connected, and that no module of `network` offers.
   void CheckCanSwap(const Plugin& plugin, const Network& network) const;
@@ -92,9 +96,8 @@ class UniversalTask : public Module {
   enum class Role { kActive, kShadowEndsWithAction, kShadowEndsAtOnce };
   void SetRole(Role role) { role_ = role; }
   bool is_shadow() const { return role_ != Role::kActive; }
-  // No events until the next episode starts.
-  void Sleep() { is_asleep_ = true; }
-  bool is_asleep() const { return is_asleep_; }
+  // Whether an end that the task reaches from now on would be this episode's.
+  bool can_end() const { return !is_asleep_ && !episode_is_over_ && !end_was_reached_; }
 
   const TaskInstance& instance() const { return *instance_; }
   const taskc_plugin& plugin() const { return instance_->table(); }
@@ -158,7 +161,7 @@ class UniversalTask : public Module {
   Role role_ = Role::kActive;
   double return_ = 0;
   TaskEnd end_;
-  bool is_asleep_ = false;
+  bool is_asleep_ = true;  // no events until the next episode starts
   bool episode_is_over_ = false;
   bool end_was_reached_ = false;
 };

@@ -225,8 +225,7 @@ TEST_F(SwapTest, AShadowOfACleanLearnerEndsAtOnce) {
   EXPECT_EQ(shadow.episode_return(), 23);
 }
 
-TEST_F(SwapTest, ATaskSleepsUntilTheNextEpisode) {
-  task_->Sleep();
+TEST_F(SwapTest, ATaskSleepsUntilAnEpisodeStarts) {
   task_->on_start_of_action();
   task_->on_end_of_time_step(0.5);
   task_->on_end_of_episode({});

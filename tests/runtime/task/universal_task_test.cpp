@@ -238,6 +238,7 @@ TEST_F(UniversalTaskTest, StepThatEndsTheEpisodeBelongsToTheMetrics) {
 }
 
 TEST_F(UniversalTaskTest, EventDuringAnEmissionDoesNotChangeItsEnd) {
+  task_->on_start_of_episode();
   // The reward's receiver starts another event of the same task before the end is emitted.
   learner_.on_reward = [&] {
     learner_.on_reward = nullptr;
