@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "runtime/control/answers.h"
 #include "runtime/control/parameter_json.h"
@@ -28,6 +29,11 @@ int64_t FirstEpisodeAfter(const RunPosition& position) {
   return position.step == 0 ? position.episode : position.episode + 1;
 }
 
+// Such a change is not taken back: a checkpoint that was saved since knows nothing of the module.
+bool RemovesModule(const ChangeRecord& change) {
+  return change.kind == "unload" || change.kind == "module_remove";
+}
+
 void CheckSchedule(const Json& arguments, const Parameter& parameter, const std::string& name) {
   for (const char* key : {"from", "to", "episodes"}) {
     if (arguments.contains(key)) continue;
@@ -47,6 +53,13 @@ void CheckSchedule(const Json& arguments, const Parameter& parameter, const std:
     if (parameter.minimum <= value && value <= parameter.maximum) continue;
     throw UserError(fmt::format("`{}` must lie in {} .. {}, and {} does not", name,
                                 parameter.minimum, parameter.maximum, value));
+  }
+  constexpr double kExact = 9007199254740992;  // up to here every whole number is a double
+  for (const char* key : {"from", "to"}) {
+    const bool is_exact = std::abs(arguments.at(key).get<double>()) <= kExact;
+    if (is_exact || std::holds_alternative<double*>(parameter.target)) continue;
+    throw UserError(fmt::format("a schedule of `{}` has no number as large as {}", name,
+                                arguments.at(key).dump()));
   }
   constexpr int64_t kMost = 1'000'000'000;
   const auto episodes = arguments.at("episodes").get<int64_t>();
@@ -112,16 +125,27 @@ void LiveRun::Handle(Request request, ReplyHandler reply) {
 // ---- the thread that trains
 
 std::set<std::string> LiveRun::BeforeRestore(int64_t episode) {
-  position_ = {episode, std::numeric_limits<int64_t>::max()};
-  RepeatDueChanges();
+  for (int64_t each = 1; each <= episode; ++each) RepeatEpisode(each);
   position_ = {episode + 1, 0};
   episodes_done_ = episode;
   recent_.clear();
+  network_has_changed_ = false;
   std::set<std::string> left_out;
   for (const ChangeRecord& change : journal_.passed_over()) {
-    if (change.kind == "load") left_out.insert(Change(Json::parse(change.data)).text("name"));
+    const bool adds_a_module = change.kind == "load" || change.kind == "module_add";
+    if (adds_a_module) left_out.insert(Change(Json::parse(change.data)).text("name"));
   }
   return left_out;
+}
+
+// Schedules go on with every episode: which of them ended, and when, depends on what was changed
+// meanwhile.
+void LiveRun::RepeatEpisode(int64_t episode) {
+  position_ = {episode, 0};
+  RepeatDueChanges();
+  schedules_.Apply(episode, network_);
+  position_ = {episode, std::numeric_limits<int64_t>::max()};
+  RepeatDueChanges();
 }
 
 bool LiveRun::AtSafePoint(int64_t episode, int64_t step) {
@@ -129,7 +153,6 @@ bool LiveRun::AtSafePoint(int64_t episode, int64_t step) {
   const bool has_something_to_do = step == 0 || journal_.has_due(position_) ||
                                    queue_.has_requests() || counts_ || state_ == State::kPaused;
   if (!has_something_to_do) return false;
-  network_has_changed_ = false;
   RepeatDueChanges();
   CountDown();
   ServeQueue();
@@ -138,7 +161,7 @@ bool LiveRun::AtSafePoint(int64_t episode, int64_t step) {
     ServeQueue();
   }
   if (step == 0) schedules_.Apply(episode, network_);
-  return network_has_changed_;
+  return std::exchange(network_has_changed_, false);
 }
 
 void LiveRun::CountDown() {
@@ -192,7 +215,8 @@ void LiveRun::ServeQueue() {
 }
 
 void LiveRun::Serve(const QueuedRequest& request) {
-  if (request.request.command == "save") {
+  // Where all episodes are done, the last of them is in the checkpoint.
+  if (request.request.command == "save" && state_ != State::kFinished) {
     waiting_for_checkpoint_.push_back(request.reply);
     return;
   }
@@ -238,6 +262,7 @@ std::optional<Json> LiveRun::Steer(const QueuedRequest& request) {
   }
   if (command == "resume") return GoOn(request.request.arguments);
   if (command == "step") return StepOn(request.request.arguments);
+  if (command == "save") return Json{{"episode", episodes_done_}};
   if (command == "stop") {
     stop_was_asked_for_ = true;
     return Json{{"stops", fmt::format("after episode {}",
@@ -301,6 +326,14 @@ Json LiveRun::StatusJson() const {
           {"pid", getpid()}};
 }
 
+void LiveRun::CheckIsGood(const LoadedTask& task) const {
+  for (const TaskRecord& known : run_.record.tasks) {
+    if (known.plugin != task.kept || !journal_.bad_tasks().contains(known.id)) continue;
+    throw UserError(
+        fmt::format("`{}` has crashed in this run before: change it first", known.task));
+  }
+}
+
 const TaskRecord& LiveRun::RecordTask(const std::string& module, const LoadedTask& task) {
   for (const TaskRecord& known : run_.record.tasks) {
     if (known.module == module && known.plugin == task.kept) return known;
@@ -316,11 +349,13 @@ Json LiveRun::LoadOrSwap(const QueuedRequest& request) {
   const std::string& command = request.request.command;
   const bool is_swap = command == "swap";
   const std::string name = arguments.value("name", std::string(request.task.plugin->table().name));
-  if (is_swap) network_.CheckSwap(name, *request.task.plugin);
-  const TaskRecord& task = RecordTask(name, request.task);
-  if (journal_.bad_tasks().contains(task.id)) {
-    throw UserError(fmt::format("`{}` has crashed in this run before: change it first", task.task));
+  CheckIsGood(request.task);
+  if (is_swap) {
+    network_.CheckSwap(name, *request.task.plugin);
+  } else {
+    network_.CheckLoad(name, *request.task.plugin);
   }
+  const TaskRecord& task = RecordTask(name, request.task);
   Json data = {{"command", command}, {"name", name}, {"task", task.id}};
   if (arguments.value("forget", false)) data["forget"] = true;
   Json reply = TaskJson(name, task);
@@ -360,6 +395,11 @@ Json LiveRun::SetParameter(const Json& arguments) {
   const Parameter& parameter = network_.FindParameter(name);
   Json data = {{"command", "set"}, {"name", name}};
   if (arguments.contains("value")) {
+    for (const char* key : {"from", "to", "episodes"}) {
+      if (!arguments.contains(key)) continue;
+      throw UserError(
+          fmt::format("`set {}`: a `value` has no `{}`, which is of a schedule", name, key));
+    }
     data["value"] = ToJson(ValueFromJson(arguments.at("value"), parameter, name));
     const std::string takes_effect = Make(Change(std::move(data)), true);
     Json reply = ParametersJson(network_, name);
@@ -398,6 +438,7 @@ void LiveRun::AfterEpisode(const EpisodeRecord& episode, const ReturnStatistics&
 bool LiveRun::PlanMore(int64_t episodes_done) {
   if (when_done_ == WhenDone::kEnd) return false;
   position_ = {episodes_done + 1, 0};
+  RepeatDueChanges();  // before others come that take effect here
   SetState(State::kFinished);
   while (run_.record.episodes_planned <= episodes_done && !stops()) {
     queue_.WaitFor(kBetweenLooks);
@@ -407,8 +448,9 @@ bool LiveRun::PlanMore(int64_t episodes_done) {
 }
 
 bool LiveRun::BlameLastChange(const std::string& why) {
-  if (recent_.empty()) return false;
-  journal_.Quarantine(position_, recent_.back(), why);
+  const auto last = std::find_if_not(recent_.rbegin(), recent_.rend(), RemovesModule);
+  if (last == recent_.rend()) return false;
+  journal_.Quarantine(position_, *last, why);
   return true;
 }
 

@@ -68,6 +68,8 @@ class LiveRun : public RequestHandler, public TrainingHooks {
   bool stops() const { return stop_was_asked_for_ || stop_.signal() != 0; }
   void Publish(nlohmann::json event);
 
+  // What was done from outside in an episode that need not be run again.
+  void RepeatEpisode(int64_t episode);
   // Does what is due here; where something cannot be done, says so and goes on.
   void RepeatDueChanges();
   void Do(const ChangeRecord& record);
@@ -86,6 +88,7 @@ class LiveRun : public RequestHandler, public TrainingHooks {
   nlohmann::json SetParameter(const nlohmann::json& arguments);
   nlohmann::json GoOn(const nlohmann::json& arguments);
   nlohmann::json StepOn(const nlohmann::json& arguments);
+  void CheckIsGood(const LoadedTask& task) const;
   // The record of a plugin that was loaded for a module, which may be an older one.
   const TaskRecord& RecordTask(const std::string& module, const LoadedTask& task);
   // Writes a change down, after doing it if it is to take effect here. Returns "now" or
@@ -105,7 +108,7 @@ class LiveRun : public RequestHandler, public TrainingHooks {
   EventSink* events_ = nullptr;
 
   RunPosition position_;
-  bool network_has_changed_ = false;  // at this position
+  bool network_has_changed_ = false;  // since the training was told last
   State state_ = State::kRunning;
   std::optional<StepUnit> counts_;  // what is left of `step`
   int64_t steps_left_ = 0;

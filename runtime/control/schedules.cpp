@@ -1,6 +1,5 @@
 #include "runtime/control/schedules.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace runtime {
@@ -15,9 +14,10 @@ ParameterValue ValueFor(const Parameter& parameter, double value) {
 }  // namespace
 
 double Schedule::At(int64_t episode) const {
+  if (episode < first_episode) return from;
   if (IsOverAfter(episode)) return to;
-  const double done = static_cast<double>(std::max<int64_t>(0, episode - first_episode)) /
-                      static_cast<double>(episodes - 1);
+  const double done =
+      static_cast<double>(episode - first_episode) / static_cast<double>(episodes - 1);
   return from + (to - from) * done;
 }
 
