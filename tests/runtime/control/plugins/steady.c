@@ -1,0 +1,2 @@
+#define NAME "steady"
+#include "paying.h"
