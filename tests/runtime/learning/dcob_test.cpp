@@ -231,5 +231,16 @@ TEST_F(DcobTest, NeedsItsInputs) {
   EXPECT_THAT(UserErrorOf([this] { dcob_.Start(); }), HasSubstr("action_space.state"));
 }
 
+TEST_F(DcobTest, AnActionThatItHasNotIsRefused) {
+  UseTurningAgent();
+  const int count = commander_.action_count();
+  for (const int action : {-1, count}) {
+    EXPECT_EQ(UserErrorOf([&] { commander_.execute(action); }),
+              "`action_space` gets action " + std::to_string(action) + " and has " +
+                  std::to_string(count) + " actions: take their number from it");
+  }
+  EXPECT_GT(Execute(count - 1), 0);
+}
+
 }  // namespace
 }  // namespace runtime

@@ -155,6 +155,48 @@ TEST_F(PengQLambdaTest, TheFirstEndCounts) {
   EXPECT_STREQ(learner_.episode_end().reason, "fall");
 }
 
+// Its task may be gone before the episode is over.
+TEST_F(PengQLambdaTest, TheReasonOfAnEndOutlivesItsTask) {
+  std::string reason = "a reason that is too long to be kept in the string itself";
+  const std::string said = reason;
+  world_.start_of_episode();
+  world_.end_of_episode({EndKind::kFailure, reason.c_str()});
+  reason.assign(reason.size(), '?');
+  world_.end_of_action();
+  EXPECT_EQ(learner_.episode_end().reason, said);
+  EXPECT_EQ(world_.told.back(), "episode_over: " + said);
+}
+
+// Without traces the second action's 10 are not credited to the first: theta = 0.3 * 10.
+TEST_F(PengQLambdaTest, ActionsBeforeTheTracesAreClearedGetNoCredit) {
+  world_.start_of_episode();
+  world_.PlayAction(0);
+  learner_.ClearTraces();
+  EXPECT_FALSE(learner_.episode_over());
+  world_.PlayAction(10);
+  EXPECT_NEAR(theta(), 3, 1e-14);
+}
+
+TEST_F(PengQLambdaTest, ForgetsInTheMiddleOfAnEpisodeAndGoesOn) {
+  const double first_rate = learner_.learning_rate();
+  for (int episode = 0; episode < 3; ++episode) {
+    world_.start_of_episode();
+    world_.end_of_episode(kGoal);
+    world_.PlayAction(1);
+  }
+  world_.start_of_episode();
+  world_.PlayAction(1);
+  EXPECT_LT(learner_.learning_rate(), first_rate);
+  EXPECT_NE(theta(), 0);
+  learner_.Forget();
+  EXPECT_EQ(theta(), 0);
+  EXPECT_TRUE(learner_.q_lambda().traces().isZero(0));
+  EXPECT_EQ(learner_.learning_rate(), first_rate);
+  EXPECT_FALSE(learner_.episode_over());
+  world_.PlayAction(1);
+  EXPECT_NE(theta(), 0);
+}
+
 TEST(PengQLambda, WhatTheEndOfTheEpisodeBringsBelongsToTheLastAction) {
   for (const char* mode : {"original", "clean"}) {
     PengQLambda learner("learner", HumanoidContext());

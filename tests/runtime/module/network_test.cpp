@@ -188,6 +188,29 @@ TEST(NetworkState, OfOtherModulesOrDamagedIsRefused) {
   EXPECT_THROW(larger.Load(again), UserError);
 }
 
+// In front, in between and at the end: what is left out need not be there any more.
+TEST(NetworkState, ModulesCanBeLeftOut) {
+  Network saved;
+  for (const char* name : {"x", "a", "y", "z", "b", "w"}) {
+    saved.Add(std::make_unique<Keeper>(name, name[0]));
+  }
+  std::stringstream state;
+  saved.Save(state);
+  Network loaded;
+  auto& a = static_cast<Keeper&>(loaded.Add(std::make_unique<Keeper>("a")));
+  auto& y = static_cast<Keeper&>(loaded.Add(std::make_unique<Keeper>("y")));
+  auto& b = static_cast<Keeper&>(loaded.Add(std::make_unique<Keeper>("b")));
+  std::istringstream whole(state.str());
+  loaded.Load(whole, {"w", "x", "y", "z", "not there"});
+  EXPECT_EQ(a.value, 'a');
+  EXPECT_EQ(y.value, 'y');  // is there after all
+  EXPECT_EQ(b.value, 'b');
+  for (const auto& left_out : {std::set<std::string>{"x", "z"}, {"w", "x"}, {}}) {
+    std::istringstream again(state.str());
+    EXPECT_THROW(loaded.Load(again, left_out), UserError);
+  }
+}
+
 class Recorder : public Module {
  public:
   Recorder(std::string name, const Context& context)

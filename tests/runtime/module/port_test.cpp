@@ -175,6 +175,16 @@ TEST(In, ReadsTheOutPortByReference) {
   EXPECT_EQ(&sink.level(), &source.level_value);
 }
 
+TEST(In, MustBeConnectedUnlessItSaysOtherwise) {
+  Source source("source");
+  Sink sink("sink");
+  EXPECT_TRUE(sink.level.must_be_connected());
+  EXPECT_FALSE(sink.reward.must_be_connected());
+  EXPECT_FALSE(source.level.must_be_connected());
+  const In<double> optional(&sink, "optional", "", In<double>::Need::kOptional);
+  EXPECT_FALSE(optional.must_be_connected());
+}
+
 TEST(In, MethodBringsTheValueUpToDateAtEachRead) {
   Source source("source");
   Sink sink("sink");

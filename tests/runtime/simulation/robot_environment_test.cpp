@@ -124,6 +124,19 @@ TEST(RobotEnvironment, AnotherRobotHasItsOwnControlStep) {
   EXPECT_EQ(stage.listener.events, ControlStep(50));
 }
 
+TEST(RobotEnvironment, TargetsOfAnotherRobotAreRefused) {
+  Stage stage(Hopper());
+  stage.environment.StartEpisode();
+  stage.listener.targets = Eigen::VectorXd::Zero(17);
+  try {
+    stage.environment.StepControl();
+    FAIL() << "17 targets for two joints";
+  } catch (const UserError& error) {
+    EXPECT_STREQ(error.what(),
+                 "`environment` gets 17 joint targets, and the robot `hopper` has 2 joints");
+  }
+}
+
 TEST(RobotEnvironment, TimeIsCountedWithoutDrift) {
   Stage stage(Humanoid(), "fast");
   stage.environment.StartEpisode();
