@@ -14,6 +14,7 @@
 #include <thread>
 #include <vector>
 
+#include "bench/plugin_host.h"
 #include "plugins/robot/robot_description.h"
 #include "runtime/agent/agent.h"
 #include "runtime/client/client.h"
@@ -73,25 +74,12 @@ void EventOfThePlugin(benchmark::State& state) {
     auto& port = dynamic_cast<SensorOut&>(humanoid.environment().FindPort(table.sensors[i].name));
     sensors.push_back(port().data);
   }
-  std::vector<double> params, terms(table.term_count), metrics(table.metric_count);
-  for (uint32_t i = 0; i < table.param_count; ++i) params.push_back(table.params[i].initial);
-  std::vector<taskc_log_state> logs(table.log_count);
-  std::vector<std::max_align_t> memory(table.memory_size / sizeof(std::max_align_t) + 1);
-  taskc_frame frame{};
-  frame.sensors = sensors.data();
-  frame.params = params.data();
-  frame.memory = memory.data();
-  frame.terms = terms.data();
-  frame.metrics = metrics.data();
-  frame.logs = logs.data();
-  table.initialize(&frame);
+  PluginHost host(table, std::move(sensors));
   const taskc_event_function volatile function = table.events[TASKC_END_OF_TIME_STEP];
   for (auto _ : state) {
-    frame.time_step = 0.005;
-    frame.reward = 0;
-    frame.end = frame.fault = frame.violation = -1;
-    function(&frame);
-    benchmark::DoNotOptimize(frame.reward);
+    taskc_frame* frame = host.NextFrame(0.005);
+    function(frame);
+    benchmark::DoNotOptimize(frame->reward);
   }
 }
 BENCHMARK(EventOfThePlugin);
