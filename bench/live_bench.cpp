@@ -195,7 +195,7 @@ class Client {
  private:
   template <class Action>
   static void WhenThere(const std::filesystem::path& run, Action action) {
-    for (int tries = 0; tries < 100 && !HasTrainer(run); ++tries) {
+    for (int tries = 0; tries < 100 && !std::filesystem::exists(run / "control.json"); ++tries) {
       std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }
     try {
