@@ -10,6 +10,25 @@ namespace {
 
 constexpr const char* kQuarantine = "quarantine";
 
+int64_t LastEpisode(const RunDatabase& database) {
+  const std::vector<EpisodeRecord> episodes = database.ReadEpisodes();
+  return episodes.empty() ? 0 : episodes.back().number;
+}
+
+// `what`: "task" or "change" with its id, and "why".
+ChangeRecord AddQuarantine(RunDatabase& database, const RunPosition& position, nlohmann::json what,
+                           const std::string& text) {
+  what["command"] = kQuarantine;
+  ChangeRecord quarantine;
+  quarantine.episode = position.episode;
+  quarantine.step = position.step;
+  quarantine.kind = kQuarantine;
+  quarantine.text = text;
+  quarantine.data = what.dump();
+  database.AddChange(quarantine);
+  return quarantine;
+}
+
 }  // namespace
 
 Journal::Journal(RunDatabase& database) : database_(database) {
@@ -65,27 +84,32 @@ void Journal::AddDue(const RunPosition& position, const std::string& kind, const
 
 void Journal::Quarantine(const RunPosition& position, const ChangeRecord& change,
                          const std::string& why) {
-  const nlohmann::json data = {{"command", kQuarantine}, {"change", change.id}, {"why", why}};
-  ChangeRecord quarantine;
-  quarantine.episode = position.episode;
-  quarantine.step = position.step;
-  quarantine.kind = kQuarantine;
-  quarantine.text = fmt::format("taken back: {} ({})", change.text, why);
-  quarantine.data = data.dump();
-  database_.AddChange(quarantine);
-  NoteQuarantine(quarantine);
+  NoteQuarantine(AddQuarantine(database_, position, {{"change", change.id}, {"why", why}},
+                               fmt::format("taken back: {} ({})", change.text, why)));
+}
+
+bool CanBeBlamed(const ChangeRecord& change) {
+  return change.kind != kQuarantine && change.kind != "unload" && change.kind != "module_remove";
 }
 
 void QuarantineTask(RunDatabase& database, int64_t task, const std::string& why) {
-  const nlohmann::json data = {{"command", kQuarantine}, {"task", task}, {"why", why}};
-  const RunRecord run = database.ReadRun();
-  const std::vector<EpisodeRecord> episodes = database.ReadEpisodes();
-  ChangeRecord quarantine;
-  quarantine.episode = episodes.empty() ? 1 : episodes.back().number + 1;
-  quarantine.kind = kQuarantine;
-  quarantine.text = fmt::format("never again: {} ({})", TaskWithId(run, task).task, why);
-  quarantine.data = data.dump();
-  database.AddChange(quarantine);
+  const std::string name = TaskWithId(database.ReadRun(), task).task;
+  AddQuarantine(database, {LastEpisode(database) + 1, 0}, {{"task", task}, {"why", why}},
+                fmt::format("never again: {} ({})", name, why));
+}
+
+bool QuarantineLastChange(RunDatabase& database, const std::string& why) {
+  const int64_t last_episode = LastEpisode(database);
+  Journal journal(database);
+  const ChangeRecord* last = nullptr;
+  const std::vector<ChangeRecord> changes = database.ReadChanges();
+  for (const ChangeRecord& change : changes) {
+    const bool is_recent = change.episode >= last_episode;
+    if (is_recent && CanBeBlamed(change) && !journal.IsInQuarantine(change)) last = &change;
+  }
+  if (last == nullptr) return false;
+  journal.Quarantine({last_episode + 1, 0}, *last, why);
+  return true;
 }
 
 }  // namespace runtime

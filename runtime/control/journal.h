@@ -46,6 +46,7 @@ class Journal {
   // A change that did harm is never done again.
   void Quarantine(const RunPosition& position, const ChangeRecord& change, const std::string& why);
 
+  bool IsInQuarantine(const ChangeRecord& change) const;
   // Tasks (TaskRecord::id) that have crashed.
   const std::set<int64_t>& bad_tasks() const { return bad_tasks_; }
   // The changes that were passed over so far.
@@ -56,7 +57,6 @@ class Journal {
     return {change.episode, change.step};
   }
   void NoteQuarantine(const ChangeRecord& quarantine);
-  bool IsInQuarantine(const ChangeRecord& change) const;
 
   RunDatabase& database_;
   std::deque<ChangeRecord> due_;  // by position, then id
@@ -65,8 +65,17 @@ class Journal {
   std::set<int64_t> bad_changes_;
 };
 
+// Whether it can be taken back. What removes a module cannot: a checkpoint that was saved since
+// knows nothing of the module.
+bool CanBeBlamed(const ChangeRecord& change);
+
+// For a process that guards the trainer.
+
 // Writes down that the task crashed, or did not come back, so that it is never run again in this
-// run. For a process that guards the trainer.
+// run.
 void QuarantineTask(RunDatabase& database, int64_t task, const std::string& why);
+// The trainer has crashed. If a change of the last two episodes can be blamed for it, it is put
+// into quarantine; returns whether there is one.
+bool QuarantineLastChange(RunDatabase& database, const std::string& why);
 
 }  // namespace runtime

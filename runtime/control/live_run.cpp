@@ -29,11 +29,6 @@ int64_t FirstEpisodeAfter(const RunPosition& position) {
   return position.step == 0 ? position.episode : position.episode + 1;
 }
 
-// Such a change is not taken back: a checkpoint that was saved since knows nothing of the module.
-bool RemovesModule(const ChangeRecord& change) {
-  return change.kind == "unload" || change.kind == "module_remove";
-}
-
 void CheckSchedule(const Json& arguments, const Parameter& parameter, const std::string& name) {
   for (const char* key : {"from", "to", "episodes"}) {
     if (arguments.contains(key)) continue;
@@ -71,8 +66,10 @@ void CheckSchedule(const Json& arguments, const Parameter& parameter, const std:
 
 }  // namespace
 
-LiveRun::LiveRun(const RunParts& run, WhenDone when_done, const StopRequest& stop)
+LiveRun::LiveRun(const RunParts& run, Progress& progress, WhenDone when_done,
+                 const StopRequest& stop)
     : run_(run),
+      progress_(progress),
       when_done_(when_done),
       stop_(stop),
       network_(run.network, run.types, run.context),
@@ -160,6 +157,7 @@ bool LiveRun::AtSafePoint(int64_t episode, int64_t step) {
     queue_.WaitFor(kBetweenLooks);
     ServeQueue();
   }
+  if (state_ == State::kPaused) SetState(State::kRunning);  // to the end of the episode
   if (step == 0) schedules_.Apply(episode, network_);
   return std::exchange(network_has_changed_, false);
 }
@@ -176,7 +174,10 @@ void LiveRun::RepeatDueChanges() {
     try {
       Do(*change);
     } catch (const std::exception& error) {
-      OnWarning(fmt::format("{}: not done: {}", change->text, error.what()));
+      const std::string text =
+          fmt::format("warning: {}: not done again: {}", change->text, error.what());
+      progress_.Warn(text);
+      OnWarning(text);
     }
   }
 }
@@ -448,7 +449,7 @@ bool LiveRun::PlanMore(int64_t episodes_done) {
 }
 
 bool LiveRun::BlameLastChange(const std::string& why) {
-  const auto last = std::find_if_not(recent_.rbegin(), recent_.rend(), RemovesModule);
+  const auto last = std::find_if(recent_.rbegin(), recent_.rend(), CanBeBlamed);
   if (last == recent_.rend()) return false;
   journal_.Quarantine(position_, *last, why);
   return true;

@@ -15,6 +15,7 @@
 #include "runtime/control/request_queue.h"
 #include "runtime/control/schedules.h"
 #include "runtime/control/task_loader.h"
+#include "runtime/run/progress.h"
 #include "runtime/run/run_database.h"
 #include "runtime/run/stop_request.h"
 #include "runtime/run/training_hooks.h"
@@ -39,7 +40,8 @@ class LiveRun : public RequestHandler, public TrainingHooks {
   enum class WhenDone { kEnd, kWait };
 
   // Throws UserError where the record holds what cannot be done again.
-  LiveRun(const RunParts& run, WhenDone when_done, const StopRequest& stop);
+  // `progress` and `stop` outlive this object.
+  LiveRun(const RunParts& run, Progress& progress, WhenDone when_done, const StopRequest& stop);
   ~LiveRun() override;  // refuses the requests that still wait
 
   // Null, or an object that outlives this one. Before the training begins.
@@ -48,6 +50,7 @@ class LiveRun : public RequestHandler, public TrainingHooks {
   void Handle(Request request, ReplyHandler reply) override;
 
   std::set<std::string> BeforeRestore(int64_t episode) override;
+  void AfterRestore(const ReturnStatistics& statistics) override { statistics_ = statistics; }
   bool AtSafePoint(int64_t episode, int64_t step) override;
   void AfterEpisode(const EpisodeRecord& episode, const ReturnStatistics& statistics,
                     bool checkpoint_was_saved) override;
@@ -97,6 +100,7 @@ class LiveRun : public RequestHandler, public TrainingHooks {
   void CountDown();
 
   RunParts run_;
+  Progress& progress_;
   const WhenDone when_done_;
   const StopRequest& stop_;
   LiveNetwork network_;

@@ -38,6 +38,7 @@ void Training::Restore() {
   tasks_ = FindTaskModules(network_, learner_);
   database_.DeleteEpisodesAfter(episodes_done_);
   for (const EpisodeRecord& episode : database_.ReadEpisodes()) statistics_.Add(episode);
+  hooks_.AfterRestore(statistics_);
 }
 
 bool Training::stops(const StopRequest& stop) const {

@@ -19,6 +19,9 @@ class TrainingHooks {
   // up to then must be changed again. Returns the modules that are left out this time.
   virtual std::set<std::string> BeforeRestore(int64_t episode) = 0;
 
+  // With the returns of all episodes that the run goes on from.
+  virtual void AfterRestore(const ReturnStatistics& statistics) = 0;
+
   // Where nothing of the run is running: before the first step of episode `episode` (`step` is 0),
   // and after each of its control steps. May change the network; returns whether it did.
   virtual bool AtSafePoint(int64_t episode, int64_t step) = 0;

@@ -1,10 +1,33 @@
 #include "runtime/trainer/create_run.h"
 
+#include <fmt/format.h>
+
 #include "runtime/run/body_json.h"
 #include "runtime/run/run_files.h"
 #include "runtime/run/task_record.h"
+#include "runtime/task/universal_task.h"
 
 namespace runtime {
+namespace {
+
+// The record says which plugin an evaluation is of, and an agent has only one.
+const std::string& TaskModuleOf(const Network& network) {
+  const Module* found = nullptr;
+  for (const auto& module : network.modules()) {
+    if (dynamic_cast<const UniversalTask*>(module.get()) == nullptr) continue;
+    if (found != nullptr) {
+      throw UserError(fmt::format(
+          "the agent has two task modules, `{}` and `{}`: keep one, and load others when it runs, "
+          "with `trainer ctl load`",
+          found->name(), module->name()));
+    }
+    found = module.get();
+  }
+  if (found == nullptr) throw UserError("the agent has no module of the type `UniversalTask`");
+  return found->name();
+}
+
+}  // namespace
 
 void RunPlan::AddTo(CLI::App& command) {
   command.add_option("--episodes", episodes, "how many episodes to train")
@@ -29,7 +52,7 @@ void RunPlan::AddTo(CLI::App& command) {
 
 RunRecord RecordOf(const TaskSetup& setup, const RunPlan& plan) {
   RunRecord run;
-  run.tasks = {DescribeTask(setup.plugin->table(), "task")};
+  run.tasks = {DescribeTask(setup.plugin->table(), TaskModuleOf(setup.network))};
   run.tasks.front().id = 1;
   run.robot = setup.robot.name;
   run.robot_description = ReadText(setup.robot_file);

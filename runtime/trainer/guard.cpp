@@ -174,6 +174,14 @@ std::string Reason(const End& end) {
   return fmt::format("crash: {}", strsignal(signal));
 }
 
+// Not somebody's wish, nor the machine's need for memory.
+bool IsCrash(const End& end) {
+  if (!WIFSIGNALED(end.status)) return false;
+  const int signal = WTERMSIG(end.status);
+  return signal == SIGSEGV || signal == SIGBUS || signal == SIGFPE || signal == SIGILL ||
+         signal == SIGABRT;
+}
+
 void Say(const std::string& text) { fmt::print(stderr, "warning: {}\n", text); }
 
 // Whether the run can go on without what has brought its process down. Sees to it that it does.
@@ -188,8 +196,14 @@ bool CanGoOn(const End& end) {
                     Reason(end)));
     return true;
   }
-  if (watch.running == 0) return false;
+  if (watch.running == 0 && !IsCrash(end)) return false;
   RunDatabase database = RunDatabase::Open(shared_page->run);
+  if (watch.running == 0) {
+    if (!QuarantineLastChange(database, Reason(end))) return false;
+    Say(fmt::format("{}: {}; the last change is taken back, from the last checkpoint on",
+                    shared_page->run, Reason(end)));
+    return true;
+  }
   QuarantineTask(database, watch.running, Reason(end));
   Say(fmt::format("{}: the task `{}` has failed ({}); going on without it from the last checkpoint",
                   shared_page->run, TaskWithId(database.ReadRun(), watch.running).task,

@@ -69,7 +69,7 @@ int RunSession(const RunParts& run, const SessionOptions& options) {
   TellGuard(run.folder);
   const StopRequest stop;
   Progress progress(options.output.style(), run.record, stdout, stderr);
-  LiveRun live(run, options.when_done, stop);
+  LiveRun live(run, progress, options.when_done, stop);
   Training training(run.network, run.record, run.database, progress, live);
   training.Restore();
   const std::unique_ptr<Server> server = StartServer(run, options, live, progress);

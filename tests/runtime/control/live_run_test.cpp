@@ -72,7 +72,7 @@ class Trainer {
                       : RunDatabase::Create(folder, RecordFor(folder, episodes))),
         record_(database_.ReadRun()),
         live_({folder, record_, database_, agent_.network(), agent_.types(), agent_.context()},
-              when_done, stop_),
+              progress_, when_done, stop_),
         training_(agent_.network(), record_, database_, progress_, live_) {
     record_.episodes_planned = episodes;
     training_.Restore();

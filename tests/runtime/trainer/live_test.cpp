@@ -352,6 +352,16 @@ TEST_F(LiveTest, AConnectionThatCannotWorkIsTakenBack) {
   EXPECT_THAT(Changes(), Contains(HasSubstr("quarantine")));
 }
 
+TEST_F(LiveTest, AConnectionThatCallsItselfIsTakenBack) {
+  Serve(100, {"--checkpoint-every", "0"});
+  Ask({"connect", "learner.start_of_action", "learner.end_of_action"});
+  Ctl({"resume"});
+  ASSERT_TRUE(trainer_->WaitForError("the last change is taken back"));
+  WaitForState("running");
+  EXPECT_EQ(Stop().exit_status, 0);
+  EXPECT_THAT(Changes(), Contains(HasSubstr("quarantine")));
+}
+
 TEST_F(LiveTest, ModulesComeAndGo) {
   Serve(100);
   Ask({"module", "add", "NgNet", "net"});

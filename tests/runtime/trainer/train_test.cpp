@@ -214,6 +214,14 @@ TEST_F(TrainTest, RefusesATaskWithoutAnEnd) {
   EXPECT_FALSE(std::filesystem::exists(RunFolder("run")));
 }
 
+TEST_F(TrainTest, RefusesAnAgentWithTwoTaskModules) {
+  const std::string agent = (folder() / "two.toml").string();
+  std::ofstream(agent) << "[modules.second]\ntype = \"UniversalTask\"\n";
+  const ProgramResult result = Trainer(Training("run", 1, {"--agent", agent}));
+  EXPECT_EQ(result.exit_status, 1);
+  EXPECT_THAT(result.errors, HasSubstr("two task modules, `task` and `second`"));
+}
+
 TEST_F(TrainTest, RefusesAFolderThatHoldsARun) {
   Train("run", 1, {"--quiet"});
   const Trace before = TraceOf("run");
