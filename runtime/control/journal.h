@@ -19,6 +19,8 @@ struct RunPosition {
   int64_t step = 0;     // control steps done in it
 
   auto operator<=>(const RunPosition&) const = default;
+  // The first episode all of which comes after it.
+  int64_t next_whole_episode() const { return step == 0 ? episode : episode + 1; }
 };
 
 // A change stands in the run's record from the moment it is accepted, with the position at which it
