@@ -5,16 +5,7 @@ import uPlot from "uplot";
 import { formatCount, formatNumber } from "../data/words.ts";
 import { themeColor } from "../page/dom.ts";
 import { drawPoints } from "./points.ts";
-
-/** A curve of a chart. Colours are names of the style sheet, so that they follow the theme. */
-export interface ChartSeries {
-  values: Float32Array;
-  color: string;
-  kind: "line" | "points";
-  width?: number; // of the line; otherwise 2 [CSS pixels]
-  isOutside?: boolean; // the axis need not reach its values
-  hasGaps?: boolean; // the line is broken where there are no values
-}
+import type { ChartSeries } from "./series.ts";
 
 export interface ChartOptions {
   episode: Float32Array;

@@ -3,7 +3,7 @@
 import type uPlot from "uplot";
 
 import { themeColor } from "../page/dom.ts";
-import type { ChartSeries } from "./episode_chart.ts";
+import type { ChartSeries } from "./series.ts";
 
 const kRound = 3000; // so many points are circles; more are small squares, which is faster
 

@@ -1,0 +1,9 @@
+/** A curve of a chart. Colours are names of the style sheet, so that they follow the theme. */
+export interface ChartSeries {
+  values: Float32Array;
+  color: string;
+  kind: "line" | "points";
+  width?: number; // of the line; otherwise 2 [CSS pixels]
+  isOutside?: boolean; // the axis need not reach its values
+  hasGaps?: boolean; // the line is broken where there are no values
+}
