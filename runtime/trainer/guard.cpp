@@ -189,21 +189,24 @@ bool CanGoOn(const End& end) {
   const bool exited = WIFEXITED(end.status);
   if (exited && WEXITSTATUS(end.status) != kStartAgain) return false;
   if (shared_page->run[0] == '\0') return false;
-  const PluginWatch& watch = shared_page->watch;
   if (exited) return true;
+  if (!IsCrash(end) && !end.was_looping) return false;  // somebody has killed it
+  const PluginWatch& watch = shared_page->watch;
   if (watch.is_loading) {
     Say(fmt::format("{}: a task could not be loaded ({}); going on without it", shared_page->run,
                     Reason(end)));
     return true;
   }
-  if (watch.running == 0 && !IsCrash(end)) return false;
   RunDatabase database = RunDatabase::Open(shared_page->run);
-  if (watch.running == 0) {
-    if (!QuarantineLastChange(database, Reason(end))) return false;
+  // A network that calls itself without end may fail inside of a plugin as well, and without its
+  // first task the run is over: the last change is blamed first.
+  const bool is_first_task = watch.running == database.ReadRun().tasks.front().id;
+  if ((watch.running == 0 || is_first_task) && QuarantineLastChange(database, Reason(end))) {
     Say(fmt::format("{}: {}; the last change is taken back, from the last checkpoint on",
                     shared_page->run, Reason(end)));
     return true;
   }
+  if (watch.running == 0) return false;
   QuarantineTask(database, watch.running, Reason(end));
   Say(fmt::format("{}: the task `{}` has failed ({}); going on without it from the last checkpoint",
                   shared_page->run, TaskWithId(database.ReadRun(), watch.running).task,

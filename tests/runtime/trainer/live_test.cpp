@@ -354,7 +354,7 @@ TEST_F(LiveTest, AConnectionThatCannotWorkIsTakenBack) {
 
 TEST_F(LiveTest, AConnectionThatCallsItselfIsTakenBack) {
   Serve(100, {"--checkpoint-every", "0"});
-  Ask({"connect", "learner.start_of_action", "learner.end_of_action"});
+  Ask({"connect", "task.reward", "task.on_end_of_time_step"});
   Ctl({"resume"});
   ASSERT_TRUE(trainer_->WaitForError("the last change is taken back"));
   WaitForState("running");
