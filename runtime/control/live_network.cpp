@@ -96,9 +96,9 @@ void LiveNetwork::CheckPromote(const std::string& name, bool now) const {
 }
 
 void LiveNetwork::Promote(const std::string& name) {
+  CheckPromote(name, false);
   UniversalTask& task = FindTask(name);
   UniversalTask& active = active_task();
-  if (&task == &active) throw UserError(fmt::format("`{}` is active already", name));
   MoveConnections(active.reward, task.reward);
   MoveConnections(active.end_of_episode, task.end_of_episode);
 }
