@@ -8,13 +8,6 @@
 namespace runtime {
 namespace {
 
-constexpr size_t kShortHash = 8;
-
-std::string TaskText(const RunRecord& run, int64_t id) {
-  const TaskRecord& task = TaskWithId(run, id);
-  return fmt::format("{} ({})", task.task, task.task_hash.substr(0, kShortHash));
-}
-
 // "forget" and the like, behind the rest.
 std::string Flags(const Change& change) {
   return change.flag("forget") ? ", what was learned is forgotten" : "";
@@ -25,7 +18,8 @@ std::string Flags(const Change& change) {
 std::string Change::Description(const RunRecord& run) const {
   const std::string command = kind();
   if (command == "swap" || command == "load" || command == "rollback") {
-    return fmt::format("{} {}: {}{}", command, text("name"), TaskText(run, task()), Flags(*this));
+    return fmt::format("{} {}: {}{}", command, text("name"), VersionText(TaskWithId(run, task())),
+                       Flags(*this));
   }
   if (command == "promote") return fmt::format("promote {}{}", text("name"), Flags(*this));
   if (command == "set" && data_.contains("value")) {

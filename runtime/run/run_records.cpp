@@ -1,5 +1,7 @@
 #include "runtime/run/run_records.h"
 
+#include <fmt/format.h>
+
 #include <cstdlib>
 
 namespace runtime {
@@ -32,6 +34,10 @@ std::string_view EndKindName(EndKind kind) {
 
 const TaskRecord& TaskWithId(const RunRecord& run, int64_t id) {
   return run.tasks.at(static_cast<size_t>(id - 1));
+}
+
+std::string VersionText(const TaskRecord& task) {
+  return fmt::format("{} ({:.8})", task.task, task.task_hash);
 }
 
 }  // namespace runtime

@@ -66,6 +66,8 @@ struct RunRecord {
 
 // The task with this id, which the run must have.
 const TaskRecord& TaskWithId(const RunRecord& run, int64_t id);
+// "crawling (a1b2c3d4)"
+std::string VersionText(const TaskRecord& task);
 
 // What one task says of one episode.
 struct Evaluation {

@@ -78,11 +78,6 @@ void AddMeans(const char* name, const std::vector<CurveRecord>& curves,
   }
 }
 
-// "crawling (a1b2c3d4)"
-std::string VersionText(const TaskRecord& task) {
-  return fmt::format("{} ({:.8})", task.task, task.task_hash);
-}
-
 // Which task ran when, where there was more than one; shadows; changes.
 void AddHistory(const RunOverview& overview, Lines& lines) {
   if (overview.versions.size() > 1) {
