@@ -194,7 +194,7 @@ void LiveRun::AfterEpisode(const EpisodeRecord& episode, const ReturnStatistics&
     waiting_for_checkpoint_.clear();
   }
   if (events_ == nullptr) return;
-  Json event = Json::parse(EpisodeJson(episode, run_.record));
+  Json event = EpisodeJson(episode, run_.record);
   event["event"] = "episode";
   events_->Publish(event);
 }

@@ -33,15 +33,11 @@ void CheckSchedule(const Json& arguments, const Parameter& parameter, const std:
   if (!parameter.is_live) {
     throw UserError(fmt::format("`{}` has no effect after the start of a run", name));
   }
-  for (const char* key : {"from", "to"}) {
-    const auto value = arguments.at(key).get<double>();
-    if (parameter.minimum <= value && value <= parameter.maximum) continue;
-    throw UserError(fmt::format("`{}` must lie in {} .. {}, and {} does not", name,
-                                parameter.minimum, parameter.maximum, value));
-  }
   constexpr double kExact = 9007199254740992;  // up to here every whole number is a double
   for (const char* key : {"from", "to"}) {
-    const bool is_exact = std::abs(arguments.at(key).get<double>()) <= kExact;
+    const auto value = arguments.at(key).get<double>();
+    parameter.CheckRange(name, value);
+    const bool is_exact = std::abs(value) <= kExact;
     if (is_exact || std::holds_alternative<double*>(parameter.target)) continue;
     throw UserError(fmt::format("a schedule of `{}` has no number as large as {}", name,
                                 arguments.at(key).dump()));
@@ -197,11 +193,7 @@ Json LiveRun::LoadOrSwap(const QueuedRequest& request) {
 
 Json LiveRun::Rollback(const Json& arguments) {
   const std::string name = arguments.at("name").get<std::string>();
-  const TaskInstance* previous = network_.FindTask(name).previous();
-  if (previous == nullptr) {
-    throw UserError(fmt::format("`{}` has no previous task: it was not swapped yet", name));
-  }
-  const TaskRecord& task = TaskWithId(run_.record, previous->id());
+  const TaskRecord& task = TaskWithId(run_.record, network_.FindTask(name).FindPrevious().id());
   Json reply = TaskJson(name, task);
   reply["takes_effect"] = Make(Change({{"command", "rollback"}, {"name", name}, {"task", task.id}}),
                                arguments.value("now", false));

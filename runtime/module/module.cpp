@@ -51,17 +51,6 @@ const double* AsReal(const ParameterValue& value, double& buffer) {
   return std::get_if<double>(&value);
 }
 
-double CheckRange(const std::string& name, const Parameter& parameter, double value) {
-  if (!std::isfinite(value)) {
-    throw UserError(fmt::format("`{}` must be finite, and {} is not", name, value));
-  }
-  if (value < parameter.minimum || value > parameter.maximum) {
-    throw UserError(fmt::format("`{}` must lie in {} .. {}, and {} does not", name,
-                                parameter.minimum, parameter.maximum, value));
-  }
-  return value;
-}
-
 // Assigns a value to one parameter of `module`, once for each type that a parameter can have.
 class Assignment {
  public:
@@ -81,7 +70,8 @@ class Assignment {
     double buffer = 0;
     const double* real = AsReal(value_, buffer);
     if (real == nullptr) ThrowWrongType(name_, "a number", value_);
-    *target = CheckRange(name_, parameter_, *real);
+    parameter_.CheckRange(name_, *real);
+    *target = *real;
   }
 
   void operator()(std::string* target) const {
@@ -98,7 +88,7 @@ class Assignment {
   void operator()(std::vector<double>* target) const {
     const auto* list = std::get_if<std::vector<double>>(&value_);
     if (list == nullptr) ThrowWrongType(name_, "a list of numbers", value_);
-    for (const double element : *list) CheckRange(name_, parameter_, element);
+    for (const double element : *list) parameter_.CheckRange(name_, element);
     *target = *list;
   }
 
@@ -107,7 +97,7 @@ class Assignment {
   void AssignWhole(Integer* target) const {
     const int64_t* integer = std::get_if<int64_t>(&value_);
     if (integer == nullptr) ThrowWrongType(name_, "a whole number", value_);
-    CheckRange(name_, parameter_, static_cast<double>(*integer));
+    parameter_.CheckRange(name_, static_cast<double>(*integer));
     if (*integer != static_cast<Integer>(*integer)) {
       throw UserError(fmt::format("`{}` does not hold a number as large as {}", name_, *integer));
     }
@@ -120,6 +110,15 @@ class Assignment {
 };
 
 }  // namespace
+
+void Parameter::CheckRange(const std::string& full_name, double value) const {
+  if (!std::isfinite(value)) {
+    throw UserError(fmt::format("`{}` must be finite, and {} is not", full_name, value));
+  }
+  if (minimum <= value && value <= maximum) return;
+  throw UserError(fmt::format("`{}` must lie in {} .. {}, and {} does not", full_name, minimum,
+                              maximum, value));
+}
 
 std::string ToText(const ParameterValue& value) {
   return std::visit(Overloaded{

@@ -31,6 +31,10 @@ struct Parameter {
   double maximum = std::numeric_limits<double>::infinity();
   std::string unit = {};  // "s"; "" for a plain number
   bool is_live = true;    // false: what is set after the start has no effect
+
+  // Throws UserError, which calls the parameter `full_name`, unless the value is finite and in the
+  // range.
+  void CheckRange(const std::string& full_name, double value) const;
 };
 
 class Module {

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 namespace runtime {
 namespace {
@@ -66,7 +65,7 @@ std::string ProgressLine(const ProgressValues& values) {
       DurationText(values.elapsed), DurationText(values.remaining));
 }
 
-std::string EpisodeJson(const EpisodeRecord& episode, const RunRecord& run) {
+nlohmann::ordered_json EpisodeJson(const EpisodeRecord& episode, const RunRecord& run) {
   const Evaluation& active = episode.active;
   Json json = {{"episode", episode.number}};
   json.update(EvaluationJson(active, TaskWithId(run, active.task)));
@@ -81,7 +80,7 @@ std::string EpisodeJson(const EpisodeRecord& episode, const RunRecord& run) {
     const TaskRecord& task = TaskWithId(run, shadow.task);
     json["shadows"][task.module] = EvaluationJson(shadow, task);
   }
-  return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  return json;
 }
 
 Progress::Progress(ProgressStyle style, const RunRecord& run, std::FILE* output,
@@ -111,7 +110,8 @@ void Progress::FinishEpisode(const EpisodeRecord& episode, const ReturnStatistic
   values_.remaining = values_.elapsed / static_cast<double>(episodes_here_) *
                       static_cast<double>(values_.episodes_planned - values_.episode);
   if (style_ == ProgressStyle::kJson) {
-    fmt::print(output_, "{}\n", EpisodeJson(episode, run_));
+    fmt::print(output_, "{}\n",
+               EpisodeJson(episode, run_).dump(-1, ' ', false, Json::error_handler_t::replace));
     std::fflush(output_);
   }
   if (style_ != ProgressStyle::kText) return;

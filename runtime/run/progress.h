@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "runtime/run/return_statistics.h"
@@ -32,11 +33,10 @@ std::string ProgressLine(const ProgressValues& values);
 // "0:05", "6:40", "1:02:03"
 std::string DurationText(double seconds);
 
-// One line, without its end: {"episode": 1, "task": "crawling", "return": ..., "end": {...},
-// "terms":
-// {...}, ...}; with shadows also "shadows": {"MODULE": {"task": ..., "return": ..., ...}}. The
-// tasks are those of `run`.
-std::string EpisodeJson(const EpisodeRecord& episode, const RunRecord& run);
+// {"episode": 1, "task": "crawling", "return": ..., "end": {...}, "terms": {...}, ...}; with
+// shadows also "shadows": {"MODULE": {"task": ..., "return": ..., ...}}. The tasks are those of
+// `run`.
+nlohmann::ordered_json EpisodeJson(const EpisodeRecord& episode, const RunRecord& run);
 
 class Progress {
  public:

@@ -137,12 +137,15 @@ void UniversalTask::Swap(std::unique_ptr<TaskInstance> next, const Network& netw
 }
 
 // Not the previous instance itself: what it remembers of an episode is of one that is long over.
+const TaskInstance& UniversalTask::FindPrevious() const {
+  if (previous_ != nullptr) return *previous_;
+  throw UserError(fmt::format("`{}` has no previous task: it was not swapped yet", name()));
+}
+
 void UniversalTask::Rollback(const Network& network) {
-  if (previous_ == nullptr) {
-    throw UserError(fmt::format("`{}` has no previous task: it was not swapped yet", name()));
-  }
-  auto next = std::make_unique<TaskInstance>(previous_->plugin(), previous_->id());
-  next->TakeOver(*previous_, false);
+  const TaskInstance& previous = FindPrevious();
+  auto next = std::make_unique<TaskInstance>(previous.plugin(), previous.id());
+  next->TakeOver(previous, false);
   Swap(std::move(next), network);
 }
 

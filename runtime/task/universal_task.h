@@ -89,6 +89,8 @@ class UniversalTask : public Module {
   void Rollback(const Network& network);
   // Null before the first swap.
   const TaskInstance* previous() const { return previous_.get(); }
+  // Throws UserError before the first swap.
+  const TaskInstance& FindPrevious() const;
 
   // A shadow is evaluated like the task that the learner is paid by, but nobody ends an episode for
   // it: after its own first end it ends the episode for itself, `at_once` or with the action, and

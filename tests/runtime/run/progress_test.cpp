@@ -77,7 +77,8 @@ TEST(EpisodeJson, NamesTermsMetricsAndLogs) {
   episode.active.end_reason = "fell \"badly\"";
   episode.active.metrics = {std::nan("")};
   episode.active.logs[1] = std::nan("");
-  const nlohmann::json json = nlohmann::json::parse(EpisodeJson(episode, SampleRun()));
+  // A number that is none is written as null.
+  const auto json = nlohmann::json::parse(EpisodeJson(episode, SampleRun()).dump());
   EXPECT_EQ(json["episode"], 7);
   EXPECT_EQ(json["task"], "crawling");
   EXPECT_EQ(json["return"].get<double>(), episode.active.episode_return);
@@ -102,7 +103,7 @@ TEST(EpisodeJson, TellsWhatShadowsSay) {
   run.tasks.back().module = "careful";
   EpisodeRecord episode = SampleEpisode(7);
   episode.shadows = {SampleShadow()};
-  const nlohmann::json json = nlohmann::json::parse(EpisodeJson(episode, run));
+  const nlohmann::json json = EpisodeJson(episode, run);
   const nlohmann::json& shadow = json["shadows"]["careful"];
   EXPECT_EQ(shadow["return"], -1.5);
   EXPECT_EQ(shadow["end"]["kind"], "failure");
