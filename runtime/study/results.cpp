@@ -1,11 +1,15 @@
 #include "runtime/study/results.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <limits>
 
+#include "runtime/module/user_error.h"
 #include "runtime/run/return_statistics.h"
+#include "runtime/study/group_notes.h"
 
 namespace runtime {
 namespace {
@@ -40,6 +44,25 @@ std::vector<double> ShownEpisodes(int64_t count) {
   return episodes;
 }
 
+// The name of the folder also where its path ends in a slash or is ".".
+std::string NameOf(const std::filesystem::path& folder) {
+  const std::filesystem::path whole = std::filesystem::absolute(folder).lexically_normal();
+  return (whole.has_filename() ? whole : whole.parent_path()).filename().string();
+}
+
+void CheckHasEpisodes(const std::filesystem::path& folder, const Study& study) {
+  for (const StudyExperiment& experiment : study.experiments) {
+    for (const StudyRun& run : experiment.runs) {
+      if (!run.episodes.empty()) return;
+    }
+  }
+  throw UserError(fmt::format("{}: {}", folder.string(),
+                              study.notes.empty()
+                                  ? "no run has a finished episode yet; wait for the first one, "
+                                    "then ask for the report"
+                                  : "no run can be read: " + study.notes.front()));
+}
+
 }  // namespace
 
 ExperimentResult Evaluate(const StudyExperiment& experiment, std::vector<std::string>& notes) {
@@ -55,6 +78,20 @@ ExperimentResult Evaluate(const StudyExperiment& experiment, std::vector<std::st
     for (const size_t run : result.groups[group].runs) result.runs[run].group = group;
   }
   return result;
+}
+
+StudyResults ReadStudyResults(const std::filesystem::path& folder,
+                              const std::vector<std::filesystem::path>& runs) {
+  StudyResults results;
+  results.name = NameOf(folder);
+  results.study = ReadStudyRuns(folder, runs);
+  CheckHasEpisodes(folder, results.study);
+  results.sentences = ReadGroupNotes(folder);
+  results.notes = results.study.notes;
+  for (const StudyExperiment& experiment : results.study.experiments) {
+    results.experiments.push_back(Evaluate(experiment, results.notes));
+  }
+  return results;
 }
 
 std::vector<RunResult> SettledRuns(const ExperimentResult& result) {

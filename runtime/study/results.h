@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
@@ -23,9 +24,6 @@ struct RunResult {
   std::optional<size_t> group;  // index
 };
 
-// Sentences that people wrote, by the names of runs (group_notes.h).
-using Sentences = std::map<std::string, std::string>;
-
 struct ExperimentResult {
   const StudyExperiment* experiment = nullptr;
   int64_t window = 1;  // of all means, in episodes
@@ -35,6 +33,27 @@ struct ExperimentResult {
 
 // `experiment` outlives the result. `notes`: gets sentences about what is missing.
 ExperimentResult Evaluate(const StudyExperiment& experiment, std::vector<std::string>& notes);
+
+// Sentences that people wrote, by the names of runs (group_notes.h).
+using Sentences = std::map<std::string, std::string>;
+
+// All that a study's reports are made of. It refers to itself: can be moved, not copied.
+struct StudyResults {
+  std::string name;  // of its folder
+  Study study;
+  std::vector<ExperimentResult> experiments;  // in the order of the study's
+  Sentences sentences;
+  std::vector<std::string> notes;  // what is missing
+
+  StudyResults() = default;
+  StudyResults(StudyResults&&) = default;
+  StudyResults& operator=(StudyResults&&) = default;
+};
+
+// `runs`: the folders of the study's runs, some of which may be running. Throws UserError where no
+// run has an episode yet, and for a mistake in the study's groups.toml.
+StudyResults ReadStudyResults(const std::filesystem::path& folder,
+                              const std::vector<std::filesystem::path>& runs);
 
 // The mean over runs of what `value` takes from each.
 template <class Runs, class Value>

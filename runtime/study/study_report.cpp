@@ -1,16 +1,10 @@
 #include "runtime/study/study_report.h"
 
-#include <fmt/format.h>
-
-#include <map>
-
-#include "runtime/module/user_error.h"
 #include "runtime/report/agent_modules.h"
 #include "runtime/report/base64.h"
 #include "runtime/report/page.h"
 #include "runtime/run/iso_time.h"
 #include "runtime/study/figures.h"
-#include "runtime/study/group_notes.h"
 #include "runtime/study/group_recordings.h"
 
 namespace runtime {
@@ -18,27 +12,6 @@ namespace {
 
 using nlohmann::json;
 using nlohmann::ordered_json;
-
-// The name of the folder also where its path ends in a slash or is ".".
-std::string NameOf(const std::filesystem::path& folder) {
-  const std::filesystem::path whole = std::filesystem::absolute(folder).lexically_normal();
-  return (whole.has_filename() ? whole : whole.parent_path()).filename().string();
-}
-
-Study ReadStudy(const std::filesystem::path& folder,
-                const std::vector<std::filesystem::path>& runs) {
-  Study study = ReadStudyRuns(folder, runs);
-  for (const StudyExperiment& experiment : study.experiments) {
-    for (const StudyRun& run : experiment.runs) {
-      if (!run.episodes.empty()) return study;
-    }
-  }
-  throw UserError(fmt::format("{}: {}", folder.string(),
-                              study.notes.empty()
-                                  ? "no run has a finished episode yet; wait for the first one, "
-                                    "then ask for the report"
-                                  : "no run can be read: " + study.notes.front()));
-}
 
 template <class Values, class Take>
 std::string Encode(const Values& values, Take take) {
@@ -75,19 +48,17 @@ json PageExperiment(const ExperimentResult& result, const Sentences& sentences) 
   return experiment;
 }
 
-json PageData(const std::filesystem::path& folder, const Study& study) {
-  const Sentences sentences = ReadGroupNotes(folder);
-  json data = {{"folder", NameOf(folder)},
-               {"title", NameOf(folder) + " – study"},
+json PageData(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& runs) {
+  const StudyResults results = ReadStudyResults(folder, runs);
+  json data = {{"folder", results.name},
+               {"title", results.name + " – study"},
                {"madeAt", IsoTimeNow()},
                {"experiments", json::array()}};
-  std::vector<std::string> notes = study.notes;
-  std::vector<ExperimentResult> results;
-  for (const StudyExperiment& experiment : study.experiments) {
-    results.push_back(Evaluate(experiment, notes));
-    data["experiments"].push_back(PageExperiment(results.back(), sentences));
+  for (const ExperimentResult& result : results.experiments) {
+    data["experiments"].push_back(PageExperiment(result, results.sentences));
   }
-  AddGroupRecordings(results, data["experiments"], notes);
+  std::vector<std::string> notes = results.notes;
+  AddGroupRecordings(results.experiments, data["experiments"], notes);
   data["notes"] = notes;
   return data;
 }
@@ -96,23 +67,21 @@ json PageData(const std::filesystem::path& folder, const Study& study) {
 
 ordered_json StudyFigures(const std::filesystem::path& folder,
                           const std::vector<std::filesystem::path>& runs) {
-  const Study study = ReadStudy(folder, runs);
-  const Sentences sentences = ReadGroupNotes(folder);
-  std::vector<std::string> notes = study.notes;
+  const StudyResults results = ReadStudyResults(folder, runs);
   ordered_json experiments = ordered_json::array();
-  for (const StudyExperiment& experiment : study.experiments) {
-    const ExperimentResult result = Evaluate(experiment, notes);
-    experiments.push_back(Figures(result, sentences));
+  for (const ExperimentResult& result : results.experiments) {
+    experiments.push_back(Figures(result, results.sentences));
     experiments.back()["curve"] = CurveFigures(CurvesOf(result));
   }
-  return {{"folder", NameOf(folder)}, {"experiments", std::move(experiments)}, {"notes", notes}};
+  return {
+      {"folder", results.name}, {"experiments", std::move(experiments)}, {"notes", results.notes}};
 }
 
 std::filesystem::path WriteStudyReport(const std::filesystem::path& folder,
                                        const std::vector<std::filesystem::path>& runs,
                                        const std::filesystem::path& output) {
   const std::filesystem::path file = output.empty() ? folder / "report.html" : output;
-  const json data = PageData(folder, ReadStudy(folder, runs));
+  const json data = PageData(folder, runs);
   WritePage(file, MakePage(data, PageFolder("study")));
   return file;
 }
