@@ -15,6 +15,7 @@ programs=(
   libfmt-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libmd-dev
   libsqlite3-dev libzstd-dev                       # the runs' records
   libboost-dev                                     # Beast: talking to a running trainer
+  gnuplot-nox                                      # curves in documents
   libgtest-dev libgmock-dev libbenchmark-dev
 )
 tests=(chromium procps gdb)                        # a real browser and a real debugger

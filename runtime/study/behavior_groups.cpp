@@ -52,6 +52,12 @@ Eigen::MatrixXd Distances(const std::vector<RunBehavior>& behaviors) {
 
 }  // namespace
 
+std::string GroupName(size_t group) {
+  constexpr size_t kLetters = 26;
+  const std::string last(1, static_cast<char>('A' + group % kLetters));
+  return group < kLetters ? last : GroupName(group / kLetters - 1) + last;
+}
+
 std::optional<FinalRecording> ReadFinalRecording(const StudyRun& run) {
   const RunDatabase database = RunDatabase::OpenToRead(run.folder);
   const int64_t episode = database.ReadLastRecordedEpisode();

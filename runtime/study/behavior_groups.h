@@ -23,6 +23,9 @@ struct BehaviorGroup {
   size_t typical = 0;        // the run whose behavior is least far from all others of the group
 };
 
+// A, B, … Z, AA, … for groups from 0 on.
+std::string GroupName(size_t group);
+
 // Groups of behaviors that are on average less than this far apart are one (behavior.h).
 inline constexpr double kSameBehavior = 1.5;
 

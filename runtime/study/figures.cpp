@@ -94,12 +94,13 @@ Json SentencesOf(const BehaviorGroup& group, const ExperimentResult& result,
   return json;
 }
 
-Json GroupJson(const BehaviorGroup& group, const ExperimentResult& result,
-               const Sentences& sentences) {
+Json GroupJson(size_t index, const ExperimentResult& result, const Sentences& sentences) {
+  const BehaviorGroup& group = result.groups[index];
   size_t grouped = 0;
   for (const BehaviorGroup& each : result.groups) grouped += each.runs.size();
   const std::vector<RunResult> members = MembersOf(result, group);
-  return {{"runs", group.runs},
+  return {{"name", GroupName(index)},
+          {"runs", group.runs},
           {"typical", group.typical},
           {"share", static_cast<double>(group.runs.size()) / static_cast<double>(grouped)},
           {"sentences", SentencesOf(group, result, sentences)},
@@ -116,7 +117,7 @@ Json Figures(const ExperimentResult& result, const Sentences& sentences) {
   Json runs = Json::array();
   for (const RunResult& run : result.runs) runs.push_back(RunJson(run));
   Json groups = Json::array();
-  for (const BehaviorGroup& group : result.groups) {
+  for (size_t group = 0; group < result.groups.size(); ++group) {
     groups.push_back(GroupJson(group, result, sentences));
   }
   return {{"name", experiment.name},

@@ -1,0 +1,82 @@
+#include "runtime/study/study_document.h"
+
+#include <gmock/gmock.h>
+
+#include <fstream>
+
+#include "runtime/run/run_files.h"
+#include "runtime/study/behavior_groups.h"
+#include "tests/runtime/run/error_of.h"
+#include "tests/runtime/run/temporary_folder.h"
+#include "tests/runtime/study/sample_study.h"
+
+namespace runtime {
+namespace {
+
+using testing::AllOf;
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+class StudyDocumentTest : public testing::Test {
+ protected:
+  void SetUp() override { runs_ = WriteStudy(study_.path()); }
+  std::string Write() { return ReadText(WriteStudyDocument(study_.path(), runs_, output())); }
+  std::filesystem::path output() const { return output_.path() / "results"; }
+
+  TemporaryFolder study_;
+  TemporaryFolder output_;
+  std::vector<std::filesystem::path> runs_;
+};
+
+TEST_F(StudyDocumentTest, NamesWhatTheFiguresAreOf) {
+  const std::string text = Write();
+  EXPECT_THAT(text, HasSubstr("| [crawling](#crawling) | 7 |"));
+  EXPECT_THAT(text, HasSubstr("Robot `humanoid`, task `crawling` ("));
+  EXPECT_THAT(text, HasSubstr("profile `paper`, 40 episodes, seeds 1, 2, 3, 4, 5, 6, 7, 8;"));
+  EXPECT_THAT(text, HasSubstr("means of the last 2 episodes"));
+}
+
+TEST_F(StudyDocumentTest, TellsOfGroupsWithTheSentencesThatPeopleWrote) {
+  const std::string text = Write();
+  EXPECT_THAT(text, HasSubstr("**Group A**: 71 % of the runs (seeds 1, 2, 3, 4, 5). Final return"));
+  EXPECT_THAT(text, HasSubstr("**Group B**: 29 % of the runs (seeds 6, 7). Crawls fast. Final"));
+}
+
+// In the table of runs: the eighth is still at work, so it is in no group.
+TEST_F(StudyDocumentTest, ListsEveryRun) {
+  const std::string text = Write();
+  EXPECT_THAT(text, HasSubstr("\n| 7 | 40 | "));
+  EXPECT_THAT(text, HasSubstr("\n| 8 | 25 | "));
+  EXPECT_THAT(text, Not(HasSubstr("nan")));
+}
+
+TEST_F(StudyDocumentTest, DrawsTheCurvesTheSameEveryTime) {
+  Write();
+  const std::string drawing = ReadText(output() / "crawling.svg");
+  EXPECT_THAT(drawing, AllOf(StartsWith("<?xml"), HasSubstr("return, mean of 2"),
+                             HasSubstr("episode"), EndsWith("</svg>\n\n")));
+  // The colours of both groups, of the mean and of its interval.
+  EXPECT_THAT(drawing, HasSubstr("31,  95, 168"));
+  EXPECT_THAT(drawing, HasSubstr("194,  86,  26"));
+  EXPECT_THAT(drawing, HasSubstr("28,  33,  39"));
+  EXPECT_THAT(drawing, HasSubstr("225, 231, 237"));
+  Write();
+  EXPECT_EQ(ReadText(output() / "crawling.svg"), drawing);
+}
+
+TEST_F(StudyDocumentTest, SaysWhereItCannotWrite) {
+  std::ofstream(output()) << "a file";
+  EXPECT_THAT(ErrorOf([&] { Write(); }), HasSubstr("results: cannot be made"));
+}
+
+TEST(GroupName, CountsInLetters) {
+  EXPECT_EQ(GroupName(0), "A");
+  EXPECT_EQ(GroupName(25), "Z");
+  EXPECT_EQ(GroupName(26), "AA");
+  EXPECT_EQ(GroupName(26 * 27), "AAA");
+}
+
+}  // namespace
+}  // namespace runtime
