@@ -56,10 +56,11 @@ void AddJobsOption(CLI::App& command, int& jobs) {
       ->check(CLI::Range(1, 1024));
 }
 
-int TrainRuns(const std::filesystem::path& folder, int jobs, const OutputOptions& output) {
+int TrainRuns(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& runs,
+              int jobs, const OutputOptions& output) {
   if (jobs == 0) jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   RunTablePrinter printer(output.style(), jobs, stdout, stderr);
-  Supervisor supervisor(folder, FindRuns(folder), jobs, printer);
+  Supervisor supervisor(folder, runs, jobs, printer);
   printer.Follow(supervisor.runs());
   const StopRequest stop;
   const bool are_all_finished = supervisor.Run(stop);

@@ -20,8 +20,9 @@ std::vector<std::filesystem::path> FindRuns(const std::filesystem::path& folder)
 // --jobs; 0 stands for as many as there are cores.
 void AddJobsOption(CLI::App& command, int& jobs);
 
-// Trains all runs in `folder` to their end, from their last checkpoints, `jobs` at a time; returns
-// the exit status.
-int TrainRuns(const std::filesystem::path& folder, int jobs, const OutputOptions& output);
+// Trains these runs of `folder` to their end, in this order, from their last checkpoints, `jobs` at
+// a time; returns the exit status.
+int TrainRuns(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& runs,
+              int jobs, const OutputOptions& output);
 
 }  // namespace runtime

@@ -33,7 +33,7 @@ int ResumeMany(const ResumeOptions& options, const std::vector<std::filesystem::
       PlanEpisodes(options.episodes, database, run);
     }
   }
-  return TrainRuns(options.folder, options.jobs, options.session.output);
+  return TrainRuns(options.folder, FindRuns(options.folder), options.jobs, options.session.output);
 }
 
 int Resume(const ResumeOptions& options) {

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
 #include <set>
 
 #include "runtime/trainer/commands.h"
@@ -36,9 +38,11 @@ void TakeOver(const std::filesystem::path& folder, const RunRecord& wanted,
   }
 }
 
-// Makes the runs of an experiment that are not there yet. `names`: the folders taken before.
-void Prepare(const Experiment& experiment, const std::filesystem::path& out,
-             std::set<std::string>& names) {
+// Makes the runs of an experiment that are not there yet, and returns the folders of all. `names`:
+// the experiments' folders taken before.
+std::vector<std::filesystem::path> Prepare(const Experiment& experiment,
+                                           const std::filesystem::path& out,
+                                           std::set<std::string>& names) {
   const BuiltTask task(experiment.task.task);
   if (!task.plugin()) throw UserError(fmt::format("{}: its task has errors", experiment.place));
   TaskSetup setup(experiment.task, *task.plugin(), experiment.seeds.front());
@@ -51,14 +55,16 @@ void Prepare(const Experiment& experiment, const std::filesystem::path& out,
                                 experiment.place, name));
   }
   setup.network.Start();
+  std::vector<std::filesystem::path> folders;
   for (const uint64_t seed : experiment.seeds) {
-    const std::filesystem::path folder = SeedFolder(out / name, seed);
+    const std::filesystem::path folder = folders.emplace_back(SeedFolder(out / name, seed));
     if (RunDatabase::Exists(folder)) {
       TakeOver(folder, run, experiment.place);
     } else {
       PrepareRun(folder, setup, run, seed);
     }
   }
+  return folders;
 }
 
 int Study(const StudyOptions& options) {
@@ -66,8 +72,11 @@ int Study(const StudyOptions& options) {
   const std::filesystem::path out =
       options.out.empty() ? std::filesystem::path("runs") / options.file.stem() : options.out;
   std::set<std::string> names;
-  for (const Experiment& experiment : experiments) Prepare(experiment, out, names);
-  return TrainRuns(out, options.jobs, options.output);
+  std::vector<std::filesystem::path> runs;
+  for (const Experiment& experiment : experiments) {
+    std::ranges::move(Prepare(experiment, out, names), std::back_inserter(runs));
+  }
+  return TrainRuns(out, runs, options.jobs, options.output);
 }
 
 }  // namespace

@@ -47,7 +47,7 @@ int TrainMany(const TrainOptions& options) {
   for (uint64_t seed = run.seed; seed < end; ++seed) {
     PrepareRun(SeedFolder(folder, seed), setup, run, seed);
   }
-  return TrainRuns(folder, options.jobs, options.session.output);
+  return TrainRuns(folder, FindRuns(folder), options.jobs, options.session.output);
 }
 
 int Train(const TrainOptions& options) {

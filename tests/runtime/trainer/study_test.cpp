@@ -40,6 +40,13 @@ TEST_F(StudyTest, TrainsEachExperimentWithEachSeed) {
   EXPECT_EQ(run.seed, 5u);
 }
 
+TEST_F(StudyTest, TrainsInTheOrderOfTheFile) {
+  const std::string file = TwoExperiments("[7]", 1);
+  const ProgramResult result = Trainer({"study", file, "--out", RunFolder("study"), "--jobs", "1"});
+  ASSERT_EQ(result.exit_status, 0) << result.errors;
+  EXPECT_LT(result.output.find("leaning-fast/seed7"), result.output.find("cool/seed7"));
+}
+
 TEST_F(StudyTest, CalledAgainAddsWhatIsNewAndRepeatsNothing) {
   ASSERT_EQ(Study(TwoExperiments("'1..2'", 1)).exit_status, 0);
   const Trace before = TraceOf("study/cool/seed1");
