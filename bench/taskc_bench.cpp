@@ -187,7 +187,8 @@ class HandWritten {
     Pay(reward, kForward,
         0.25 / 0.005 * (s.base_velocity[0] * s.base_up[0] + s.base_velocity[1] * s.base_up[1]) *
             time_step);
-    Pay(reward, kTurning, -0.025 / 0.005 * std::fabs(s.base_angular_velocity[2]) * time_step);
+    Pay(reward, kTurning,
+        -turning_cost_ / 0.005 * std::fabs(s.base_angular_velocity[2]) * time_step);
     Pay(reward, kEffort, -4e-9 / 0.0002 * __builtin_sqrt(squares) * time_step);
     if (!fallen_ && (s.contact[0] || s.contact[1])) {
       fallen_ = true;
@@ -214,6 +215,7 @@ class HandWritten {
 
   const Sensors& sensors_;
   double fall_penalty_ = 4;
+  double turning_cost_ = 0.025;
   double sum_of_reward_ = 0;
   double terms_[kTermCount] = {};
   int fault_ = -1;
