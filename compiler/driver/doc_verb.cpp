@@ -5,6 +5,7 @@
 
 #include "compiler/build/file_io.h"
 #include "compiler/build/share_folder.h"
+#include "compiler/document/task_json.h"
 #include "compiler/document/task_page.h"
 #include "compiler/driver/verb.h"
 
@@ -14,6 +15,7 @@ namespace {
 struct Options {
   std::string task;
   std::filesystem::path output;  // empty: Markdown on the standard output
+  bool is_json = false;          // instead of a page
 };
 
 ExitStatus Document(const Options& options, Session& session) {
@@ -24,6 +26,10 @@ ExitStatus Document(const Options& options, Session& session) {
   }
   const Analysis analysis = session.Analyze(options.task);
   if (!analysis.task) return ExitStatus::kWrongTask;
+  if (options.is_json) {
+    fmt::print("{}", ToText(ToJson(analysis)));
+    return ExitStatus::kOk;
+  }
   const Page page = PageOf(analysis);
   if (options.output.empty()) {
     fmt::print("{}", ToMarkdown(page));
@@ -42,6 +48,8 @@ Action DeclareDoc(CLI::App& app, Session& session) {
   AddTask(app, options->task);
   AddOutput(app, options->output, "FILE.md|FILE.html",
             "the page; without, it is printed as Markdown");
+  app.add_flag("--json", options->is_json, "print params, terms and metrics as JSON instead")
+      ->excludes("--output");
   AddRobots(app, session);
   return [options](Session& call) { return Document(*options, call); };
 }

@@ -36,7 +36,8 @@ const std::vector<Verb> kVerbs = {
      DeclareFmt},
     {"doc", "Write a task's page: equations, sensors, params, bounds",
      "taskc doc crawling.task                     # as Markdown\n"
-     "taskc doc crawling.task -o crawling.html    # one file, with the equations set",
+     "taskc doc crawling.task -o crawling.html    # one file, with the equations set\n"
+     "taskc doc crawling.task --json              # params, terms, metrics; gains of rewards",
      DeclareDoc},
     {"lsp", "Serve an editor by the Language Server Protocol",
      "taskc lsp   # editors call it; docs/editors.md says how", DeclareLsp},

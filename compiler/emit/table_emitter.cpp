@@ -8,7 +8,6 @@
 
 #include "compiler/emit/cpp_literal.h"
 #include "compiler/syntax/words.h"
-#include "plugins/seal/sha256.h"
 
 namespace compiler {
 namespace {
@@ -178,14 +177,6 @@ std::vector<std::string> TableFields(const CheckedTask& task, const Sources& sou
   return pointers;
 }
 
-// As the ABI says it.
-std::string HashOf(const Sources& sources) {
-  if (sources.files().size() == 1) return seal::Sha256(sources.main().text());
-  std::string hashes;
-  for (const SourceFile& source : sources.files()) hashes += seal::Sha256(source.text());
-  return seal::Sha256(hashes);
-}
-
 std::vector<std::string> IdentityFields(const CheckedTask& task, const Sources& sources) {
   return {".abi_version = TASKC_ABI_VERSION",
           ".struct_size = sizeof(taskc_plugin)",
@@ -194,7 +185,7 @@ std::vector<std::string> IdentityFields(const CheckedTask& task, const Sources& 
           ".doc = " + StringLiteral(task.doc),
           ".robot = " + StringLiteral(task.robot),
           ".start_pose = " + StringLiteral(task.start_pose),
-          ".source_hash = " + StringLiteral(HashOf(sources))};
+          ".source_hash = " + StringLiteral(sources.Hash())};
 }
 
 }  // namespace

@@ -24,6 +24,9 @@ class Sources {
   const std::deque<SourceFile>& files() const { return files_; }
   const SourceFile& main() const { return files_.front(); }
 
+  // What the text of a task is known by, as taskc/plugin.h says it. There must be a file.
+  std::string Hash() const;
+
   // The number of a span's file in files(). A span behind all files counts as the end of the last.
   // There must be a file.
   size_t IndexOf(Span span) const;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "compiler/document/task_json.h"
 #include "tests/compiler/golden.h"
 
 namespace compiler {
@@ -9,11 +10,21 @@ namespace {
 
 constexpr const char* kGolden = SOURCE_DIR "/tests/compiler/document/golden";
 
+// Without what differs from machine to machine, and at every change of a comment.
+std::string JsonOf(const Analysis& analysis) {
+  Json json = ToJson(analysis);
+  json.erase("file");
+  json.erase("hash");
+  return ToText(json);
+}
+
+// The page and the data.
 void ExpectAsReviewed(const std::filesystem::path& file) {
   Analysis analysis = Analyze(file, ReadFromDisk, SOURCE_DIR "/plugins");
   ASSERT_TRUE(analysis.task) << file;
-  golden::Expect(std::filesystem::path(kGolden) / (file.stem().string() + ".md.expected"),
-                 ToMarkdown(PageOf(analysis)));
+  const std::filesystem::path golden = std::filesystem::path(kGolden) / file.stem();
+  golden::Expect(golden.string() + ".md.expected", ToMarkdown(PageOf(analysis)));
+  golden::Expect(golden.string() + ".json.expected", JsonOf(analysis));
 }
 
 TEST(TaskPage, OfThePapersTasksIsAsReviewed) {

@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "compiler/build/file_io.h"
 #include "tests/compiler/driver/taskc_process.h"
 
@@ -41,6 +43,33 @@ TEST(Doc, IsMarkdownOrHtml) {
   Outcome outcome = taskc.Run("doc good.task -o good.pdf");
   EXPECT_EQ(outcome.status, 2);
   EXPECT_THAT(outcome.error, HasSubstr("a page is a .md or a .html file"));
+}
+
+TEST(Doc, IsJsonForPrograms) {
+  TaskcProcess taskc;
+  taskc.Write("library.task", "fn near(distance: real [m]) -> real = exp(-distance / 1 m)\n");
+  taskc.Write("weighed.task", R"(task weighed for humanoid
+import "library.task"
+param weight: real = 2
+on end_of_time_step { reward rate up = weight * near(base.position.z) }
+)");
+  const Outcome outcome = taskc.Run("doc weighed.task --json");
+  EXPECT_EQ(outcome.status, 0);
+  const auto json = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(json["task"], "weighed");
+  EXPECT_EQ(json["file"], "weighed.task");
+  EXPECT_EQ(json["terms"][0]["gain"], "weight");
+  // The plugin is known by the same.
+  const std::string field = ".source_hash = \"" + json["hash"].get<std::string>() + "\"";
+  EXPECT_THAT(taskc.Run("emit weighed.task").out, HasSubstr(field));
+}
+
+TEST(Doc, IsNotAPageAndJsonAtOnce) {
+  TaskcProcess taskc;
+  taskc.Write("good.task", kGoodTask);
+  const Outcome outcome = taskc.Run("doc good.task --json -o good.md");
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_THAT(outcome.error, HasSubstr("--output excludes --json"));
 }
 
 TEST(Doc, WritesNothingForAWrongTask) {

@@ -1,0 +1,74 @@
+#include "compiler/document/task_json.h"
+
+#include <cmath>
+
+#include "compiler/gains/gains.h"
+#include "compiler/syntax/words.h"
+
+namespace compiler {
+namespace {
+
+// A value of `param` as the task's text has it; null where it is infinite: there is no such end.
+Json ValueOf(const CheckedParam& param, double value) {
+  if (!std::isfinite(value)) return nullptr;
+  switch (param.type.scalar) {
+    case Scalar::kBool:
+      return value != 0;
+    case Scalar::kInt:
+      return static_cast<int64_t>(value);
+    case Scalar::kReal:
+      break;
+  }
+  return value;
+}
+
+Json ToJson(const CheckedParam& param, const ParamUse& use, const CheckedTask& task) {
+  const bool is_bool = param.type.scalar == Scalar::kBool;
+  Json json = {{"name", param.name},
+               {"doc", param.doc},
+               {"type", ToString(param.type)},
+               {"unit", ToString(param.unit)},
+               {"default", ValueOf(param, param.initial)},
+               {"least", is_bool ? Json() : ValueOf(param, param.minimum)},
+               {"greatest", is_bool ? Json() : ValueOf(param, param.maximum)},
+               {"scales", Json::array()},
+               {"changes_course", use.changes_course}};
+  for (const uint32_t term : use.scales) json["scales"].push_back(task.terms[term].name);
+  return json;
+}
+
+Json ToJson(const CheckedTerm& term, std::optional<uint32_t> gain, const CheckedTask& task) {
+  return {{"name", term.name},
+          {"doc", term.doc},
+          {"gain", gain ? Json(task.params[*gain].name) : Json()}};
+}
+
+Json ToJson(const CheckedMetric& metric) {
+  return {{"name", metric.name},
+          {"unit", ToString(metric.value.unit)},
+          {"reduction", NameOf(metric.reduction, kReductionNames)},
+          {"doc", metric.doc}};
+}
+
+}  // namespace
+
+Json ToJson(const Analysis& analysis) {
+  const CheckedTask& task = *analysis.task;
+  const Gains gains = FindGains(task);
+  Json json = {{"task", task.name},
+               {"doc", task.doc},
+               {"file", analysis.sources.main().path()},
+               {"hash", analysis.sources.Hash()},
+               {"robot", task.robot.empty() ? Json() : Json(task.robot)},
+               {"params", Json::array()},
+               {"terms", Json::array()},
+               {"metrics", Json::array()}};
+  for (size_t i = 0; i < task.params.size(); ++i)
+    json["params"].push_back(ToJson(task.params[i], gains.params[i], task));
+  for (size_t i = 0; i < task.terms.size(); ++i)
+    json["terms"].push_back(ToJson(task.terms[i], gains.terms[i], task));
+  for (const CheckedMetric& metric : task.metrics) json["metrics"].push_back(ToJson(metric));
+  return json;
+}
+
+}  // namespace compiler
