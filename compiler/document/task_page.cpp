@@ -8,6 +8,7 @@
 
 #include "compiler/bounds/bounds.h"
 #include "compiler/document/equations.h"
+#include "compiler/gains/gains.h"
 #include "compiler/syntax/words.h"
 #include "plugins/robot/sensors.h"
 
@@ -73,7 +74,10 @@ std::vector<const Node*> All(const SyntaxTree& tree) {
 class PageWriter {
  public:
   explicit PageWriter(const Analysis& analysis)
-      : analysis_(analysis), task_(*analysis.task), tree_(*analysis.tree) {}
+      : analysis_(analysis),
+        task_(*analysis.task),
+        tree_(*analysis.tree),
+        gains_(FindGains(task_)) {}
 
   Page Write() {
     page_.title = task_.name;
@@ -160,11 +164,12 @@ class PageWriter {
   void Bounds() {
     if (task_.terms.empty()) return;
     const TaskBounds bounds = ComputeBounds(task_);
-    Table table{{"term", "per second", "each time", "meaning"}, {}};
+    Table table{{"term", "per second", "each time", "gain", "meaning"}, {}};
     for (size_t i = 0; i < task_.terms.size(); ++i) {
       const TermBounds& term = bounds.terms[i];
       table.rows.push_back({Code(task_.terms[i].name), IntervalText(term.rate),
-                            IntervalText(term.payment), FromDoc(task_.terms[i].doc)});
+                            IntervalText(term.payment), GainText(gains_.terms[i]),
+                            FromDoc(task_.terms[i].doc)});
     }
     page_.blocks.push_back(
         Paragraph{Plain("Within these bounds, whatever happens, from the ranges of the sensors "
@@ -175,6 +180,10 @@ class PageWriter {
   static Text IntervalText(const std::optional<Interval>& interval) {
     if (!interval) return {};
     return Plain(ToText(interval->low) + " .. " + ToText(interval->high));
+  }
+
+  Text GainText(std::optional<uint32_t> param) const {
+    return param ? Code(task_.params[*param].name) : Text{};
   }
 
   void Ends() {
@@ -219,17 +228,29 @@ class PageWriter {
   void Params() {
     if (task_.params.empty()) return;
     AddHeading("Params");
-    Table table{{"param", "type", "default", "range", "meaning"}, {}};
-    for (const CheckedParam& param : task_.params) {
+    Table table{{"param", "type", "default", "range", "gain of", "ends episodes", "meaning"}, {}};
+    for (size_t i = 0; i < task_.params.size(); ++i) {
+      const CheckedParam& param = task_.params[i];
       const bool is_bool = param.type.scalar == Scalar::kBool;
       std::string initial = is_bool ? (param.initial != 0 ? "true" : "false")
                                     : WithUnit(ToText(param.initial), param.unit);
       table.rows.push_back(
           {Code(param.name), Code(ToString(param.type)), Plain(initial),
            is_bool ? Text{} : Plain(RangeText(param.minimum, param.maximum, param.unit)),
-           FromDoc(param.doc)});
+           TermsText(gains_.params[i].scales),
+           gains_.params[i].changes_course ? Plain("yes") : Text{}, FromDoc(param.doc)});
     }
     AddTable(std::move(table));
+  }
+
+  // "`head`, `body`"
+  Text TermsText(const std::vector<uint32_t>& terms) const {
+    Text text;
+    for (const uint32_t term : terms) {
+      if (!text.empty()) text.push_back({Piece::kPlain, ", "});
+      text.push_back({Piece::kCode, task_.terms[term].name});
+    }
+    return text;
   }
 
   void Memory() {
@@ -364,6 +385,7 @@ class PageWriter {
   const Analysis& analysis_;
   const CheckedTask& task_;
   const SyntaxTree& tree_;
+  const Gains gains_;
   Page page_;
 };
 

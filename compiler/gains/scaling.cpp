@@ -41,10 +41,8 @@ Scaling ExpressionScaling::Of(const CheckedExpression& expression, const Scaling
           return reads.arguments[node.argument];
         } else if constexpr (std::is_same_v<Node, RewardSoFar>) {
           return reads.reward_so_far;
-        } else if constexpr (std::is_same_v<Node, CheckedUnary>) {
-          const Scaling operand = Of(*node.operand, reads);
-          return node.op == UnaryOperator::kNegate ? operand : Opaque(operand);
         } else if constexpr (requires { node.operand; }) {
+          // A minus, elements, a conversion; or a `not`, of which nothing is ever paid.
           return Of(*node.operand, reads);
         } else if constexpr (std::is_same_v<Node, CheckedBinary>) {
           return OfBinary(node, reads);
@@ -103,7 +101,7 @@ Scaling ExpressionScaling::OfFunction(const FunctionCall& call, const ScalingOfR
   std::vector<Scaling> arguments = OfAll(call.arguments, reads);
   // A function computes from its arguments alone.
   const Scaling most = arguments.empty() ? kIndependent : std::ranges::max(arguments);
-  if (most == kOther || IsIndependent(most)) return Opaque(most);
+  if (IsIndependent(most)) return kIndependent;
   const auto [known, is_new] = results_.try_emplace({call.function, std::move(arguments)}, kOther);
   if (is_new) known->second = OfResult(task_.functions[call.function], known->first.second);
   return known->second;

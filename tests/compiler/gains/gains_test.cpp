@@ -104,11 +104,12 @@ TEST(Gains, MayScaleSeveralTerms) {
 TEST(Gains, AreNoThresholds) {
   ExpectUses({
       {"if x > 1 { reward a = p }", "p scales a"},
-      {"if x > p { reward a = x }", ""},
+      {"if x > p { reward a = x } reward b = p", ""},
+      {"if x > 1 { reward a = x } reward b = p", "p scales b"},
       {"if x > p { reward a = p }", ""},
       {"if x > 1 { reward a = p } else if x > p { reward b = 1 }", ""},
       {"if x > p { if hit { reward a = p } }", ""},
-      {"if x > p { log far = x } else { reward a = 1 }", ""},
+      {"if x > p { log far = x } else { reward a = 1 } reward b = p", ""},
       {"if x > p { log far = x } reward a = p", "p scales a"},
       {"once per action if hit { reward a = -p }", "p scales a"},
       {"once per action if x > p { reward a = -p }", ""},
@@ -120,7 +121,7 @@ TEST(Gains, GoThroughLocalValues) {
   ExpectUses({
       {"let cost = p * x let more = 2 * cost reward a = -more", "p scales a"},
       {"let cost = p * x reward a = cost * cost", ""},
-      {"let far = x > p if far { reward a = 1 }", ""},
+      {"let far = x > p if far { reward a = 1 } reward b = p", ""},
       {"let far = x > p reward a = p", "p scales a"},
   });
 }
@@ -195,19 +196,20 @@ TEST(Gains, DoNotGoThroughMemory) {
   constexpr const char* kSum = "memory kept: real = 0";
   ExpectUses({
       {"kept += x reward a = p * kept", "p scales a", kSum},
+      {"kept = x reward a = kept reward b = p", "p scales b", kSum},
       {"if kept > 1 { reward a = p } kept += x", "p scales a", kSum},
-      {"kept = p * x reward a = kept", "", kSum},
-      {"reward a = kept kept = p * x", "", kSum},
-      {"kept = p * x if kept > 1 { reward a = 1 }", "", kSum},
-      {"if x > p { kept = 1 } reward a = kept", "", kSum},
-      {"reward a = last last = kept kept = p * x", "",
+      {"kept = p * x reward a = kept reward b = p", "", kSum},
+      {"reward a = kept kept = p * x reward b = p", "", kSum},
+      {"kept = p * x if kept > 1 { reward a = 1 } reward b = p", "", kSum},
+      {"if x > p { kept = 1 } reward a = kept reward b = p", "", kSum},
+      {"reward a = last last = kept kept = p * x reward b = p", "",
        "memory kept: real = 0 memory last: real = 0"},
-      {"reward a = kept", "", "memory kept: real = p"},
+      {"reward a = kept reward b = p", "", "memory kept: real = p"},
       {"reward a = p kept = p * x", "p scales a", kSum},
       {"reward a = p kept += reward reward b = kept", "", kSum},
       {"reward a = p reward b = reward", "", kSum},
       {"reward b = reward reward a = p", "p scales a", kSum},
-      {"kept[0..1] = p reward a = kept[3]", "", "memory kept: real[4] = 0"},
+      {"kept[0..1] = p reward a = kept[3] reward b = p", "", "memory kept: real[4] = 0"},
   });
 }
 
@@ -215,7 +217,9 @@ TEST(Gains, GoFromOneEventToAnotherThroughMemoryOnly) {
   const auto uses = [](const std::string& events) {
     return UsesIn(CheckTask(kDeclarations + std::string("memory kept: real = 0\n") + events));
   };
-  EXPECT_EQ(uses("on start_of_action { reward a = kept }\non end_of_action { kept = p }"), "");
+  EXPECT_EQ(
+      uses("on start_of_action { reward a = kept }\non end_of_action { kept = p reward b = p }"),
+      "");
   EXPECT_EQ(uses("on start_of_action { reward a = p }\non end_of_action { reward b = reward }"),
             "p scales a");
   EXPECT_EQ(uses("on start_of_action { reward a = p * x }\non end_of_action { reward a = p * y }"),
@@ -262,14 +266,13 @@ TEST(Gains, MayBeReadByWhatNoRewardSees) {
 
 // `p` weighs the whole task, `q` this term alone.
 TEST(Gains, AreForEachTermTheOneThatScalesTheFewest) {
-  const CheckedTask task =
-      CheckTask(std::string(kDeclarations) +
-                "on end_of_time_step { reward a = p * q * x reward b = p * y reward c = x }");
-  const Gains gains = FindGains(task);
-  ASSERT_EQ(gains.terms.size(), 3u);
-  EXPECT_EQ(gains.terms[0], 1u);
-  EXPECT_EQ(gains.terms[1], 0u);
-  EXPECT_EQ(gains.terms[2], std::nullopt);
+  const auto gains_of = [](const std::string& rewards) {
+    return FindGains(CheckTask(kDeclarations + ("on end_of_time_step { " + rewards + " }"))).terms;
+  };
+  using Terms = std::vector<std::optional<uint32_t>>;
+  EXPECT_EQ(gains_of("reward a = p * q * x reward b = p * y reward c = x"),
+            (Terms{1, 0, std::nullopt}));
+  EXPECT_EQ(gains_of("reward a = p * q * x"), Terms{0});
 }
 
 }  // namespace
