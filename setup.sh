@@ -16,6 +16,7 @@ programs=(
   libsqlite3-dev libzstd-dev                       # the runs' records
   libboost-dev                                     # Beast: talking to a running trainer
   gnuplot-nox                                      # curves in documents
+  libnlopt-cxx-dev                                 # fitting gains to preferences
   libgtest-dev libgmock-dev libbenchmark-dev
 )
 tests=(chromium procps gdb)                        # a real browser and a real debugger

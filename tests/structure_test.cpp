@@ -62,6 +62,7 @@ const std::map<std::string, Folders> kMayInclude = {
       "runtime/task"}},
     {"runtime/behavior", {"plugins/robot", "runtime/run"}},
     {"runtime/report", {"runtime/module", "runtime/run"}},
+    {"runtime/preference", {"runtime/control", "runtime/module", "runtime/run"}},
     {"runtime/study", {"runtime/behavior", "runtime/module", "runtime/report", "runtime/run"}},
     {"runtime/control",
      {"runtime/learning", "runtime/module", "runtime/run", "runtime/simulation", "runtime/task"}},

@@ -6,7 +6,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <cstring>
 
@@ -15,16 +14,25 @@
 namespace runtime {
 namespace {
 
-// Where a child process writes to. Its standard output goes where its standard error goes: ours may
-// be read by a program.
+// What of a child's output is for us.
+enum class Captured { kNothing, kOutput, kMessages };
+
+// Where a child process writes to. Standard output that is not captured goes where its standard
+// error goes: ours may be read by a program.
 class ChildOutput {
  public:
-  explicit ChildOutput(bool is_captured) {
-    if (is_captured && pipe2(ends_, O_CLOEXEC) != 0) {
+  explicit ChildOutput(Captured captured) {
+    if (captured != Captured::kNothing && pipe2(ends_, O_CLOEXEC) != 0) {
       throw UserError(fmt::format("cannot make a pipe: {}", std::strerror(errno)));
     }
     posix_spawn_file_actions_init(&actions_);
-    if (is_captured) posix_spawn_file_actions_adddup2(&actions_, ends_[1], STDERR_FILENO);
+    if (captured == Captured::kOutput) {
+      posix_spawn_file_actions_adddup2(&actions_, ends_[1], STDOUT_FILENO);
+      return;
+    }
+    if (captured == Captured::kMessages) {
+      posix_spawn_file_actions_adddup2(&actions_, ends_[1], STDERR_FILENO);
+    }
     posix_spawn_file_actions_adddup2(&actions_, STDERR_FILENO, STDOUT_FILENO);
   }
   ChildOutput(const ChildOutput&) = delete;
@@ -56,20 +64,14 @@ class ChildOutput {
   posix_spawn_file_actions_t actions_;
 };
 
-}  // namespace
-
-std::filesystem::path CompilerProgram() {
-  return std::filesystem::read_symlink("/proc/self/exe").parent_path() / "taskc";
-}
-
-bool BuildTask(const std::filesystem::path& task, const std::filesystem::path& plugin,
-               std::string* messages) {
+// Runs `taskc` with these words. What is captured goes to `text`.
+bool Run(std::vector<std::string> words, Captured captured, std::string* text) {
   const std::filesystem::path compiler = CompilerProgram();
-  std::array<std::string, 5> words = {compiler.string(), "build", task.string(), "-o",
-                                      plugin.string()};
-  std::array<char*, words.size() + 1> arguments{};
-  for (size_t i = 0; i < words.size(); ++i) arguments[i] = words[i].data();
-  ChildOutput output(messages != nullptr);
+  words.insert(words.begin(), compiler.string());
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  ChildOutput output(captured);
   pid_t child = 0;
   const int error =
       posix_spawn(&child, compiler.c_str(), output.actions(), nullptr, arguments.data(), environ);
@@ -79,11 +81,27 @@ bool BuildTask(const std::filesystem::path& task, const std::filesystem::path& p
         "is built already",
         compiler.string(), std::strerror(error)));
   }
-  if (messages != nullptr) *messages = output.Read();
+  if (captured != Captured::kNothing) *text = output.Read();
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
   return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+}  // namespace
+
+std::filesystem::path CompilerProgram() {
+  return std::filesystem::read_symlink("/proc/self/exe").parent_path() / "taskc";
+}
+
+bool RunCompiler(const std::vector<std::string>& words, std::string& output) {
+  return Run(words, Captured::kOutput, &output);
+}
+
+bool BuildTask(const std::filesystem::path& task, const std::filesystem::path& plugin,
+               std::string* messages) {
+  return Run({"build", task.string(), "-o", plugin.string()},
+             messages != nullptr ? Captured::kMessages : Captured::kNothing, messages);
 }
 
 }  // namespace runtime

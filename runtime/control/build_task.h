@@ -3,15 +3,21 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace runtime {
 
 // `taskc`, which lies beside the running executable.
 std::filesystem::path CompilerProgram();
 
-// Runs `taskc build`; returns whether `plugin` was
-// written. What the compiler says goes to `messages`, or else to the user as it is. Throws
-// UserError where the compiler cannot be run.
+// Both throw UserError where the compiler cannot be run.
+
+// Runs `taskc` with these words; returns whether it succeeded. What it prints goes to `output`,
+// what it reports to the user as it is.
+bool RunCompiler(const std::vector<std::string>& words, std::string& output);
+
+// Runs `taskc build`; returns whether `plugin` was written. What the compiler says goes to
+// `messages`, or else to the user as it is.
 bool BuildTask(const std::filesystem::path& task, const std::filesystem::path& plugin,
                std::string* messages = nullptr);
 
