@@ -18,7 +18,7 @@ using Eigen::VectorXd;
 // Two behaviors that differ by this much in one of these, and in nothing else, have a distance
 // of 1.
 constexpr double kVelocity = 0.15;     // [m/s]
-constexpr double kTurns = 0.75;        // [full turns]
+constexpr double kTurns = 0.6;        // [full turns]
 constexpr double kHeight = 0.1;        // mean over the time, ordered by height [m]
 constexpr double kTilt = 0.5;          // the same of the tilt: upright to lying is 1
 constexpr double kPosture = 0.5;       // root mean square over the links [rad]

@@ -37,7 +37,7 @@ struct Behavior {
 Behavior DescribeBehavior(const Motion& motion, const std::vector<robot::Link>& links);
 
 // How different two behaviors of one robot are. Each part is 1 where a person begins to call them
-// different: a pace apart by 0.15 m/s, three quarters of a turn more, ... (behavior.cpp).
+// different: a pace apart by 0.15 m/s, 0.6 of a turn more, ... (behavior.cpp).
 struct BehaviorDistance {
   double base = 0;
   double joints = 0;

@@ -27,7 +27,7 @@ struct BehaviorGroup {
 std::string GroupName(size_t group);
 
 // Groups of behaviors that are on average less than this far apart are one (behavior.h).
-inline constexpr double kSameBehavior = 1.5;
+inline constexpr double kSameBehavior = 2;
 
 // Groups the finished runs by their last recorded episodes, the largest group first. `notes`: gets
 // a sentence for each run whose recording cannot be read.

@@ -57,7 +57,7 @@ std::vector<std::filesystem::path> WriteStudy(const std::filesystem::path& folde
   for (uint64_t seed = 1; seed <= 5; ++seed) {
     write({.seed = seed, .speed = 0.1 + 0.002 * static_cast<double>(seed)});
   }
-  for (uint64_t seed = 6; seed <= 7; ++seed) write({.seed = seed, .speed = 0.4});
+  for (uint64_t seed = 6; seed <= 7; ++seed) write({.seed = seed, .speed = 0.5});
   write({.seed = 8, .episodes = 25});
   runs.push_back(folder / "careful" / "seed1");
   WriteStudyRun(runs.back(), {.speed = 0.2, .is_recorded = false});
