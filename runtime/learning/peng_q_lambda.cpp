@@ -127,6 +127,13 @@ void PengQLambda::Forget() {
   episodes_ = 0;
 }
 
+void PengQLambda::StopLearning() {
+  temperature_ = temperature();
+  temperature_decay_ = 0;
+  learning_rate_ = 0;
+  learning_rate_min_ = 0;
+}
+
 void PengQLambda::NoteEnd(const EpisodeEnd& end) {
   end_reason_ = end.reason;
   end_ = {end.kind, end_reason_.c_str()};

@@ -40,6 +40,9 @@ class PengQLambda : public Module {
   // As before the first episode: nothing is learned, and the schedules begin anew. The random
   // numbers go on.
   void Forget();
+  // From now on it acts as it would next, and learns nothing: the learning rate is 0, and the
+  // temperature stays as it is.
+  void StopLearning();
 
   // Whether an episode ends in the middle of an action.
   bool ends_at_once() const;

@@ -4,6 +4,7 @@
 
 #include <sstream>
 
+#include "plugins/seal/sha256.h"
 #include "runtime/module/user_error.h"
 #include "runtime/run/compression.h"
 
@@ -15,6 +16,8 @@ std::string SaveModules(const Network& network) {
   const std::string bytes = state.str();
   return Compress(std::as_bytes(std::span(bytes.data(), bytes.size())));
 }
+
+std::string StateHash(const std::string& state) { return seal::Sha256(state).substr(0, 16); }
 
 void LoadModules(Network& network, const std::string& state,
                  const std::set<std::string>& left_out) {

@@ -10,6 +10,9 @@ namespace runtime {
 
 std::string SaveModules(const Network& network);
 
+// By which states are told apart: the first 16 digits of the SHA-256.
+std::string StateHash(const std::string& state);
+
 // Into a network of the same modules, started already. Throws UserError where the state is damaged
 // or belongs to other modules.
 // What is there for the modules in `left_out` is passed over.

@@ -2,9 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <ctime>
-
 #include "runtime/run/checkpoint.h"
+#include "runtime/run/episode.h"
 
 namespace runtime {
 namespace {
@@ -62,7 +61,7 @@ void Training::RunPlannedEpisodes(const StopRequest& stop) {
   while (episodes_done_ < run_.episodes_planned && !stops(stop)) {
     const bool has_changed = AllowChanges(0);
     if (stops(stop)) return SaveBeforeStop(has_changed);
-    const EpisodeRecord episode = RunEpisode(stop);
+    const EpisodeRecord episode = RunNextEpisode(stop);
     ++episodes_done_;
     const bool is_last = stops(stop) || episodes_done_ == run_.episodes_planned;
     const std::optional<Recording> recording = RecordingOf(episode);
@@ -75,24 +74,13 @@ void Training::RunPlannedEpisodes(const StopRequest& stop) {
   }
 }
 
-EpisodeRecord Training::RunEpisode(const StopRequest& stop) {
-  const Clock::time_point start = Clock::now();
-  const std::clock_t cpu_start = std::clock();
-  int64_t steps = 0;
-  environment_.StartEpisode();
-  recorder_.StartEpisode();
-  CaptureFrame();
-  while (!learner_.episode_over()) {
-    environment_.StepControl();
-    ++steps;
+EpisodeRecord Training::RunNextEpisode(const StopRequest& stop) {
+  return RunEpisode(episodes_done_ + 1, {environment_, learner_, tasks_}, [&](int64_t steps) {
+    if (steps == 0) recorder_.StartEpisode();
     CaptureFrame();
     NoteStop(stop);
-    if (!learner_.episode_over()) AllowChanges(steps);
-  }
-  EpisodeRecord episode = RecordOf(steps);
-  episode.wall_seconds = std::chrono::duration<double>(Clock::now() - start).count();
-  episode.cpu_seconds = static_cast<double>(std::clock() - cpu_start) / CLOCKS_PER_SEC;
-  return episode;
+    if (steps > 0 && !learner_.episode_over()) AllowChanges(steps);
+  });
 }
 
 bool Training::AllowChanges(int64_t step) {
@@ -113,23 +101,6 @@ void Training::NoteStop(const StopRequest& stop) {
   if (stop.signal() == 0 || stop_is_noted_) return;
   stop_is_noted_ = true;
   progress_.Warn("stopping after this episode (once more: at once, back to the last checkpoint)");
-}
-
-EpisodeRecord Training::RecordOf(int64_t steps) const {
-  EpisodeRecord episode;
-  episode.number = episodes_done_ + 1;
-  episode.steps = steps;
-  episode.actions = learner_.action_count();
-  episode.simulated_seconds = environment_.time();
-  episode.active = EvaluationOf(*tasks_.active);
-  // What the learner was paid, and why it ended the episode, whoever wanted it.
-  episode.active.episode_return = learner_.episode_return();
-  episode.active.end_kind = EndKindName(learner_.episode_end().kind);
-  episode.active.end_reason = learner_.episode_end().reason;
-  for (const UniversalTask* shadow : tasks_.shadows) {
-    if (shadow->has_ended()) episode.shadows.push_back(EvaluationOf(*shadow));
-  }
-  return episode;
 }
 
 void Training::CaptureFrame() {

@@ -45,13 +45,12 @@ class Training {
 
   void RunPlannedEpisodes(const StopRequest& stop);
   bool stops(const StopRequest& stop) const;
-  EpisodeRecord RunEpisode(const StopRequest& stop);
+  EpisodeRecord RunNextEpisode(const StopRequest& stop);
   // Lets whoever wants to change something do so, after `step` control steps of the episode.
   // Returns whether somebody did.
   bool AllowChanges(int64_t step);
   void SaveBeforeStop(bool has_changed);
   void NoteStop(const StopRequest& stop);
-  EpisodeRecord RecordOf(int64_t steps) const;  // without the time that it took
   void CaptureFrame();
   void Warn(const std::string& text);
   void WarnAbout(const EpisodeRecord& episode);

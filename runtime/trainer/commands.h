@@ -16,6 +16,7 @@ void AddServeCommand(CLI::App& app, int& status);
 void AddStudyCommand(CLI::App& app, int& status);
 void AddCtlCommand(CLI::App& app, int& status);
 void AddShowCommand(CLI::App& app, int& status);
+void AddEvaluateCommand(CLI::App& app, int& status);
 void AddReportCommand(CLI::App& app, int& status);
 
 }  // namespace runtime

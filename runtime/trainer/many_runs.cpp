@@ -26,6 +26,23 @@ bool ComesBefore(const std::filesystem::path& a, const std::filesystem::path& b)
   return std::pair(first.size(), first) < std::pair(second.size(), second);
 }
 
+// How far the `runs` of `folder` are; those that are not finished wait.
+std::vector<RunProgress> RunsToTrain(const std::filesystem::path& folder,
+                                     const std::vector<std::filesystem::path>& runs) {
+  std::vector<RunProgress> found;
+  for (const std::filesystem::path& run : runs) {
+    RunProgress& progress =
+        found.emplace_back(ReadProgress(run, run.lexically_relative(folder).string()));
+    const bool is_finished = progress.state == RunProgressState::kFinished;
+    if (!is_finished) progress.state = RunProgressState::kWaiting;
+  }
+  return found;
+}
+
+std::vector<std::string> WordsToTrain(const RunProgress& run) {
+  return {"resume", run.folder.string(), "--json"};
+}
+
 }  // namespace
 
 std::filesystem::path SeedFolder(const std::filesystem::path& folder, uint64_t seed) {
@@ -50,17 +67,22 @@ std::vector<std::filesystem::path> FindRuns(const std::filesystem::path& folder)
   return runs;
 }
 
-void AddJobsOption(CLI::App& command, int& jobs) {
+void AddJobsOption(CLI::App& command, int& jobs, const std::string& verb) {
   command
-      .add_option("--jobs", jobs, "how many runs to train at a time; otherwise one on each core")
+      .add_option("--jobs", jobs,
+                  fmt::format("how many runs to {} at a time; otherwise one on each core", verb))
       ->check(CLI::Range(1, 1024));
+}
+
+int JobsOrCores(int jobs) {
+  return jobs > 0 ? jobs : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
 }
 
 int TrainRuns(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& runs,
               int jobs, const OutputOptions& output) {
-  if (jobs == 0) jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  jobs = JobsOrCores(jobs);
   RunTablePrinter printer(output.style(), jobs, stdout, stderr);
-  Supervisor supervisor(folder, runs, jobs, printer);
+  Supervisor supervisor(RunsToTrain(folder, runs), WordsToTrain, jobs, printer);
   printer.Follow(supervisor.runs());
   const StopRequest stop;
   const bool are_all_finished = supervisor.Run(stop);

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "runtime/trainer/run_session.h"
@@ -17,8 +18,10 @@ std::filesystem::path SeedFolder(const std::filesystem::path& folder, uint64_t s
 // numbers.
 std::vector<std::filesystem::path> FindRuns(const std::filesystem::path& folder);
 
-// --jobs; 0 stands for as many as there are cores.
-void AddJobsOption(CLI::App& command, int& jobs);
+// --jobs, on whose help `verb` says what is done to the runs: "train"; 0 stands for as many as
+// there are cores.
+void AddJobsOption(CLI::App& command, int& jobs, const std::string& verb);
+int JobsOrCores(int jobs);
 
 // Trains these runs of `folder` to their end, in this order, from their last checkpoints, `jobs` at
 // a time; returns the exit status.

@@ -2,12 +2,10 @@
 
 #include <fmt/format.h>
 
-#include "runtime/agent/agent.h"
-#include "runtime/run/module_types.h"
 #include "runtime/run/run_database.h"
-#include "runtime/run/run_files.h"
 #include "runtime/trainer/call_error.h"
 #include "runtime/trainer/commands.h"
+#include "runtime/trainer/kept_run.h"
 
 namespace runtime {
 namespace {
@@ -72,16 +70,10 @@ int ResumeOneRun(const std::filesystem::path& folder, std::optional<int64_t> epi
     return kSuccess;
   }
   WarnOfOtherVersion(run);
-  const auto plugin =
-      std::make_shared<const Plugin>(FindKeptPlugin(folder, run.tasks.front().plugin));
-  const robot::RobotDescription robot = ReadKeptRobot(folder, run.robot_description);
-  const Context context{&robot, plugin, run.seed};
-  const Agent agent = ParseAgent(run.agent, (folder / "run.db").string() + ": agent");
-  const ModuleTypes types = TypesFor(agent);
-  Network network = BuildNetwork(agent, types, context);
-  network.Start();
+  KeptRun kept(folder, run, folder);
+  kept.network.Start();
   database.SetState(RunState::kRunning);
-  return RunSession({folder, run, database, network, types, context}, session);
+  return RunSession({folder, run, database, kept.network, kept.types, kept.context}, session);
 }
 
 }  // namespace runtime

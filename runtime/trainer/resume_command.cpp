@@ -53,7 +53,7 @@ void AddResumeCommand(CLI::App& app, int& status) {
       ->add_option("--episodes", options->episodes,
                    "how many episodes the run is to have in all; otherwise as planned")
       ->check(CLI::Range(int64_t{1}, int64_t{1'000'000'000}));
-  AddJobsOption(*command, options->jobs);
+  AddJobsOption(*command, options->jobs, "train");
   options->session.AddTo(*command);
   command->callback([options, &status] { status = Resume(*options); });
 }

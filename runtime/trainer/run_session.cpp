@@ -45,9 +45,9 @@ std::unique_ptr<Server> StartServer(const RunParts& run, const SessionOptions& o
 
 }  // namespace
 
-void OutputOptions::AddTo(CLI::App& command) {
+void OutputOptions::AddTo(CLI::App& command, const std::string& objects) {
   CLI::Option* json_flag =
-      command.add_flag("--json", json, "print one JSON object per episode, and nothing else");
+      command.add_flag("--json", json, fmt::format("print {}, and nothing else", objects));
   command.add_flag("--quiet", quiet, "print only warnings and errors")->excludes(json_flag);
 }
 

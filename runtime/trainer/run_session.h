@@ -15,7 +15,8 @@ struct OutputOptions {
   bool json = false;
   bool quiet = false;
 
-  void AddTo(CLI::App& command);
+  // `objects`: what --json prints.
+  void AddTo(CLI::App& command, const std::string& objects = "one JSON object per episode");
   ProgressStyle style() const;
 };
 

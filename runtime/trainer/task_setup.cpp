@@ -74,16 +74,20 @@ ModuleTypes TypesFor(const Agent& agent) {
   return WithComposites(std::move(types), agent);
 }
 
-void TaskOptions::AddTo(CLI::App& command) {
+CLI::Option* AddProfileOption(CLI::App& command, std::string& profile) {
   std::vector<std::string> profiles;
   for (const Profile& each : kProfiles) profiles.emplace_back(each.name);
-  command.add_option("TASK", task, "a .task file, or a .so that taskc built from one")->required();
-  command
+  return command
       .add_option(
           "--profile", profile,
           "how to simulate: `paper` faithfully, `fast` with longer steps; each `-tree`: the same "
           "equations, solved several times as fast")
       ->check(CLI::IsMember(profiles));
+}
+
+void TaskOptions::AddTo(CLI::App& command) {
+  command.add_option("TASK", task, "a .task file, or a .so that taskc built from one")->required();
+  AddProfileOption(command, profile);
   command.add_option("--agent", agent, "agent file that changes the robot's default agent")
       ->check(CLI::ExistingFile);
   command.add_option("--robot", robot, "robot, for a task that is for none in particular");

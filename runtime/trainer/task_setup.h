@@ -17,6 +17,9 @@
 
 namespace runtime {
 
+// --profile
+CLI::Option* AddProfileOption(CLI::App& command, std::string& profile);
+
 struct TaskOptions {
   std::filesystem::path task;  // .task or .so
   std::string profile;

@@ -66,7 +66,7 @@ void AddTrainCommand(CLI::App& app, int& status) {
       ->add_option("--runs", options->runs, "how many runs to train, each with a seed of its own")
       ->check(CLI::Range(int64_t{1}, int64_t{10'000}))
       ->capture_default_str();
-  AddJobsOption(*command, options->jobs);
+  AddJobsOption(*command, options->jobs, "train");
   command->add_option("--out", options->out,
                       "folder of the run; otherwise runs/TASK-PROFILE-seedSEED. Of many runs the "
                       "folder of their folders; otherwise runs/TASK-PROFILE");

@@ -132,7 +132,7 @@ void RunTablePrinter::Finish() {
   std::fflush(output_);
 }
 
-void RunTablePrinter::OnEpisode(const RunProgress& run, std::string_view json) {
+void RunTablePrinter::OnLine(const RunProgress& run, std::string_view json) {
   if (style_ == ProgressStyle::kJson) {
     // The worker's object with one more member in front.
     fmt::print(output_, "{{\"run\":{},{}\n", nlohmann::json(run.name).dump(), json.substr(1));

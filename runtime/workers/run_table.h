@@ -35,13 +35,14 @@ class RunTablePrinter : public SupervisorListener {
   void Follow(const std::vector<RunProgress>& runs);
   // The table as it is at the end.
   void Finish();
+  // Takes the table off the terminal, to which something else is going to be printed.
+  void Erase();
 
-  void OnEpisode(const RunProgress& run, std::string_view json) override;
+  void OnLine(const RunProgress& run, std::string_view json) override;
   void OnMessage(const RunProgress& run, std::string_view text) override;
 
  private:
   void Refresh(bool at_once);
-  void Erase();
 
   const ProgressStyle style_;
   const int jobs_;

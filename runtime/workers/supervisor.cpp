@@ -22,8 +22,8 @@ struct Supervisor::Job {
   Worker worker;
   int64_t episodes_before = 0;  // when this worker began
 
-  explicit Job(RunProgress& progress)
-      : run(progress), worker(progress.folder), episodes_before(progress.episodes) {}
+  Job(RunProgress& progress, const WorkerWords& words)
+      : run(progress), worker(words(progress)), episodes_before(progress.episodes) {}
 };
 
 namespace {
@@ -58,17 +58,12 @@ RunProgress ReadProgress(const std::filesystem::path& folder, std::string name) 
   return run;
 }
 
-Supervisor::Supervisor(const std::filesystem::path& folder,
-                       const std::vector<std::filesystem::path>& runs, int jobs,
+Supervisor::Supervisor(std::vector<RunProgress> runs, WorkerWords words, int jobs,
                        SupervisorListener& listener)
-    : jobs_(static_cast<size_t>(std::max(jobs, 1))), listener_(listener) {
-  for (const std::filesystem::path& run : runs) {
-    RunProgress& progress =
-        runs_.emplace_back(ReadProgress(run, run.lexically_relative(folder).string()));
-    const bool is_finished = progress.state == RunProgressState::kFinished;
-    if (!is_finished) progress.state = RunProgressState::kWaiting;
-  }
-}
+    : runs_(std::move(runs)),
+      words_(std::move(words)),
+      jobs_(static_cast<size_t>(std::max(jobs, 1))),
+      listener_(listener) {}
 
 Supervisor::~Supervisor() = default;
 
@@ -88,7 +83,7 @@ void Supervisor::StartWorkers() {
     if (running_.size() >= jobs_) return;
     if (run.state != RunProgressState::kWaiting) continue;
     run.state = RunProgressState::kRunning;
-    running_.push_back(std::make_unique<Job>(run));
+    running_.push_back(std::make_unique<Job>(run, words_));
   }
 }
 
@@ -124,15 +119,18 @@ void Supervisor::ReadFrom(Job& job, short output_events, short error_events) {
 
 void Supervisor::OnLine(Job& job, std::string_view line) {
   const auto json = nlohmann::json::parse(line, nullptr, false);
-  if (!json.is_object() || !json.contains("episode")) return;  // cut off by a crash
-  RunProgress& run = job.run;
-  run.episodes = json["episode"].get<int64_t>();
-  run.last_return = json["return"].is_number() ? json["return"].get<double>()
-                                               : std::numeric_limits<double>::quiet_NaN();
+  if (!json.is_object()) return;  // cut off by a crash
+  if (json.contains("episode")) CountEpisode(json, job.run);
+  listener_.OnLine(job.run, line);
+}
+
+void Supervisor::CountEpisode(const nlohmann::json& episode, RunProgress& run) {
+  run.episodes = episode["episode"].get<int64_t>();
+  run.last_return = episode["return"].is_number() ? episode["return"].get<double>()
+                                                  : std::numeric_limits<double>::quiet_NaN();
   run.best_return = std::fmax(run.best_return, run.last_return);
-  run.wall_seconds += json["wall_seconds"].get<double>();
+  run.wall_seconds += episode["wall_seconds"].get<double>();
   ++run.episodes_here;
-  listener_.OnEpisode(run, line);
 }
 
 void Supervisor::OnEnd(Job& job) {

@@ -5,7 +5,9 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <memory>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,7 +27,7 @@ struct RunProgress {
   int64_t episodes = 0;  // done
   int64_t episodes_planned = 0;
   double last_return = 0;
-  double best_return = 0;     // -infinity before the first episode
+  double best_return = -std::numeric_limits<double>::infinity();  // before the first episode
   double wall_seconds = 0;    // of the episodes done since the supervisor began
   int64_t episodes_here = 0;  // as many are these
   int restarts = 0;
@@ -39,22 +41,26 @@ RunProgress ReadProgress(const std::filesystem::path& folder, std::string name);
 class SupervisorListener {
  public:
   virtual ~SupervisorListener() = default;
-  // `json`: the line of the worker, see EpisodeJson().
-  virtual void OnEpisode(const RunProgress& run, std::string_view json) = 0;
+  // `json`: a line of the worker, of an episode (see EpisodeJson()) or what came out in the end.
+  virtual void OnLine(const RunProgress& run, std::string_view json) = 0;
   // What a worker prints on standard error, and what became of it.
   virtual void OnMessage(const RunProgress& run, std::string_view text) = 0;
 };
 
+// The words after `trainer` with which a worker takes up a run. It prints a line of JSON for each
+// episode, goes on where it was when it is called again, and ends after the present episode when it
+// is asked to.
+using WorkerWords = std::function<std::vector<std::string>(const RunProgress& run)>;
+
 class Supervisor {
  public:
-  // A worker that ends without having been asked is started again, from its last checkpoint; this
-  // often in a row without a single new episode, and its run is given up.
+  // A worker that ends without having been asked is started again, from its run's last checkpoint;
+  // this often in a row without a single new episode, and its run is given up.
   static constexpr int kMaxFruitlessStarts = 3;
 
-  // `runs`: their folders, each with a run, somewhere in `folder`. At most `jobs` workers at a
-  // time.
-  Supervisor(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& runs,
-             int jobs, SupervisorListener& listener);
+  // Those of the `runs` that are waiting get workers, at most `jobs` at a time.
+  Supervisor(std::vector<RunProgress> runs, WorkerWords words, int jobs,
+             SupervisorListener& listener);
   ~Supervisor();
 
   // Until all runs are finished or given up, or a stop is requested: then the workers end after
@@ -70,10 +76,12 @@ class Supervisor {
   void Wait();
   void ReadFrom(Job& job, short output_events, short error_events);
   void OnLine(Job& job, std::string_view line);
+  static void CountEpisode(const nlohmann::json& episode, RunProgress& run);
   void OnEnd(Job& job);
   void StopWorkers(int signal);
 
   std::vector<RunProgress> runs_;
+  const WorkerWords words_;
   const size_t jobs_;
   SupervisorListener& listener_;
   std::vector<std::unique_ptr<Job>> running_;

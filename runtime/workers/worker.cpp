@@ -50,11 +50,14 @@ struct Worker::Pipes {
   }
 };
 
-Worker::Worker(const std::filesystem::path& run_folder) : Worker(run_folder, Pipes()) {}
+Worker::Worker(const std::vector<std::string>& words) : Worker(words, Pipes()) {}
 
-Worker::Worker(const std::filesystem::path& run_folder, Pipes pipes)
+Worker::Worker(const std::vector<std::string>& words, Pipes pipes)
     : output_(pipes.output[0]), errors_(pipes.errors[0]) {
-  const std::string folder = run_folder.string();
+  std::string program = "trainer";
+  std::vector<char*> arguments = {program.data()};
+  for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
+  arguments.push_back(nullptr);
   const pid_t parent = getpid();
   process_ = fork();
   if (process_ == 0) {
@@ -64,7 +67,7 @@ Worker::Worker(const std::filesystem::path& run_folder, Pipes pipes)
     if (getppid() != parent) _exit(kCannotStart);
     dup2(pipes.output[1], STDOUT_FILENO);
     dup2(pipes.errors[1], STDERR_FILENO);
-    execl("/proc/self/exe", "trainer", "resume", folder.c_str(), "--json", nullptr);
+    execv("/proc/self/exe", arguments.data());
     _exit(kCannotStart);
   }
   close(pipes.output[1]);

@@ -1,12 +1,12 @@
-// A process that trains one run, and the lines that it prints.
+// A process that works on one run, and the lines that it prints.
 #pragma once
 
 #include <sys/types.h>
 
-#include <filesystem>
 #include <functional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace runtime {
 
@@ -29,11 +29,12 @@ class LineReader {
   std::string rest_;
 };
 
-// `trainer resume FOLDER --json`. The process ends when the program that started it ends.
+// This program with other words. The process ends when the program that started it ends.
 class Worker {
  public:
-  // Throws UserError where no process can be started.
-  explicit Worker(const std::filesystem::path& run_folder);
+  // `words`: what stands behind the program's name. Throws UserError where no process can be
+  // started.
+  explicit Worker(const std::vector<std::string>& words);
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
   ~Worker();  // kills it if it still runs
@@ -49,7 +50,7 @@ class Worker {
 
  private:
   struct Pipes;
-  Worker(const std::filesystem::path& run_folder, Pipes pipes);
+  Worker(const std::vector<std::string>& words, Pipes pipes);
 
   pid_t process_;
   LineReader output_;

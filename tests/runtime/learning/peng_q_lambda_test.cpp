@@ -279,6 +279,24 @@ TEST(PengQLambda, EqualSeedsChooseEqualActions) {
   EXPECT_NE(actions(1), actions(2));
 }
 
+TEST_F(PengQLambdaTest, StopsLearningAndKeepsItsTemperature) {
+  const auto play_episode = [this] {
+    world_.start_of_episode();
+    world_.PlayAction(10);
+    world_.end_of_episode(kGoal);
+    world_.PlayAction(1);
+  };
+  play_episode();
+  const double learned = theta();
+  EXPECT_NE(learned, 0);
+  const double temperature = learner_.temperature();
+  learner_.StopLearning();
+  for (int episode = 0; episode < 3; ++episode) play_episode();
+  EXPECT_EQ(theta(), learned);
+  EXPECT_EQ(learner_.temperature(), temperature);
+  EXPECT_EQ(learner_.learning_rate(), 0);
+}
+
 TEST_F(PengQLambdaTest, ParametersAreChecked) {
   const auto complaint = [this](const char* parameter, double value) {
     return UserErrorOf([&] { learner_.Set(parameter, value); });

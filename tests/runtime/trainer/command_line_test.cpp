@@ -15,7 +15,7 @@ TEST_F(CommandLineTest, ExplainsEveryCommand) {
   EXPECT_THAT(Trainer({"--help"}).output,
               AllOf(HasSubstr("train"), HasSubstr("resume"), HasSubstr("show"), HasSubstr("report"),
                     HasSubstr("Exit status")));
-  for (const char* command : {"train", "resume", "show", "report"}) {
+  for (const char* command : {"train", "resume", "show", "report", "evaluate"}) {
     const ProgramResult help = Trainer({command, "--help"});
     EXPECT_EQ(help.exit_status, 0);
     EXPECT_THAT(help.output, HasSubstr(command));

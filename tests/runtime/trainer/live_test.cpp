@@ -101,6 +101,18 @@ class LiveTest : public TrainerTest {
   std::optional<ChildProcess> trainer_;
 };
 
+TEST_F(LiveTest, WhatWasChangedIsEvaluatedAsItWas) {
+  Serve(100, {"--set", "learner.episode_end=clean"});  // at the limit, not when an action is over
+  Ask({"set", "task.limit", "0.1", "s"});
+  RunEpisodes(2);
+  EXPECT_EQ(Stop().exit_status, 0);
+  const ProgramResult result =
+      Trainer({"evaluate", RunFolder("run"), "--profile", "fast", "--episodes", "1", "--json"});
+  const json episode = json::parse(result.output.substr(0, result.output.find('\n')));
+  EXPECT_EQ(episode["steps"], Episodes().back().steps);
+  EXPECT_LT(episode["steps"], Episodes().front().steps);
+}
+
 TEST_F(LiveTest, ASwapTakesEffectWhenTheNextEpisodeStarts) {
   Serve(100);
   RunSteps(5);

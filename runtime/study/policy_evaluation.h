@@ -1,0 +1,43 @@
+// What a run had learned at a checkpoint, acting in some profile without learning on: the file
+// evaluation-PROFILE.json in the run's folder (docs/trainer.md).
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace runtime {
+
+struct PolicyEvaluation {
+  std::string profile;
+  std::string learned_profile;
+  std::string version;  // of the trainer
+  int64_t checkpoint_episode = 0;
+  std::string checkpoint;            // StateHash() of its state
+  std::vector<double> returns = {};  // of the episodes, at least one
+  double mean_return = 0;
+  // Over the last episodes up to the checkpoint (learning.h), in which the run still learned.
+  double learned_return = 0;
+  std::map<std::string, int64_t> ends = {};  // how many episodes ended so, by the kind of their end
+  std::map<std::string, double> metrics;
+  std::map<std::string, double> learned_metrics;
+
+  // Of the learned return; not a number where that is not above 0.
+  double share() const;
+};
+
+// Part of what was paid that is paid still; not a number where nothing was.
+double ShareThatRemains(double paid, double learned);
+
+nlohmann::ordered_json ToJson(const PolicyEvaluation& evaluation);
+
+// All functions below throw UserError.
+
+std::filesystem::path EvaluationFile(const std::filesystem::path& run, const std::string& profile);
+PolicyEvaluation ReadEvaluation(const std::filesystem::path& file);
+void WriteEvaluation(const std::filesystem::path& run, const PolicyEvaluation& evaluation);
+
+}  // namespace runtime

@@ -1,0 +1,35 @@
+// A run's last checkpoint, put to the test in a profile.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "runtime/run/progress.h"
+#include "runtime/run/stop_request.h"
+#include "runtime/study/policy_evaluation.h"
+
+namespace runtime {
+
+struct EvaluationPlan {
+  std::string profile;
+  int64_t episodes = 3;
+};
+
+// Whether the run has learned anything that is saved. Throws UserError where there is no run.
+bool HasCheckpoint(const std::filesystem::path& run);
+
+// The evaluation that is there already, if it is what EvaluateRun() would find: of the last
+// checkpoint, as many episodes, by this version of the trainer. Throws UserError as HasCheckpoint.
+std::optional<PolicyEvaluation> FindEvaluation(const std::filesystem::path& run,
+                                               const EvaluationPlan& plan);
+
+// Lets what the run had learned at its last checkpoint act in the plan's profile, without learning
+// on, and writes the evaluation to its folder. The run may be at work: its record is only read.
+// Nothing if a stop was requested. Throws UserError.
+std::optional<PolicyEvaluation> EvaluateRun(const std::filesystem::path& run,
+                                            const EvaluationPlan& plan, ProgressStyle style,
+                                            const StopRequest& stop);
+
+}  // namespace runtime

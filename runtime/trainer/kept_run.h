@@ -1,0 +1,32 @@
+// A run's network as its folder keeps it, whatever became of the task's and the robot's files.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "plugins/robot/robot_description.h"
+#include "runtime/agent/agent.h"
+#include "runtime/module/context.h"
+#include "runtime/module/network.h"
+#include "runtime/run/run_records.h"
+#include "runtime/task/plugin.h"
+
+namespace runtime {
+
+struct KeptRun {
+  // `robot_folder`: gets the robot's description as a file. Throws UserError where something is
+  // gone or damaged.
+  KeptRun(const std::filesystem::path& folder, const RunRecord& run,
+          const std::filesystem::path& robot_folder);
+  KeptRun(const KeptRun&) = delete;
+  KeptRun& operator=(const KeptRun&) = delete;
+
+  std::shared_ptr<const Plugin> plugin;
+  robot::RobotDescription robot;
+  Context context;
+  Agent agent;
+  ModuleTypes types;
+  Network network;  // not started
+};
+
+}  // namespace runtime
