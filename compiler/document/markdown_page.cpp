@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <string_view>
 
 #include "compiler/document/page.h"
@@ -35,6 +36,13 @@ std::string ToMarkdown(const Text& text) {
   return markdown;
 }
 
+// A row of a table is one line.
+std::string ToCell(const Text& text) {
+  std::string cell = ToMarkdown(text);
+  std::ranges::replace(cell, '\n', ' ');
+  return cell;
+}
+
 struct Writer {
   std::string operator()(const Heading& heading) const {
     return std::string(static_cast<size_t>(heading.level), '#') + " " + ToMarkdown(heading.text) +
@@ -53,7 +61,7 @@ struct Writer {
     for (size_t i = 0; i < table.header.size(); ++i) markdown += "---|";
     for (const auto& row : table.rows) {
       markdown += "\n|";
-      for (const Text& cell : row) markdown += cell.empty() ? " |" : " " + ToMarkdown(cell) + " |";
+      for (const Text& cell : row) markdown += cell.empty() ? " |" : " " + ToCell(cell) + " |";
     }
     return markdown + "\n";
   }

@@ -10,7 +10,8 @@ Page SamplePage() {
   page.title = "a <b> & _c_";
   page.blocks.push_back(Paragraph{FromDoc("say `x < y` | twice")});
   page.blocks.push_back(Formulas{{{"a", "=", "b < c"}, {"d", "\\leftarrow", "e"}}});
-  page.blocks.push_back(Table{{"one", "two"}, {{Code("n"), Math("\\lvert x \\rvert")}, {{}, {}}}});
+  page.blocks.push_back(
+      Table{{"one", "two"}, {{Code("n"), Math("\\lvert x \\rvert")}, {{}, Plain("two\nlines")}}});
   page.blocks.push_back(List{{Plain("first"), Plain("second")}});
   return page;
 }
@@ -31,7 +32,7 @@ TEST(Page, BecomesMarkdown) {
             "| one | two |\n"
             "|---|---|\n"
             "| `n` | $\\lvert x \\rvert$ |\n"
-            "| | |\n"
+            "| | two lines |\n"
             "\n"
             "* first\n"
             "* second\n");
@@ -47,7 +48,7 @@ TEST(Page, BecomesHtmlInItsTemplate) {
       "&amp;\\leftarrow e\n\\end{aligned}</div>\n"
       "<div class=\"scroll\"><table><thead><tr><th>one</th><th>two</th></tr></thead><tbody>\n"
       "<tr><td><code>n</code></td><td><span class=\"math\">\\lvert x \\rvert</span></td></tr>\n"
-      "<tr><td></td><td></td></tr></tbody></table></div>\n"
+      "<tr><td></td><td>two\nlines</td></tr></tbody></table></div>\n"
       "<ul>\n<li>first</li>\n<li>second</li>\n</ul>\n!");
 }
 
