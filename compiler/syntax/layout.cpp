@@ -199,7 +199,9 @@ void Layout::BeginLine(const antlr4::CommonToken& next) {
   }
   const bool is_headed = EndsOperand(last_->getType()) || last_->getType() == TaskParser::ELSE;
   if (block_head_ != 0 && is_headed && type != TaskParser::LEFT_BRACE) OpenMissingBlock();
-  const bool ends_block = is_end || (IsDeclarationKeyword(type) && !open_.empty() &&
+  // An `allow` may stand above a declaration as well as above a statement.
+  const bool begins_declaration = IsDeclarationKeyword(type) && type != TaskParser::ALLOW;
+  const bool ends_block = is_end || (begins_declaration && !open_.empty() &&
                                      IndentationOf(next) <= open_.front().indentation);
   if (ends_block) CloseUnclosed(0, next);
   const TokenType last = last_->getType();

@@ -29,6 +29,17 @@ TEST(Allowances, CoverTheStatementBelow) {
             "W0705 | if true {\n    n = 1\n  }\n");
 }
 
+TEST(Allowances, MayBeginAnywhereInTheirLine) {
+  EXPECT_EQ(Covered("task t\non end_of_action {\nallow W0705\n  n = 1\n  if true {\nallow W0706\n"
+                    "    n = 2\n  }\n}\n"),
+            "W0705 | n = 1\nW0706 | n = 2\n");
+}
+
+TEST(Allowances, LeaveItToWhatFollowsWhetherABraceIsMissing) {
+  EXPECT_EQ(Errors("task t\non end_of_action {\n  n = 1\nallow W0701\nmemory a: real = 0\n"),
+            "E0104 4:12 expected `}` before `memory`\n");
+}
+
 TEST(Allowances, CoverTheFileAboveTheHeader) {
   const std::string text = "allow W0707\ntask t\nmemory a: real = 0\n";
   EXPECT_EQ(Covered(text), "W0707 | " + text + "\n");
