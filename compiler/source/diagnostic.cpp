@@ -25,10 +25,14 @@ Diagnostic MakeDiagnostic(std::string_view code, Span span, std::string message)
 void Diagnostics::Add(Diagnostic diagnostic) {
   assert(IsInTable(diagnostic.code));
   if (diagnostic.severity == Severity::kError) has_errors_ = true;
-  const auto place = std::upper_bound(
-      list_.begin(), list_.end(), diagnostic,
-      [](const Diagnostic& a, const Diagnostic& b) { return a.span.begin < b.span.begin; });
-  list_.insert(place, std::move(diagnostic));
+  const auto begin = [](const Diagnostic& other) { return other.span.begin; };
+  const auto here = std::ranges::equal_range(list_, begin(diagnostic), {}, begin);
+  const auto says_the_same = [&](const Diagnostic& other) {
+    return other.code == diagnostic.code && other.span == diagnostic.span &&
+           other.message == diagnostic.message;
+  };
+  if (std::ranges::any_of(here, says_the_same)) return;
+  list_.insert(here.end(), std::move(diagnostic));
 }
 
 }  // namespace compiler

@@ -38,7 +38,8 @@ Diagnostic MakeDiagnostic(std::string_view code, Span span, std::string message)
 // Collects the diagnostics of a task.
 class Diagnostics {
  public:
-  // The code must be in the table.
+  // The code must be in the table. What has been said of this place already, as where one text is
+  // checked for each statement that it replaces, is not said again.
   void Add(Diagnostic diagnostic);
   bool has_errors() const { return has_errors_; }
   // In the order of their places in the source.

@@ -48,6 +48,19 @@ TEST(Analyze, HasNoTreeOfABrokenText) {
   EXPECT_TRUE(analysis.diagnostics.has_errors());
 }
 
+TEST(Analyze, SaysOnceWhatIsWrongWithWhatReplacesSeveralStatements) {
+  const FileReader reader = [](const std::filesystem::path& file) -> std::string {
+    if (file.filename() != "base.task")
+      return "task t extends \"base.task\"\noverride reward fall = -cost\n";
+    return "task base for humanoid\n"
+           "on end_of_time_step {\n  if any(contact) { reward fall = -4 }\n  reward fall = -2\n}\n";
+  };
+  const Analysis analysis = Analyze("t.task", reader, kRobots);
+  EXPECT_FALSE(analysis.task);
+  ASSERT_EQ(analysis.diagnostics.list().size(), 1u);
+  EXPECT_EQ(analysis.diagnostics.list()[0].message, "there is nothing called `cost`");
+}
+
 TEST(Analyze, WarnsOfTheOwnFileOnly) {
   const std::map<std::string, std::string> files = {
       {"library.task", "fn unused(x: real) -> real = 1\n"},

@@ -19,6 +19,18 @@ TEST(Diagnostics, AreListedInTheOrderOfTheirPlaces) {
   EXPECT_EQ(diagnostics.list()[2].message, "third");
 }
 
+TEST(Diagnostics, SayNothingTwice) {
+  Diagnostics diagnostics;
+  for (int i = 0; i < 2; ++i) {
+    diagnostics.Add(MakeDiagnostic(code::kUnexpectedToken, {2, 3}, "one"));
+    diagnostics.Add(MakeDiagnostic(code::kUnexpectedToken, {2, 3}, "another"));
+    diagnostics.Add(MakeDiagnostic(code::kBrokenLine, {2, 3}, "one"));
+    diagnostics.Add(MakeDiagnostic(code::kUnexpectedToken, {2, 4}, "one"));
+    diagnostics.Add(MakeDiagnostic(code::kUnexpectedToken, {1, 3}, "one"));
+  }
+  EXPECT_EQ(diagnostics.list().size(), 5u);
+}
+
 TEST(Diagnostics, AWarningIsNoError) {
   Diagnostics diagnostics;
   Diagnostic warning = MakeDiagnostic(code::kUnexpectedToken, {}, "a warning");
