@@ -19,10 +19,23 @@ Key KeyOf(const StudyRun& run) {
           run.record.robot_description, run.record.profile, run.record.agent};
 }
 
+// Of a run that has learned on since, an evaluation says nothing of what came out.
+void TakeEvaluations(StudyRun& run, std::vector<std::string>& notes) {
+  for (PolicyEvaluation& evaluation : ReadEvaluations(run.folder, notes)) {
+    if (!run.is_finished() || evaluation.checkpoint_episode == run.episodes.back().number) {
+      run.evaluations.push_back(std::move(evaluation));
+    } else {
+      notes.push_back(fmt::format(
+          "{} has learned on since it was evaluated in {}; `trainer evaluate` does it again.",
+          run.name, evaluation.profile));
+    }
+  }
+}
+
 std::optional<StudyRun> ReadRun(const std::filesystem::path& study,
                                 const std::filesystem::path& folder,
                                 std::vector<std::string>& notes) {
-  StudyRun run{folder, folder.lexically_relative(study).string(), {}, {}, {}, 0};
+  StudyRun run{folder, folder.lexically_relative(study).string(), {}, {}, {}, 0, {}};
   try {
     const RunDatabase database = RunDatabase::OpenToRead(folder);
     run.record = database.ReadRun();
@@ -33,6 +46,7 @@ std::optional<StudyRun> ReadRun(const std::filesystem::path& study,
     notes.push_back(fmt::format("{} is left out: {}", run.name, error.what()));
     return std::nullopt;
   }
+  TakeEvaluations(run, notes);
   if (run.changes > 0) {
     notes.push_back(fmt::format("{} was changed while it learned, {}; its own report says how.",
                                 run.name,

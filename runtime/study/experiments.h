@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "runtime/run/run_database.h"
+#include "runtime/study/policy_evaluation.h"
 
 namespace runtime {
 
@@ -15,7 +16,8 @@ struct StudyRun {
   RunRecord record;
   RunState state = RunState::kInterrupted;
   std::vector<EpisodeRecord> episodes;
-  size_t changes = 0;  // that were made to it while it learned
+  size_t changes = 0;                         // that were made to it while it learned
+  std::vector<PolicyEvaluation> evaluations;  // of what it has learned last
 
   bool is_finished() const;  // all planned episodes are done
 };

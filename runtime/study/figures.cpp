@@ -65,6 +65,29 @@ Json TermsOf(const std::vector<TermRecord>& terms, const std::vector<RunResult>&
   return json;
 }
 
+Json EvaluationsJson(const ExperimentResult& result) {
+  Json json = Json::array();
+  for (const EvaluationResult& evaluation : EvaluationsOf(result)) {
+    json.push_back({{"profile", evaluation.profile},
+                    {"learned_return", ToJson(evaluation.learned_return)},
+                    {"return", ToJson(evaluation.mean_return)},
+                    {"share", evaluation.share()}});
+  }
+  return json;
+}
+
+Json EvaluationsJson(const StudyRun& run) {
+  Json json = Json::array();
+  for (const PolicyEvaluation& evaluation : run.evaluations) {
+    json.push_back({{"profile", evaluation.profile},
+                    {"checkpoint_episode", evaluation.checkpoint_episode},
+                    {"learned_return", evaluation.learned_return},
+                    {"return", evaluation.mean_return},
+                    {"share", evaluation.share()}});
+  }
+  return json;
+}
+
 Json RunJson(const RunResult& result) {
   const StudyRun& run = *result.run;
   return {
@@ -81,6 +104,7 @@ Json RunJson(const RunResult& result) {
       {"cpu_minutes", Minutes(result)},
       {"metrics", result.final.metrics},
       {"terms", result.final.terms},
+      {"evaluations", EvaluationsJson(run)},
       {"group", result.group ? Json(*result.group) : Json()}};
 }
 
@@ -137,6 +161,7 @@ Json Figures(const ExperimentResult& result, const Sentences& sentences) {
           {"cpu_minutes", ToJson(EstimateOver(settled, Minutes))},
           {"metrics", MetricsOf(task.metrics, settled)},
           {"terms", TermsOf(task.terms, settled)},
+          {"evaluations", EvaluationsJson(result)},
           {"groups", std::move(groups)},
           {"runs", std::move(runs)}};
 }

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
+#include <string_view>
 
 #include "runtime/module/user_error.h"
 #include "runtime/run/run_files.h"
@@ -12,6 +14,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr std::string_view kPrefix = "evaluation-";
+constexpr std::string_view kSuffix = ".json";
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
 // What is not a number is null in JSON.
@@ -63,8 +67,28 @@ Json ToJson(const PolicyEvaluation& evaluation) {
           {"learned_metrics", evaluation.learned_metrics}};
 }
 
+std::vector<PolicyEvaluation> ReadEvaluations(const std::filesystem::path& run,
+                                              std::vector<std::string>& notes) {
+  std::vector<std::filesystem::path> files;
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(run, error)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with(kPrefix) && name.ends_with(kSuffix)) files.push_back(entry.path());
+  }
+  std::ranges::sort(files);
+  std::vector<PolicyEvaluation> evaluations;
+  for (const std::filesystem::path& file : files) {
+    try {
+      evaluations.push_back(ReadEvaluation(file));
+    } catch (const UserError& problem) {
+      notes.push_back(fmt::format("An evaluation is left out: {}.", problem.what()));
+    }
+  }
+  return evaluations;
+}
+
 std::filesystem::path EvaluationFile(const std::filesystem::path& run, const std::string& profile) {
-  return run / fmt::format("evaluation-{}.json", profile);
+  return run / fmt::format("{}{}{}", kPrefix, profile, kSuffix);
 }
 
 PolicyEvaluation ReadEvaluation(const std::filesystem::path& file) {

@@ -34,6 +34,11 @@ double ShareThatRemains(double paid, double learned);
 
 nlohmann::ordered_json ToJson(const PolicyEvaluation& evaluation);
 
+// All that are in a run's folder, by the names of their profiles. What cannot be read is left out;
+// `notes` gets a sentence about it.
+std::vector<PolicyEvaluation> ReadEvaluations(const std::filesystem::path& run,
+                                              std::vector<std::string>& notes);
+
 // All functions below throw UserError.
 
 std::filesystem::path EvaluationFile(const std::filesystem::path& run, const std::string& profile);

@@ -101,6 +101,26 @@ std::vector<RunResult> SettledRuns(const ExperimentResult& result) {
   return runs.empty() ? result.runs : runs;
 }
 
+std::vector<EvaluationResult> EvaluationsOf(const ExperimentResult& result) {
+  struct Returns {
+    std::vector<double> learned;
+    std::vector<double> mean;
+  };
+  std::map<std::string, Returns> profiles;
+  for (const RunResult& run : SettledRuns(result)) {
+    for (const PolicyEvaluation& evaluation : run.run->evaluations) {
+      Returns& returns = profiles[evaluation.profile];
+      returns.learned.push_back(evaluation.learned_return);
+      returns.mean.push_back(evaluation.mean_return);
+    }
+  }
+  std::vector<EvaluationResult> evaluations;
+  for (const auto& [profile, returns] : profiles) {
+    evaluations.push_back({profile, EstimateMean(returns.learned), EstimateMean(returns.mean)});
+  }
+  return evaluations;
+}
+
 std::vector<RunResult> MembersOf(const ExperimentResult& result, const BehaviorGroup& group) {
   std::vector<RunResult> members;
   for (const size_t run : group.runs) members.push_back(result.runs[run]);

@@ -66,6 +66,17 @@ Estimate EstimateOver(const Runs& runs, Value value) {
 // Those that are finished, since they show what learning led to; all, while none is.
 std::vector<RunResult> SettledRuns(const ExperimentResult& result);
 
+// What is left of what runs learned where they act in a profile without learning.
+struct EvaluationResult {
+  std::string profile;
+  Estimate learned_return;  // of the runs that were evaluated there
+  Estimate mean_return;     // of the same runs
+  double share() const { return ShareThatRemains(mean_return.mean, learned_return.mean); }
+};
+
+// One for each profile in which a settled run was evaluated, by its name.
+std::vector<EvaluationResult> EvaluationsOf(const ExperimentResult& result);
+
 // Of the runs of `group`.
 std::vector<RunResult> MembersOf(const ExperimentResult& result, const BehaviorGroup& group);
 

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <fstream>
 
 #include "runtime/run/run_database.h"
 #include "tests/runtime/run/temporary_folder.h"
@@ -19,13 +20,15 @@ using testing::SizeIs;
 class ResultsTest : public testing::Test {
  protected:
   ResultsTest() {
-    std::vector<std::filesystem::path> runs = WriteStudy(folder_.path());
-    runs.pop_back();
-    study_ = ReadStudyRuns(folder_.path(), runs);
+    runs_ = WriteStudy(folder_.path());
+    runs_.pop_back();
+    ReadStudy();
   }
+  void ReadStudy() { study_ = ReadStudyRuns(folder_.path(), runs_); }
   const StudyExperiment& experiment() const { return study_.experiments.front(); }
 
   TemporaryFolder folder_;
+  std::vector<std::filesystem::path> runs_;
   Study study_;
   std::vector<std::string> notes_;
 };
@@ -65,6 +68,33 @@ TEST_F(ResultsTest, EachRunHasItsFigures) {
   ASSERT_TRUE(run.most_learned.has_value());
   EXPECT_DOUBLE_EQ(run.most_learned->cpu_seconds,
                    1.5 * static_cast<double>(run.most_learned->episode));
+}
+
+// Of speeds s from 0.102 to 0.11 m/s and twice 0.5 m/s, each with a learned return of 1000 s.
+TEST_F(ResultsTest, TellsWhatRemainsInOtherProfiles) {
+  WriteSampleEvaluation(folder_.path() / "crawling" / "seed8", "fast", {.episodes = 25}, 0.5);
+  ReadStudy();
+  EXPECT_THAT(experiment().runs[7].evaluations, SizeIs(1));
+  const std::vector<EvaluationResult> evaluations = EvaluationsOf(Evaluate(experiment(), notes_));
+  ASSERT_THAT(evaluations, SizeIs(2));
+  const EvaluationResult& fast = evaluations[0];
+  EXPECT_EQ(fast.profile, "fast");
+  EXPECT_EQ(fast.mean_return.count, 7);  // those that are finished
+  EXPECT_DOUBLE_EQ(fast.learned_return.mean, (102 + 104 + 106 + 108 + 110 + 500 + 500) / 7.);
+  EXPECT_DOUBLE_EQ(fast.share(), 0.9);
+  EXPECT_EQ(evaluations[1].profile, "paper-tree");
+  EXPECT_THAT(notes_, IsEmpty());
+}
+
+TEST_F(ResultsTest, WhatWasEvaluatedBeforeTheEndDoesNotCount) {
+  const std::filesystem::path run = folder_.path() / "crawling" / "seed1";
+  WriteSampleEvaluation(run, "fast", {.episodes = 20}, 0.9);
+  std::ofstream(run / "evaluation-fast-tree.json") << "{";
+  ReadStudy();
+  ASSERT_THAT(experiment().runs[0].evaluations, SizeIs(1));
+  EXPECT_EQ(experiment().runs[0].evaluations[0].profile, "paper-tree");
+  EXPECT_THAT(study_.notes, ElementsAre(testing::HasSubstr("evaluation-fast-tree.json"),
+                                        testing::HasSubstr("crawling/seed1 has learned on since")));
 }
 
 TEST_F(ResultsTest, CurvesEndWhereTheirRunsDo) {

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "runtime/run/run_database.h"
+#include "runtime/study/policy_evaluation.h"
 #include "tests/runtime/report/sample_run.h"
 
 namespace runtime {
@@ -48,11 +49,27 @@ void WriteStudyRun(const std::filesystem::path& folder, const SampleStudyRun& sa
   database.SetState(is_finished ? RunState::kFinished : RunState::kInterrupted);
 }
 
+void WriteSampleEvaluation(const std::filesystem::path& run, const std::string& profile,
+                           const SampleStudyRun& sample, double share) {
+  PolicyEvaluation evaluation;
+  evaluation.profile = profile;
+  evaluation.learned_profile = "paper";
+  evaluation.checkpoint_episode = sample.episodes;
+  evaluation.learned_return = 1000 * sample.speed;
+  evaluation.mean_return = share * evaluation.learned_return;
+  evaluation.returns = {evaluation.mean_return};
+  WriteEvaluation(run, evaluation);
+}
+
 std::vector<std::filesystem::path> WriteStudy(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> runs;
   const auto write = [&](const SampleStudyRun& sample) {
     runs.push_back(folder / "crawling" / ("seed" + std::to_string(sample.seed)));
     WriteStudyRun(runs.back(), sample);
+    if (sample.episodes < sample.planned) return;
+    WriteSampleEvaluation(runs.back(), "fast", sample, 0.9);
+    WriteSampleEvaluation(runs.back(), "paper-tree", sample,
+                          1.03 - 0.01 * static_cast<double>(sample.seed));
   };
   for (uint64_t seed = 1; seed <= 5; ++seed) {
     write({.seed = seed, .speed = 0.1 + 0.002 * static_cast<double>(seed)});

@@ -43,6 +43,22 @@ TEST_F(StudyReportTest, FiguresNameWhatCameOutOfEachExperiment) {
   EXPECT_THAT(crawling["curve"]["mean"], SizeIs(40));
 }
 
+TEST_F(StudyReportTest, FiguresTellWhatRemainsInOtherProfiles) {
+  const json crawling = StudyFigures(folder(), runs_)["experiments"][0];
+  ASSERT_THAT(crawling["evaluations"], SizeIs(2));
+  const json& fast = crawling["evaluations"][0];
+  EXPECT_EQ(fast["profile"], "fast");
+  EXPECT_EQ(fast["return"]["count"], 7);
+  EXPECT_DOUBLE_EQ(fast["share"], 0.9);
+  EXPECT_TRUE(fast["return"]["low"].is_number());
+  const json& run = crawling["runs"][1]["evaluations"][1];
+  EXPECT_EQ(run["profile"], "paper-tree");
+  EXPECT_EQ(run["checkpoint_episode"], 40);
+  EXPECT_DOUBLE_EQ(run["learned_return"], 104);
+  EXPECT_DOUBLE_EQ(run["share"], 1.01);
+  EXPECT_THAT(crawling["runs"][7]["evaluations"], SizeIs(0));
+}
+
 // The first term is paid eleven parts of twelve, the second takes one.
 TEST_F(StudyReportTest, SharesOfTermsCountWhatIsTaken) {
   const json terms = StudyFigures(folder(), runs_)["experiments"][0]["terms"];

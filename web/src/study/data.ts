@@ -29,6 +29,14 @@ export interface Term {
   share: number | null; // of the sum of all terms' magnitudes, with its sign
 }
 
+/** What remains where the runs act in a profile without learning. */
+export interface Evaluation {
+  profile: string;
+  learned_return: Estimate; // of the runs that were evaluated
+  return: Estimate; // of the same runs
+  share: number | null; // of the two means
+}
+
 export interface StudyRun {
   name: string;
   seed: number;
@@ -79,6 +87,7 @@ export interface Experiment {
   cpu_minutes: Estimate;
   metrics: Metric[];
   terms: Term[];
+  evaluations: Evaluation[];
   groups: Group[];
   runs: StudyRun[];
   curve: Curve;

@@ -6,7 +6,7 @@ import { element } from "../page/dom.ts";
 import { figure } from "../page/figure.ts";
 import { row, table } from "../page/table.ts";
 import { Curves } from "./curves.ts";
-import type { Estimate, Experiment, Group, StudyRun, Term } from "./data.ts";
+import type { Estimate, Evaluation, Experiment, Group, StudyRun, Term } from "./data.ts";
 import { GroupCards } from "./groups.ts";
 import type { Snapshots } from "./snapshots.ts";
 import { colorOf, count, interval, letterOf, mean, runs } from "./words.ts";
@@ -60,6 +60,40 @@ function termRow({ name, doc, value, share }: Term): HTMLTableRowElement {
   const title = element("span", doc ? { title: doc } : {}, name);
   const percent = share === null ? "–" : `${formatNumber(100 * share)} %`;
   return row([title, bar, percent, mean(value)]);
+}
+
+/** A profile, what the runs' policies bring in there, and a bar for what remains of the learned return. */
+function evaluationRow(evaluation: Evaluation, learnedIn: string): HTMLTableRowElement {
+  const { profile, return: there, share } = evaluation;
+  const bar = element("span", { class: "remains-bar" });
+  const part = element("span");
+  part.style.width = `${100 * Math.min(Math.max(share ?? 0, 0), 1)}%`;
+  bar.append(part);
+  return row([
+    profile === learnedIn ? `${profile}, its own` : profile,
+    bar,
+    share === null ? "–" : `${Math.round(100 * share)} %`,
+    mean(there),
+    interval(there),
+    count(there.count),
+  ]);
+}
+
+/** How much of the return is left in other profiles; nothing where no run was evaluated. */
+function evaluationTable({ evaluations, profile }: Experiment): HTMLElement[] {
+  if (evaluations.length === 0) return [];
+  const heads = ["Profile", "", "Remains", "Return", "95 %", "Runs"];
+  const host = table(
+    heads,
+    evaluations.map((evaluation) => evaluationRow(evaluation, profile)),
+  );
+  host.classList.add("evaluations-table");
+  const words = "The last policies, acting without learning, and what remains of the final return.";
+  return [
+    element("h3", {}, "In other physics"),
+    element("p", { class: "note" }, words),
+    host,
+  ];
 }
 
 function termTable(experiment: Experiment): HTMLElement {
@@ -132,7 +166,13 @@ export function showExperiment(
       "div",
       { class: "first-row" },
       element("div", {}, element("h3", {}, "Learning curves"), chart),
-      element("div", {}, element("h3", {}, "What the return was paid for"), termTable(experiment)),
+      element(
+        "div",
+        {},
+        element("h3", {}, "What the return was paid for"),
+        termTable(experiment),
+        ...evaluationTable(experiment),
+      ),
     ),
     element("h3", {}, "Where the runs ended"),
     element("p", { class: "note" }, groupWords(experiment)),
