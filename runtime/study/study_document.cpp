@@ -117,6 +117,20 @@ std::string Terms(const Json& experiment) {
   return text;
 }
 
+// What remains in other profiles; nothing where no run was evaluated.
+std::string Evaluations(const Json& experiment) {
+  if (experiment["evaluations"].empty()) return "";
+  std::string text = Head({"without learning, in", "runs", "return", "95 %", "remains"});
+  for (const Json& evaluation : experiment["evaluations"]) {
+    const Json& there = evaluation["return"];
+    const Json& share = evaluation["share"];
+    const double percent = share.is_number() ? 100 * share.get<double>() : std::nan("");
+    text += Row({evaluation["profile"], Whole(there["count"]), Number(there["mean"]),
+                 Interval(there), Whole(percent) + " %"});
+  }
+  return text + "\n";
+}
+
 std::string Runs(const Json& experiment) {
   std::vector<std::string> names = {
       "seed",    "episodes", "final return", "best", "episodes to 80 %", "CPU min to 80 %",
@@ -191,8 +205,9 @@ class Document {
     std::string text = fmt::format(
         "## {}\n\n{}\n![Learning curves: each run in the colour of its group, their mean and its "
         "95 "
-        "% interval]({})\n\n{}\n{}\n",
-        name, Provenance(experiment), plot, KeyFigures(experiment), Terms(experiment));
+        "% interval]({})\n\n{}\n{}\n{}",
+        name, Provenance(experiment), plot, KeyFigures(experiment), Terms(experiment),
+        Evaluations(experiment));
     for (size_t group = 0; group < result.groups.size(); ++group) {
       text += GroupText(experiment["groups"][group], experiment) + "\n";
     }

@@ -52,6 +52,13 @@ TEST_F(StudyDocumentTest, ListsEveryRun) {
   EXPECT_THAT(text, Not(HasSubstr("nan")));
 }
 
+TEST_F(StudyDocumentTest, TellsWhatRemainsInOtherProfiles) {
+  const std::string text = Write();
+  EXPECT_THAT(text, HasSubstr("| without learning, in | runs | return | 95 % | remains |"));
+  EXPECT_THAT(text, HasSubstr("\n| fast | 7 | 196.7 | "));  // 0.9 * (530 + 2 * 500) / 7
+  EXPECT_THAT(text, HasSubstr(" | 90 % |\n| paper-tree | 7 | "));
+}
+
 TEST_F(StudyDocumentTest, DrawsTheCurvesTheSameEveryTime) {
   Write();
   const std::string drawing = ReadText(output() / "crawling.svg");
