@@ -17,6 +17,7 @@ programs=(
   libboost-dev                                     # Beast: talking to a running trainer
   gnuplot-nox                                      # curves in documents
   libnlopt-cxx-dev                                 # fitting gains to preferences
+  libpng-dev                                       # still pictures of robots
   libgtest-dev libgmock-dev libbenchmark-dev
 )
 tests=(chromium procps gdb)                        # a real browser and a real debugger

@@ -55,12 +55,12 @@ const std::map<std::string, Folders> kMayInclude = {
     {"runtime/task", {"plugins/robot", "plugins/seal", "runtime/module"}},
     {"runtime/agent", {"runtime/module"}},
     {"runtime/simulation", {"plugins/robot", "runtime/module"}},
-    {"runtime/learning",
-     {"plugins/cache", "plugins/robot", "plugins/seal", "runtime/module"}},
+    {"runtime/learning", {"plugins/cache", "plugins/robot", "plugins/seal", "runtime/module"}},
     {"runtime/run",
      {"plugins/robot", "plugins/seal", "runtime/learning", "runtime/module", "runtime/simulation",
       "runtime/task"}},
     {"runtime/behavior", {"plugins/robot", "runtime/run"}},
+    {"runtime/picture", {"plugins/robot", "runtime/behavior"}},
     {"runtime/report", {"runtime/module", "runtime/run"}},
     {"runtime/preference", {"runtime/control", "runtime/module", "runtime/run"}},
     {"runtime/study", {"runtime/behavior", "runtime/module", "runtime/report", "runtime/run"}},
@@ -70,9 +70,10 @@ const std::map<std::string, Folders> kMayInclude = {
     {"runtime/client", {"runtime/control", "runtime/module", "runtime/server"}},
     {"runtime/workers", {"runtime/module", "runtime/run"}},
     {"runtime/trainer",
-     {"plugins/robot", "plugins/text", "plugins/watch", "runtime/agent", "runtime/client",
-      "runtime/control", "runtime/module", "runtime/report", "runtime/run", "runtime/server",
-      "runtime/simulation", "runtime/study", "runtime/task", "runtime/workers"}},
+     {"plugins/robot", "plugins/text", "plugins/watch", "runtime/agent", "runtime/behavior",
+      "runtime/client", "runtime/control", "runtime/module", "runtime/picture", "runtime/report",
+      "runtime/run", "runtime/server", "runtime/simulation", "runtime/study", "runtime/task",
+      "runtime/workers"}},
 };
 
 bool IsSource(const std::filesystem::path& file) {

@@ -2,13 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <cerrno>
 #include <fstream>
 #include <functional>
 #include <iterator>
 #include <map>
 #include <string_view>
-#include <system_error>
 
 #include "runtime/module/user_error.h"
 #include "runtime/run/run_files.h"
@@ -42,14 +40,6 @@ std::string EscapeHtml(std::string_view text) {
     }
   }
   return escaped;
-}
-
-[[noreturn]] void FailToWrite(const std::filesystem::path& file, const std::error_code& error) {
-  const bool is_full = error == std::errc::no_space_on_device || error.value() == EDQUOT;
-  throw UserError(fmt::format("{}: cannot write the report: {}; {}", file.string(), error.message(),
-                              is_full ? "free some space"
-                                      : "name another file with --output, in a folder that you may "
-                                        "write"));
 }
 
 using Part = std::function<std::string()>;
@@ -100,7 +90,7 @@ std::string MakePage(const nlohmann::json& data, const std::filesystem::path& fo
 }
 
 void WritePage(const std::filesystem::path& file, const std::string& page) {
-  if (const std::error_code error = ReplaceFile(file, page)) FailToWrite(file, error);
+  WriteOutput(file, "the report", page);
 }
 
 }  // namespace runtime

@@ -39,7 +39,8 @@ class RunDatabase {
   std::vector<ChangeRecord> ReadChanges() const;        // in the order in which they were added
   std::optional<Checkpoint> ReadCheckpoint() const;
   std::optional<Recording> ReadRecording(int64_t episode) const;
-  int64_t ReadLastRecordedEpisode() const;  // 0 if there is none
+  int64_t ReadLastRecordedEpisode() const;            // 0 if there is none
+  std::vector<int64_t> ReadRecordedEpisodes() const;  // ascending
 
   // All of these at once or nothing.
   void AddEpisode(const EpisodeRecord& episode, const std::optional<Recording>& recording,

@@ -193,6 +193,14 @@ int64_t RunDatabase::ReadLastRecordedEpisode() const {
   return impl_->database->QueryInteger("SELECT max(episode) FROM recording", "read the recordings");
 }
 
+std::vector<int64_t> RunDatabase::ReadRecordedEpisodes() const {
+  SqliteStatement query(*impl_->database, "SELECT episode FROM recording ORDER BY episode",
+                        "read the recordings");
+  std::vector<int64_t> episodes;
+  while (query.Step()) episodes.push_back(query.Integer(0));
+  return episodes;
+}
+
 std::optional<Recording> RunDatabase::ReadRecording(int64_t episode) const {
   SqliteStatement query(
       *impl_->database,

@@ -47,6 +47,17 @@ std::error_code ReplaceFile(const std::filesystem::path& file, const std::string
   return error;
 }
 
+void WriteOutput(const std::filesystem::path& file, std::string_view what,
+                 const std::string& bytes) {
+  const std::error_code error = ReplaceFile(file, bytes);
+  if (!error) return;
+  const bool is_full = error == std::errc::no_space_on_device || error.value() == EDQUOT;
+  throw UserError(fmt::format("{}: cannot write {}: {}; {}", file.string(), what, error.message(),
+                              is_full ? "free some space"
+                                      : "name another file with --output, in a folder that you may "
+                                        "write"));
+}
+
 std::string ReadText(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   std::ostringstream text;

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <system_error>
 
 #include "plugins/robot/robot_description.h"
@@ -24,6 +25,11 @@ robot::RobotDescription ReadKeptRobot(const std::filesystem::path& folder,
 // Writes under a temporary name in the same folder, then renames: no one ever sees, or maps, half a
 // file. Returns why it could not be done; then the old file is as it was.
 std::error_code ReplaceFile(const std::filesystem::path& file, const std::string& bytes);
+
+// Makes or replaces a file that the user asked for, whole or not at all. Throws UserError, which
+// calls it `what`: "the report".
+void WriteOutput(const std::filesystem::path& file, std::string_view what,
+                 const std::string& bytes);
 
 // The whole file. Throws UserError.
 std::string ReadText(const std::filesystem::path& file);

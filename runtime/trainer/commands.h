@@ -18,5 +18,6 @@ void AddCtlCommand(CLI::App& app, int& status);
 void AddShowCommand(CLI::App& app, int& status);
 void AddEvaluateCommand(CLI::App& app, int& status);
 void AddReportCommand(CLI::App& app, int& status);
+void AddSnapshotsCommand(CLI::App& app, int& status);
 
 }  // namespace runtime

@@ -45,6 +45,7 @@ int RunTrainer(int argc, char** argv) {
   AddShowCommand(app, status);
   AddReportCommand(app, status);
   AddEvaluateCommand(app, status);
+  AddSnapshotsCommand(app, status);
   AddAgentCommand(app, status);
   app.set_version_flag("--version", "trainer " TASKC_VERSION, "print the version and leave");
   for (CLI::App* command : app.get_subcommands({})) {

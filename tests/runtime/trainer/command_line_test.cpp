@@ -15,7 +15,7 @@ TEST_F(CommandLineTest, ExplainsEveryCommand) {
   EXPECT_THAT(Trainer({"--help"}).output,
               AllOf(HasSubstr("train"), HasSubstr("resume"), HasSubstr("show"), HasSubstr("report"),
                     HasSubstr("Exit status")));
-  for (const char* command : {"train", "resume", "show", "report", "evaluate"}) {
+  for (const char* command : {"train", "resume", "show", "report", "snapshots", "evaluate"}) {
     const ProgramResult help = Trainer({command, "--help"});
     EXPECT_EQ(help.exit_status, 0);
     EXPECT_THAT(help.output, HasSubstr(command));
@@ -44,6 +44,9 @@ TEST_F(CommandLineTest, RefusesWrongCalls) {
       {"resume"},
       {"show"},
       {"report"},
+      {"snapshots"},
+      {"snapshots", "runs/none"},
+      {"snapshots", "runs/none", "-o", "strip.png", "--count", "0"},
   };
   for (const std::vector<std::string>& words : wrong_calls) {
     const ProgramResult result = Trainer(words);

@@ -1,0 +1,33 @@
+// Where a ray first meets the shape of a link, in closed form.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+
+#include "plugins/robot/robot_description.h"
+
+namespace runtime {
+
+struct Ray {
+  Eigen::Vector3d origin;
+  Eigen::Vector3d direction;  // unit vector
+
+  Eigen::Vector3d At(double distance) const { return origin + distance * direction; }
+};
+
+struct Hit {
+  double distance = 0;     // along the ray [m], not negative
+  Eigen::Vector3d normal;  // of the surface, outwards; unit vector
+};
+
+// The point at which `ray` enters the shape; nothing where it misses it or begins inside. The ray
+// is in the link's own frame, whose origin is the shape's centre. Boxes have rounded edges.
+std::optional<Hit> FirstHit(const robot::LinkShape& shape, const Ray& ray);
+
+// Of the edges of a box.
+double EdgeRadius(const robot::LinkShape& box);
+
+// Of the smallest sphere around the shape's centre that holds the shape [m].
+double BoundingRadius(const robot::LinkShape& shape);
+
+}  // namespace runtime

@@ -1,0 +1,53 @@
+#include "runtime/picture/snapshot_strip.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "runtime/picture/camera.h"
+#include "runtime/picture/ground.h"
+#include "runtime/picture/image.h"
+#include "runtime/picture/palette.h"
+#include "runtime/picture/png.h"
+#include "runtime/picture/posed_robot.h"
+#include "runtime/picture/render.h"
+
+namespace runtime {
+namespace {
+
+std::vector<int> SnapshotFrames(const Motion& motion, const StripOptions& options) {
+  const double from = std::clamp(options.from, 0., motion.duration());
+  const double to = std::clamp(options.to, from, motion.duration());
+  std::vector<int> frames;
+  for (int i = 0; i < options.count; ++i) {
+    const double time = from + (to - from) * i / std::max(1, options.count - 1);
+    frames.push_back(std::min(static_cast<int>(std::floor(time / motion.frame_interval + 0.5)),
+                              motion.frame_count() - 1));
+  }
+  return frames;
+}
+
+}  // namespace
+
+std::vector<double> SnapshotTimes(const Motion& motion, const StripOptions& options) {
+  std::vector<double> times;
+  for (const int frame : SnapshotFrames(motion, options)) {
+    times.push_back(frame * motion.frame_interval);
+  }
+  return times;
+}
+
+std::string SnapshotStrip(const Motion& motion, const std::vector<robot::Link>& links,
+                          const StripOptions& options) {
+  const std::vector<int> frames = SnapshotFrames(motion, options);
+  const std::vector<Camera> cameras = PlaceCameras(motion, links, frames);
+  Image image(options.count * options.height, options.height);
+  for (size_t i = 0; i < frames.size(); ++i) {
+    const PosedRobot robot(links, motion, frames[i]);
+    const Ground ground(cameras[i], TrailOf(motion, frames, i));
+    Render({links, robot, ground, cameras[i]}, static_cast<int>(i) * options.height, options.height,
+           image);
+  }
+  return EncodePng(ReduceColours(image));
+}
+
+}  // namespace runtime

@@ -1,0 +1,140 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "runtime/behavior/motion.h"
+#include "runtime/picture/snapshot_strip.h"
+#include "runtime/run/body_json.h"
+#include "runtime/run/run_database.h"
+#include "runtime/run/run_files.h"
+#include "runtime/trainer/call_error.h"
+#include "runtime/trainer/commands.h"
+
+namespace runtime {
+namespace {
+
+struct SnapshotsOptions {
+  std::filesystem::path folder;
+  std::filesystem::path output;
+  int64_t episode = 0;  // 0: the last that was recorded
+  StripOptions strip;
+  bool json = false;
+};
+
+// "3, 50 and 100"
+std::string List(std::vector<int64_t> numbers) {
+  const int64_t last = numbers.back();
+  numbers.pop_back();
+  if (numbers.empty()) return fmt::to_string(last);
+  return fmt::format("{} and {}", fmt::join(numbers, ", "), last);
+}
+
+// "it has 3, 50 and 100"; of many recordings only those before and after `episode`.
+std::string WhatIsRecorded(const std::vector<int64_t>& recorded, int64_t episode) {
+  constexpr size_t kMostNamed = 12;
+  std::vector<int64_t> named = recorded;
+  if (recorded.size() > kMostNamed) {
+    const auto next = std::ranges::lower_bound(recorded, episode);
+    named.clear();
+    if (next != recorded.begin()) named.push_back(*std::prev(next));
+    if (next != recorded.end()) named.push_back(*next);
+  }
+  if (recorded.size() <= kMostNamed) return "it has " + List(named);
+  return fmt::format("of the {} that it has, {} {} nearest", recorded.size(), List(named),
+                     named.size() == 1 ? "is" : "are");
+}
+
+int64_t ChooseEpisode(const std::filesystem::path& folder, const RunDatabase& database,
+                      int64_t wanted) {
+  const std::vector<int64_t> recorded = database.ReadRecordedEpisodes();
+  if (recorded.empty()) {
+    throw UserError(fmt::format(
+        "{}: no episode of this run is recorded yet; the first and the last always are, so wait "
+        "for them, or go on with it by `trainer resume {}`",
+        folder.string(), folder.string()));
+  }
+  if (wanted == 0) return recorded.back();
+  if (std::ranges::binary_search(recorded, wanted)) return wanted;
+  throw UserError(fmt::format("{}: episode {} is not recorded; {}", folder.string(), wanted,
+                              WhatIsRecorded(recorded, wanted)));
+}
+
+Motion ReadEpisode(const std::filesystem::path& folder, const RunDatabase& database,
+                   int64_t episode, size_t link_count) {
+  try {
+    return ReadMotion(*database.ReadRecording(episode), static_cast<int>(link_count));
+  } catch (const UserError& error) {
+    throw UserError(fmt::format(
+        "{}: the recording of episode {} is damaged: {}; choose another one with --episode",
+        folder.string(), episode, error.what()));
+  }
+}
+
+void CheckSpan(const StripOptions& strip, const Motion& motion) {
+  if (!(strip.from <= strip.to)) {
+    throw CallError(fmt::format("--from {} s is after --to {} s", strip.from, strip.to));
+  }
+  if (strip.from > motion.duration()) {
+    throw CallError(fmt::format("--from {} s is after the end of the episode, which is {} s long",
+                                strip.from, motion.duration()));
+  }
+}
+
+void PrintTimes(const SnapshotsOptions& options, int64_t episode,
+                const std::vector<double>& times) {
+  if (options.json) {
+    const nlohmann::ordered_json json = {
+        {"file", options.output.string()}, {"episode", episode}, {"times", times}};
+    fmt::print("{}\n", json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+  } else {
+    fmt::print("{}: episode {} at {:.2f} s\n", options.output.string(), episode,
+               fmt::join(times, ", "));
+  }
+}
+
+void Snapshots(const SnapshotsOptions& options) {
+  const RunDatabase database = RunDatabase::OpenToRead(options.folder);
+  const std::vector<robot::Link> links = ParseBody(database.ReadValue("body"));
+  if (links.empty()) {
+    throw UserError(fmt::format("{}: the run does not say which shapes the robot has",
+                                options.folder.string()));
+  }
+  const int64_t episode = ChooseEpisode(options.folder, database, options.episode);
+  const Motion motion = ReadEpisode(options.folder, database, episode, links.size());
+  CheckSpan(options.strip, motion);
+  WriteOutput(options.output, "the pictures", SnapshotStrip(motion, links, options.strip));
+  PrintTimes(options, episode, SnapshotTimes(motion, options.strip));
+}
+
+}  // namespace
+
+void AddSnapshotsCommand(CLI::App& app, int& status) {
+  const auto options = std::make_shared<SnapshotsOptions>();
+  CLI::App* command = app.add_subcommand(
+      "snapshots", "Draws a recorded episode as a strip of pictures, and prints their times.");
+  command->add_option("RUN", options->folder, "folder of the run")->required();
+  command->add_option("-o,--output", options->output, "PNG file to write")->required();
+  command
+      ->add_option("--episode", options->episode,
+                   "number of a recorded episode; otherwise the last of these")
+      ->check(CLI::PositiveNumber);
+  command->add_option("--count", options->strip.count, "number of pictures")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 100));
+  command->add_option("--height", options->strip.height, "of the strip, in pixels")
+      ->capture_default_str()
+      ->check(CLI::Range(16, 4096));
+  command->add_option("--from", options->strip.from, "time of the first picture, in seconds")
+      ->check(CLI::NonNegativeNumber);
+  command->add_option("--to", options->strip.to, "time of the last picture, in seconds")
+      ->check(CLI::NonNegativeNumber);
+  command->add_flag("--json", options->json, "print JSON");
+  command->callback([options, &status] {
+    Snapshots(*options);
+    status = kSuccess;
+  });
+}
+
+}  // namespace runtime
