@@ -3,17 +3,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
 
 #include "runtime/report/base64.h"
 #include "runtime/run/recorded_poses.h"
 #include "runtime/run/recorder.h"
+#include "runtime/study/group_strip.h"
 
 namespace runtime {
 namespace {
 
 using nlohmann::json;
 
-constexpr size_t kBudget = 6 << 20;  // of all poses [bytes], before they become base64
+constexpr size_t kBudget = 6 << 20;  // of all poses and pictures [bytes], before base64
 constexpr size_t kMostThinned = 4;   // of so many frames one is kept
 
 struct Replay {
@@ -78,13 +80,20 @@ void AddGroupRecordings(const std::vector<ExperimentResult>& results, json& expe
       ++left_out;
       continue;
     }
-    experiments[replay.experiment]["groups"][replay.group]["recording"] = Encode(replay, step);
+    const ExperimentResult& result = results[replay.experiment];
+    const GroupStrip strip = DrawGroupStrip(result, result.groups[replay.group]);
+    used += strip.png.size();
+    json& group = experiments[replay.experiment]["groups"][replay.group];
+    group["recording"] = Encode(replay, step);
+    group["strip"] = {{"times", strip.times},
+                      {"png", EncodeBase64(std::as_bytes(std::span(strip.png)))}};
   }
   if (left_out == 0) return;
-  notes.push_back(fmt::format(
-      "{} of {} groups have no replay here, since the page would become too large; their runs' own "
-      "reports have them.",
-      left_out, replays.size()));
+  notes.push_back(
+      fmt::format("{} of {} groups have no replay and no pictures here, since the page would "
+                  "become too large; their runs' own "
+                  "reports have them.",
+                  left_out, replays.size()));
 }
 
 }  // namespace runtime

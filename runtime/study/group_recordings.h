@@ -1,4 +1,4 @@
-// The replays of a study's page: the final behavior of each group's typical run.
+// The replays and pictures of a study's page: the final behavior of each group's typical run.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -9,9 +9,9 @@
 
 namespace runtime {
 
-// Sets `recording` of each group in `experiments`, the page's data of `results`: {episode, frames,
-// interval, poses}. So that the page stays below a fixed size, up to three of four frames are left
-// out, and then the recordings of the smallest groups; `notes` says so.
+// Sets `recording` and `strip` of each group in `experiments`, the page's data of `results`:
+// {episode, frames, interval, poses} and {times, png}. So that the page stays below a fixed size,
+// up to three of four frames are left out, and then both for the smallest groups; `notes` says so.
 void AddGroupRecordings(const std::vector<ExperimentResult>& results, nlohmann::json& experiments,
                         std::vector<std::string>& notes);
 

@@ -165,9 +165,9 @@ const showsAStudy: Check = async (page) => {
 const drawsTheGroups: Check = async (page) => {
   const group = page.locator("#experiment-1 .group").nth(1);
   await group.scrollIntoViewIfNeeded();
-  const last = "#experiment-1 .group:nth-child(2) .strip li:last-child";
-  const pixels = await colourfulPixels(page, last);
-  assert.ok(pixels > 300, "a snapshot shows the robot");
+  const strip = "#experiment-1 .group:nth-child(2) .snapshots";
+  assert.ok((await colourfulPixels(page, `${strip} img`)) > 8 * 300, "the robot is drawn");
+  assert.equal(await page.locator(`${strip} li`).count(), 8);
   await group.locator(".group-head").click();
   assert.equal(await group.locator(".group-head").getAttribute("aria-pressed"), "true");
 };

@@ -15,6 +15,7 @@ using nlohmann::json;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::SizeIs;
+using testing::StartsWith;
 
 class StudyReportTest : public testing::Test {
  protected:
@@ -86,6 +87,14 @@ TEST_F(StudyReportTest, ThePageCarriesTheReplayOfEachGroup) {
   }
 }
 
+TEST_F(StudyReportTest, ThePageCarriesThePicturesOfEachGroup) {
+  const json groups = Data()["experiments"][0]["groups"];
+  for (const json& group : groups) {
+    EXPECT_THAT(group["strip"]["times"], SizeIs(8));
+    EXPECT_THAT(group["strip"]["png"].get<std::string>(), StartsWith("iVBORw0KGgo"));
+  }
+}
+
 TEST_F(StudyReportTest, ThePageHoldsTheCurvesOfAllRuns) {
   const json data = Data();
   const json& crawling = data["experiments"][0];
@@ -105,7 +114,7 @@ TEST_F(StudyReportTest, ThePageStaysBelowItsSize) {
   const std::filesystem::path page = WriteStudyReport(folder(), runs_, {});
   EXPECT_LT(std::filesystem::file_size(page), 12u << 20);
   const json data = DataOfPage(page);
-  EXPECT_THAT(data["notes"], ElementsAre(HasSubstr("groups have no replay here")));
+  EXPECT_THAT(data["notes"], ElementsAre(HasSubstr("groups have no replay and no pictures here")));
   EXPECT_TRUE(data["experiments"][0]["groups"][0].contains("recording"));  // of five runs
 }
 

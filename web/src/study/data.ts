@@ -53,6 +53,12 @@ export interface StudyRun {
   curve: Float32Array; // moving average at the experiment's episodes; shorter where the run is
 }
 
+/** Pictures of a replay, side by side. */
+export interface Strip {
+  times: number[]; // [s]
+  png: string; // base64
+}
+
 /** Runs that ended in the same behavior. */
 export interface Group {
   runs: number[]; // indices
@@ -62,6 +68,7 @@ export interface Group {
   final_return: Estimate;
   metrics: Metric[];
   recording?: Replay; // of the typical run's last episode
+  strip?: Strip; // of the same
 }
 
 export interface Curve {

@@ -8,7 +8,6 @@ import { row, table } from "../page/table.ts";
 import { Curves } from "./curves.ts";
 import type { Estimate, Evaluation, Experiment, Group, StudyRun, Term } from "./data.ts";
 import { GroupCards } from "./groups.ts";
-import type { Snapshots } from "./snapshots.ts";
 import { colorOf, count, interval, letterOf, mean, runs } from "./words.ts";
 
 const kStates: Record<string, string> = { interrupted: "stopped" };
@@ -148,7 +147,6 @@ function groupWords({ groups, runs: all }: Experiment): string {
 export function showExperiment(
   experiment: Experiment,
   index: number,
-  snapshots: Snapshots,
   replay: (group: Group, title: string) => void,
 ): HTMLElement {
   const id = { class: "experiment", id: idOf(index) };
@@ -181,7 +179,7 @@ export function showExperiment(
   requestAnimationFrame(() => {
     const curves = new Curves(experiment, chart);
     const emphasise = (numbers: number[]): void => curves.emphasise(numbers);
-    const cards = new GroupCards(experiment, snapshots, { emphasise, replay });
+    const cards = new GroupCards(experiment, { emphasise, replay });
     section.append(cards.element, runTable(experiment));
   });
   return section;

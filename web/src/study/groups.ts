@@ -1,8 +1,8 @@
 // The groups of behaviors in which the runs ended, a card each.
 
+import { formatTime } from "../data/words.ts";
 import { element } from "../page/dom.ts";
-import type { Experiment, Group } from "./data.ts";
-import type { Snapshots } from "./snapshots.ts";
+import type { Experiment, Group, Strip } from "./data.ts";
 import { colorOf, letterOf, mean, range, shareOf } from "./words.ts";
 
 export interface GroupActions {
@@ -17,7 +17,6 @@ export class GroupCards {
 
   constructor(
     private readonly experiment: Experiment,
-    private readonly snapshots: Snapshots,
     private readonly actions: GroupActions,
   ) {
     experiment.groups.forEach((group, i) => this.element.append(this.card(group, i)));
@@ -30,10 +29,8 @@ export class GroupCards {
     const card = element("article", { class: "group" }, words);
     card.addEventListener("pointerenter", () => this.actions.emphasise(group.runs));
     card.addEventListener("pointerleave", () => this.actions.emphasise(this.kept?.runs ?? []));
-    if (group.recording) {
-      words.append(this.replayButton(group, index));
-      card.append(this.snapshots.strip(group.recording, this.experiment.body));
-    }
+    if (group.recording) words.append(this.replayButton(group, index));
+    if (group.strip) card.append(snapshots(group.strip));
     return card;
   }
 
@@ -81,6 +78,21 @@ export class GroupCards {
       element("code", {}, `"${run}" = "What it does."`),
     );
   }
+}
+
+/** The pictures side by side, each above its time. */
+function snapshots({ times, png }: Strip): HTMLElement {
+  const last = times.at(-1) ?? 0;
+  const captions = times.map((time) => element("li", {}, `${formatTime(time, last).trim()} s`));
+  return element(
+    "figure",
+    { class: "snapshots" },
+    element("img", {
+      src: `data:image/png;base64,${png}`,
+      alt: `${times.length} snapshots from 0 to ${last.toFixed(2)} s`,
+    }),
+    element("ol", {}, ...captions),
+  );
 }
 
 function figures(group: Group): HTMLElement {

@@ -13,7 +13,6 @@ import { row, table } from "../page/table.ts";
 import { decodeStudy, type Experiment, type Study } from "./data.ts";
 import { idOf, showExperiment } from "./experiment.ts";
 import { ReplayDialog } from "./replay_dialog.ts";
-import { Snapshots } from "./snapshots.ts";
 import { count, interval, mean } from "./words.ts";
 
 function showMasthead({ folder, experiments, madeAt }: Study): void {
@@ -74,10 +73,9 @@ function main(): void {
   showOverview(study);
   showNotes(study.notes);
   const dialog = new ReplayDialog();
-  const snapshots = new Snapshots();
   study.experiments.forEach((experiment, i) => {
     byId("experiments", HTMLElement).append(
-      showExperiment(experiment, i, snapshots, (group, title) => {
+      showExperiment(experiment, i, (group, title) => {
         if (group.recording) dialog.show(group.recording, experiment.body, title);
       }),
     );

@@ -1,0 +1,17 @@
+#include "runtime/study/group_strip.h"
+
+#include "runtime/behavior/motion.h"
+#include "runtime/picture/snapshot_strip.h"
+#include "runtime/run/body_json.h"
+
+namespace runtime {
+
+GroupStrip DrawGroupStrip(const ExperimentResult& result, const BehaviorGroup& group) {
+  const StripOptions options{.height = 208};  // sharp where a page shows it half as large
+  const std::vector<robot::Link> links = ParseBody(result.experiment->record().body);
+  const FinalRecording final = *ReadFinalRecording(*result.runs[group.typical].run);
+  const Motion motion = ReadMotion(final.recording, static_cast<int>(links.size()));
+  return {final.episode, SnapshotTimes(motion, options), SnapshotStrip(motion, links, options)};
+}
+
+}  // namespace runtime
