@@ -5,5 +5,6 @@ endif()
 
 project_program(report_bench
   SOURCES report_bench.cpp
-  LIBRARIES runtime_report runtime_run runtime_study sample_study benchmark::benchmark_main)
+  LIBRARIES runtime_picture runtime_report runtime_run runtime_study sample_run sample_study
+            benchmark::benchmark_main)
 add_dependencies(report_bench web)

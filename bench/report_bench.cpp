@@ -1,4 +1,4 @@
-// What it costs to save an episode, and to write the reports of one run and of many.
+// What it costs to save an episode, to draw one, and to write the reports of one run and of many.
 
 #include <benchmark/benchmark.h>
 
@@ -6,9 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "runtime/behavior/motion.h"
+#include "runtime/picture/snapshot_strip.h"
 #include "runtime/report/report.h"
+#include "runtime/run/body_json.h"
 #include "runtime/run/run_database.h"
 #include "runtime/study/study_report.h"
+#include "tests/runtime/report/sample_run.h"
 #include "tests/runtime/run/sample_run.h"
 #include "tests/runtime/run/temporary_folder.h"
 #include "tests/runtime/study/sample_study.h"
@@ -54,6 +58,17 @@ void ReportOfFifteenRuns(benchmark::State& state) {
   for (auto _ : state) WriteStudyReport(Runs().folder(), Runs().runs(), {});
 }
 BENCHMARK(ReportOfFifteenRuns)->Unit(benchmark::kMillisecond);
+
+// Eight pictures of a crawl, so many pixels high.
+void DrawAStrip(benchmark::State& state) {
+  const std::vector<robot::Link> links = ParseBody(SampleRunRecord().body);
+  const Motion motion = ReadMotion(SampleRecording(20, 0.1), static_cast<int>(links.size()));
+  const StripOptions options{.height = static_cast<int>(state.range(0))};
+  size_t size = 0;
+  for (auto _ : state) size = SnapshotStrip(motion, links, options).size();
+  state.counters["bytes"] = static_cast<double>(size);
+}
+BENCHMARK(DrawAStrip)->Arg(208)->Arg(260)->Unit(benchmark::kMillisecond);
 
 // With two terms, a metric and two logs, and as many shadows as the argument says.
 void SaveAnEpisode(benchmark::State& state) {

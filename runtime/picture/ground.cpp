@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace runtime {
 namespace {
@@ -42,11 +43,11 @@ double GridCover(const Point& place, const Point& width, double spacing, double 
   return x + y - x * y;
 }
 
-double DistanceToSegment(const Point& place, const Point& a, const Point& b) {
+double SquaredDistance(const Point& place, const Point& a, const Point& b) {
   const Point along = b - a;
   const double squared = along.squaredNorm();
   const double part = squared > 0 ? std::clamp((place - a).dot(along) / squared, 0., 1.) : 0;
-  return (place - a - part * along).norm();
+  return (place - a - part * along).squaredNorm();
 }
 
 // 1 within `radius`, 0 outside, and in between over `blur`.
@@ -88,15 +89,16 @@ double Ground::Presence(const Point& place) const {
 }
 
 double Ground::TrailCover(const Point& place, double blur) const {
-  double cover = 0;
+  double from_line = std::numeric_limits<double>::infinity();  // squared, as the next
+  double from_mark = from_line;
   for (size_t i = 1; i < trail_.points.size(); ++i) {
-    const double distance = DistanceToSegment(place, trail_.points[i - 1], trail_.points[i]);
-    cover = std::max(cover, DiscCover(distance, line_, blur));
+    from_line = std::min(from_line, SquaredDistance(place, trail_.points[i - 1], trail_.points[i]));
   }
   for (const Point& mark : trail_.marks) {
-    cover = std::max(cover, DiscCover((place - mark).norm(), 4 * line_, blur));
+    from_mark = std::min(from_mark, (place - mark).squaredNorm());
   }
-  return cover;
+  return std::max(DiscCover(std::sqrt(from_line), line_, blur),
+                  DiscCover(std::sqrt(from_mark), 4 * line_, blur));
 }
 
 Layer Ground::Look(const Point& place, const Point& du, const Point& dv) const {

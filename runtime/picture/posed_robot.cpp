@@ -30,30 +30,35 @@ PosedRobot::PosedRobot(const std::vector<robot::Link>& links, const Motion& moti
   for (size_t i = 0; i < links.size(); ++i) {
     const robot::LinkShape& shape = links[i].shape;
     const int link = static_cast<int>(i);
-    links_.push_back({&shape, motion.position(frame, link),
-                      motion.orientation(frame, link).toRotationMatrix(), BoundingRadius(shape),
+    const Bounds bounds{motion.position(frame, link), BoundingRadius(shape)};
+    links_.push_back({&shape, bounds, motion.orientation(frame, link).toRotationMatrix(),
                       CoreOf(shape), RadiusOf(shape)});
+    whole_.centre += bounds.centre / static_cast<double>(links.size());
+  }
+  for (const Posed& link : links_) {
+    const double reach = (link.bounds.centre - whole_.centre).norm() + link.bounds.radius;
+    whole_.radius = std::max(whole_.radius, reach);
   }
 }
 
 Ray PosedRobot::ToLink(const Posed& link, const Ray& ray) {
-  return {link.rotation.transpose() * (ray.origin - link.centre),
+  return {link.rotation.transpose() * (ray.origin - link.bounds.centre),
           link.rotation.transpose() * ray.direction};
 }
 
-bool PosedRobot::IsNear(const Posed& link, const Ray& ray, double reach) {
-  const Vector3d to = link.centre - ray.origin;
+bool PosedRobot::Bounds::IsNear(const Ray& ray, double width, double widening) const {
+  const Vector3d to = centre - ray.origin;
   const double along = std::max(0., to.dot(ray.direction));
+  const double reach = radius + width + widening * (along + radius);
   return (to - along * ray.direction).squaredNorm() < reach * reach;
 }
 
 void PosedRobot::FindNear(const Ray& ray, double width, double widening,
                           std::vector<size_t>& near) const {
   near.clear();
+  if (!whole_.IsNear(ray, width, widening)) return;
   for (size_t i = 0; i < links_.size(); ++i) {
-    const double farthest = (links_[i].centre - ray.origin).norm() + links_[i].bounds;
-    const double reach = links_[i].bounds + width + widening * farthest;
-    if (IsNear(links_[i], ray, reach)) near.push_back(i);
+    if (links_[i].bounds.IsNear(ray, width, widening)) near.push_back(i);
   }
 }
 
@@ -72,7 +77,7 @@ std::optional<RobotHit> PosedRobot::FirstHitOf(const std::vector<size_t>& links,
 bool PosedRobot::IsBlocked(const std::vector<size_t>& links, const Ray& ray, size_t except) const {
   return std::ranges::any_of(links, [&](size_t i) {
     const Posed& link = links_[i];
-    return i != except && IsNear(link, ray, link.bounds) &&
+    return i != except && link.bounds.IsNear(ray, 0, 0) &&
            FirstHit(*link.shape, ToLink(link, ray)).has_value();
   });
 }
@@ -82,8 +87,9 @@ bool PosedRobot::IsBlocked(const std::vector<size_t>& links, const Ray& ray, siz
 double PosedRobot::Hidden(const Posed& link, const Vector3d& place, const Vector3d& normal) {
   constexpr double kReach = 5;  // of so many radii
   const double reach = kReach * link.radius;
-  const Vector3d from = place - link.centre;
-  if (from.squaredNorm() > (link.bounds + reach) * (link.bounds + reach)) return 0;
+  const Vector3d from = place - link.bounds.centre;
+  const double farthest = link.bounds.radius + reach;
+  if (from.squaredNorm() > farthest * farthest) return 0;
   const Vector3d local = link.rotation.transpose() * from;
   const Vector3d to = link.rotation * (local.cwiseMin(link.core).cwiseMax(-link.core) - local);
   const double facing = normal.dot(to);

@@ -38,22 +38,27 @@ class PosedRobot {
   static constexpr size_t kNone = static_cast<size_t>(-1);  // no link to except
 
  private:
+  // A ball that holds a link, or all of them.
+  struct Bounds {
+    Eigen::Vector3d centre;
+    double radius;
+
+    bool IsNear(const Ray& ray, double width, double widening) const;
+  };
   struct Posed {
     const robot::LinkShape* shape;
-    Eigen::Vector3d centre;
+    Bounds bounds;             // around the link's centre
     Eigen::Matrix3d rotation;  // from the link's frame to that of the world
-    double bounds;             // radius
     // What the link is about: all points within `radius` of a box with these half extents.
     Eigen::Vector3d core;
     double radius;
   };
   static Ray ToLink(const Posed& link, const Ray& ray);
-  // Whether the ray comes closer than `reach` to the link's centre.
-  static bool IsNear(const Posed& link, const Ray& ray, double reach);
   static double Hidden(const Posed& link, const Eigen::Vector3d& place,
                        const Eigen::Vector3d& normal);
 
   std::vector<Posed> links_;
+  Bounds whole_{Eigen::Vector3d::Zero(), 0};
 };
 
 }  // namespace runtime

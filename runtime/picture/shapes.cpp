@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace runtime {
 namespace {
@@ -30,29 +31,29 @@ std::optional<Hit> HitSphere(const Vector3d& centre, double radius, const Ray& r
   return Hit{*distance, (from + *distance * ray.direction) / radius};
 }
 
-// The round side of a cylinder along `axis` around `centre`, without its ends.
-std::optional<Hit> HitTube(const Vector3d& centre, int axis, double half_length, double radius,
-                           const Ray& ray) {
+// All points within `radius` of a line of twice `half_length` along `axis`. A ray that enters the
+// endless tube around it beside the line enters the capsule there; beyond the line's end it can
+// meet only the ball at that end.
+std::optional<Hit> HitCapsule(const Vector3d& centre, int axis, double half_length, double radius,
+                              const Ray& ray) {
   Vector3d from = ray.origin - centre;
   Vector3d across = ray.direction;
   const double along = from[axis];
   from[axis] = across[axis] = 0;
-  const double speed = across.squaredNorm();
-  if (speed == 0) return std::nullopt;
-  const auto distance = FirstRoot(speed, from.dot(across), from.squaredNorm() - radius * radius);
-  if (!distance) return std::nullopt;
-  if (std::abs(along + *distance * ray.direction[axis]) > half_length) return std::nullopt;
-  return Hit{*distance, (from + *distance * across) / radius};
-}
-
-// All points within `radius` of a line of twice `half_length`.
-std::optional<Hit> HitCapsule(const Vector3d& centre, int axis, double half_length, double radius,
-                              const Ray& ray) {
-  const Vector3d end = half_length * Vector3d::Unit(axis);
-  std::optional<Hit> nearest = HitTube(centre, axis, half_length, radius, ray);
-  KeepNearer(nearest, HitSphere(centre - end, radius, ray));
-  KeepNearer(nearest, HitSphere(centre + end, radius, ray));
-  return nearest;
+  const double outside = from.squaredNorm() - radius * radius;
+  std::optional<double> entry;
+  if (outside >= 0) {
+    const double speed = across.squaredNorm();
+    if (speed > 0) entry = FirstRoot(speed, from.dot(across), outside);
+    if (!entry) return std::nullopt;
+  }
+  const double place = along + entry.value_or(0) * ray.direction[axis];
+  if (std::abs(place) > half_length) {
+    const double end = place > 0 ? half_length : -half_length;
+    return HitSphere(centre + end * Vector3d::Unit(axis), radius, ray);
+  }
+  if (!entry) return std::nullopt;  // it begins inside
+  return Hit{*entry, (from + *entry * across) / radius};
 }
 
 struct Entry {
