@@ -6,8 +6,8 @@
 
 namespace runtime {
 
-GroupStrip DrawGroupStrip(const ExperimentResult& result, const BehaviorGroup& group) {
-  const StripOptions options{.height = 208};  // sharp where a page shows it half as large
+GroupStrip DrawGroupStrip(const ExperimentResult& result, const BehaviorGroup& group, int height) {
+  const StripOptions options{.height = height};
   const std::vector<robot::Link> links = ParseBody(result.experiment->record().body);
   const FinalRecording final = *ReadFinalRecording(*result.runs[group.typical].run);
   const Motion motion = ReadMotion(final.recording, static_cast<int>(links.size()));

@@ -16,6 +16,7 @@ struct GroupStrip {
 };
 
 // Throws UserError where the recording cannot be read any more.
-GroupStrip DrawGroupStrip(const ExperimentResult& result, const BehaviorGroup& group);
+// `height`: of the strip [px].
+GroupStrip DrawGroupStrip(const ExperimentResult& result, const BehaviorGroup& group, int height);
 
 }  // namespace runtime

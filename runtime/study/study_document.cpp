@@ -10,6 +10,7 @@
 #include "runtime/report/page.h"
 #include "runtime/study/curve_plot.h"
 #include "runtime/study/figures.h"
+#include "runtime/study/group_strip.h"
 
 namespace runtime {
 namespace {
@@ -17,6 +18,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kDocumentName = "README.md";
+constexpr int kStripHeight = 120;  // [px]: a repository keeps every version of every picture
 
 bool IsNumber(const Json& value) { return value.is_number() && std::isfinite(value.get<double>()); }
 
@@ -210,8 +212,18 @@ class Document {
         Evaluations(experiment));
     for (size_t group = 0; group < result.groups.size(); ++group) {
       text += GroupText(experiment["groups"][group], experiment) + "\n";
+      text += Strip(result, group, fmt::format("{}-{}.png", name, GroupName(group))) + "\n";
     }
     return text + Runs(experiment) + "\n";
+  }
+
+  // Draws the strip of a group to `file` and shows it.
+  std::string Strip(const ExperimentResult& result, size_t group, const std::string& file) const {
+    const GroupStrip strip = DrawGroupStrip(result, result.groups[group], kStripHeight);
+    WritePage(output_ / file, strip.png);
+    const StudyRun& run = *result.runs[result.groups[group].typical].run;
+    return fmt::format("![Group {}: seed {}, episode {}, at {:.2f} s]({})\n", GroupName(group),
+                       run.record.seed, strip.episode, fmt::join(strip.times, ", "), file);
   }
 
   const StudyResults& results_;

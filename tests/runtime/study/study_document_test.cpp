@@ -73,6 +73,14 @@ TEST_F(StudyDocumentTest, DrawsTheCurvesTheSameEveryTime) {
   EXPECT_EQ(ReadText(output() / "crawling.svg"), drawing);
 }
 
+TEST_F(StudyDocumentTest, ShowsWhatEachGroupDoes) {
+  const std::string text = Write();
+  EXPECT_THAT(text, HasSubstr("![Group A: seed "));
+  EXPECT_THAT(text, HasSubstr("episode 40, at 0.00, "));
+  EXPECT_THAT(text, HasSubstr(" s](crawling-B.png)"));
+  EXPECT_THAT(ReadText(output() / "crawling-B.png"), StartsWith("\x89PNG"));
+}
+
 TEST_F(StudyDocumentTest, SaysWhereItCannotWrite) {
   std::ofstream(output()) << "a file";
   EXPECT_THAT(ErrorOf([&] { Write(); }), HasSubstr("results: cannot be made"));
