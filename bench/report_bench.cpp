@@ -1,4 +1,5 @@
-// What it costs to save an episode, to draw one, and to write the reports of one run and of many.
+// What it costs to save an episode, to draw one, to write the reports of one run and of many, and
+// to fit gains to preferences.
 
 #include <benchmark/benchmark.h>
 
@@ -11,10 +12,12 @@
 #include "runtime/report/report.h"
 #include "runtime/run/body_json.h"
 #include "runtime/run/run_database.h"
+#include "runtime/study/preference_fit.h"
 #include "runtime/study/study_report.h"
 #include "tests/runtime/report/sample_run.h"
 #include "tests/runtime/run/sample_run.h"
 #include "tests/runtime/run/temporary_folder.h"
+#include "tests/runtime/study/sample_preferences.h"
 #include "tests/runtime/study/sample_study.h"
 
 namespace runtime {
@@ -69,6 +72,42 @@ void DrawAStrip(benchmark::State& state) {
   state.counters["bytes"] = static_cast<double>(size);
 }
 BENCHMARK(DrawAStrip)->Arg(208)->Arg(260)->Unit(benchmark::kMillisecond);
+
+// Ten runs of 4000 episodes, as they are in memory once they were read.
+StudyExperiment TenRuns() {
+  StudyExperiment experiment{"crawling", {}};
+  for (int number = 1; number <= 10; ++number) {
+    StudyRun& run = experiment.runs.emplace_back();
+    run.name = "crawling/seed" + std::to_string(number);
+    run.record = SampleRun();
+    run.record.agent = "[modules.task]\nfall_penalty = 4.0\nturning_cost = 0.025\n";
+    run.record.episodes_planned = 4000;
+    run.record.tasks.front().terms = {{"forward", ""}, {"turning", ""}, {"fall", ""}};
+    for (int64_t episode = 1; episode <= run.record.episodes_planned; ++episode) {
+      run.episodes.push_back(SampleEpisode(episode));
+      run.episodes.back().active.terms = {100. + number * number, -3. * number, -4. * (number % 3)};
+      run.episodes.back().active.metrics.clear();
+      run.episodes.back().active.logs.clear();
+    }
+  }
+  return experiment;
+}
+
+// The fit to nine preferences, and all episodes under the new gains.
+void FitPreferencesOfTenRuns(benchmark::State& state) {
+  const StudyExperiment experiment = TenRuns();
+  ExperimentResult result{&experiment, 50, {}, {}};
+  std::vector<Preference> preferences;
+  for (const StudyRun& run : experiment.runs) {
+    result.runs.emplace_back().run = &run;
+    result.runs.back().final = MeansAtTheEnd(run.record, run.episodes, result.window);
+    if (&run == &experiment.runs.front()) continue;
+    preferences.push_back({ParseBehaviorName("crawling/seed1"), ParseBehaviorName(run.name)});
+  }
+  const TaskParams params = CrawlingParams();
+  for (auto _ : state) benchmark::DoNotOptimize(FitPreferences(result, params, preferences));
+}
+BENCHMARK(FitPreferencesOfTenRuns)->Unit(benchmark::kMillisecond);
 
 // With two terms, a metric and two logs, and as many shadows as the argument says.
 void SaveAnEpisode(benchmark::State& state) {

@@ -64,7 +64,8 @@ const std::map<std::string, Folders> kMayInclude = {
     {"runtime/report", {"runtime/module", "runtime/run"}},
     {"runtime/preference", {"runtime/control", "runtime/module", "runtime/run"}},
     {"runtime/study",
-     {"runtime/behavior", "runtime/module", "runtime/picture", "runtime/report", "runtime/run"}},
+     {"runtime/behavior", "runtime/module", "runtime/picture", "runtime/preference",
+      "runtime/report", "runtime/run"}},
     {"runtime/control",
      {"runtime/learning", "runtime/module", "runtime/run", "runtime/simulation", "runtime/task"}},
     {"runtime/server", {"runtime/control", "runtime/module"}},
@@ -72,9 +73,9 @@ const std::map<std::string, Folders> kMayInclude = {
     {"runtime/workers", {"runtime/module", "runtime/run"}},
     {"runtime/trainer",
      {"plugins/robot", "plugins/text", "plugins/watch", "runtime/agent", "runtime/behavior",
-      "runtime/client", "runtime/control", "runtime/module", "runtime/picture", "runtime/report",
-      "runtime/run", "runtime/server", "runtime/simulation", "runtime/study", "runtime/task",
-      "runtime/workers"}},
+      "runtime/client", "runtime/control", "runtime/module", "runtime/picture",
+      "runtime/preference", "runtime/report", "runtime/run", "runtime/server", "runtime/simulation",
+      "runtime/study", "runtime/task", "runtime/workers"}},
 };
 
 bool IsSource(const std::filesystem::path& file) {

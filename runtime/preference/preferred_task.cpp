@@ -64,10 +64,14 @@ void CheckTarget(const PreferredTask& task, bool is_forced) {
 
 std::vector<fs::path> WritePreferredTask(const PreferredTask& task, bool is_forced) {
   CheckTarget(task, is_forced);
-  const fs::path draft = task.file.parent_path() / ("." + task.file.filename().string());
+  const fs::path folder = fs::absolute(task.file).parent_path();
+  std::error_code error;
+  fs::create_directories(folder, error);  // a failure shows when the file is written
+  const fs::path draft = folder / ("." + task.file.filename().string());
   Write(draft, TextOf(task));
   std::string silence;
-  if (!RunCompiler({"check", draft.string()}, silence)) {
+  if (!RunCompiler({"fmt", draft.string()}, silence) ||
+      !RunCompiler({"check", draft.string()}, silence)) {
     fs::remove(draft);
     throw UserError(fmt::format("{} is not written, since taskc refuses it", task.file.string()));
   }

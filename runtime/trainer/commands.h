@@ -19,5 +19,6 @@ void AddShowCommand(CLI::App& app, int& status);
 void AddEvaluateCommand(CLI::App& app, int& status);
 void AddReportCommand(CLI::App& app, int& status);
 void AddSnapshotsCommand(CLI::App& app, int& status);
+void AddPreferCommand(CLI::App& app, int& status);
 
 }  // namespace runtime

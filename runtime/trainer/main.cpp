@@ -46,6 +46,7 @@ int RunTrainer(int argc, char** argv) {
   AddReportCommand(app, status);
   AddEvaluateCommand(app, status);
   AddSnapshotsCommand(app, status);
+  AddPreferCommand(app, status);
   AddAgentCommand(app, status);
   app.set_version_flag("--version", "trainer " TASKC_VERSION, "print the version and leave");
   for (CLI::App* command : app.get_subcommands({})) {
