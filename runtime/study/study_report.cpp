@@ -6,6 +6,7 @@
 #include "runtime/run/iso_time.h"
 #include "runtime/study/figures.h"
 #include "runtime/study/group_recordings.h"
+#include "runtime/study/stated_preferences.h"
 
 namespace runtime {
 namespace {
@@ -48,9 +49,20 @@ json PageExperiment(const ExperimentResult& result, const Sentences& sentences) 
   return experiment;
 }
 
+// Sets `preferences` of each experiment about which there are any.
+template <class Json>
+void AddPreferences(const StudyResults& results, const std::filesystem::path& folder,
+                    Json& experiments, std::vector<std::string>& notes) {
+  const std::vector<ordered_json> preferences = StatedPreferences(results, folder, notes);
+  for (size_t i = 0; i < preferences.size(); ++i) {
+    if (!preferences[i].is_null()) experiments[i]["preferences"] = preferences[i];
+  }
+}
+
 json PageData(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& runs) {
   const StudyResults results = ReadStudyResults(folder, runs);
   json data = {{"folder", results.name},
+               {"path", folder.string()},
                {"title", results.name + " – study"},
                {"madeAt", IsoTimeNow()},
                {"experiments", json::array()}};
@@ -58,6 +70,7 @@ json PageData(const std::filesystem::path& folder, const std::vector<std::filesy
     data["experiments"].push_back(PageExperiment(result, results.sentences));
   }
   std::vector<std::string> notes = results.notes;
+  AddPreferences(results, folder, data["experiments"], notes);
   AddGroupRecordings(results.experiments, data["experiments"], notes);
   data["notes"] = notes;
   return data;
@@ -73,8 +86,9 @@ ordered_json StudyFigures(const std::filesystem::path& folder,
     experiments.push_back(Figures(result, results.sentences));
     experiments.back()["curve"] = CurveFigures(CurvesOf(result));
   }
-  return {
-      {"folder", results.name}, {"experiments", std::move(experiments)}, {"notes", results.notes}};
+  std::vector<std::string> notes = results.notes;
+  AddPreferences(results, folder, experiments, notes);
+  return {{"folder", results.name}, {"experiments", std::move(experiments)}, {"notes", notes}};
 }
 
 std::filesystem::path WriteStudyReport(const std::filesystem::path& folder,

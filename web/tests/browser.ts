@@ -172,6 +172,20 @@ const drawsTheGroups: Check = async (page) => {
   assert.equal(await group.locator(".group-head").getAttribute("aria-pressed"), "true");
 };
 
+const ordersTheGroups: Check = async (page) => {
+  const command = "#experiment-1 .preferences code";
+  assert.match(await textOf(page, command), /^trainer prefer \S+ --order crawling\/seed\d \S+$/);
+  const before = await textOf(page, command);
+  const down = page.locator("#experiment-1 .order").getByLabel("Group A is worse");
+  await down.focus();
+  await page.keyboard.press("Enter");
+  assert.notEqual(await textOf(page, command), before);
+  assert.match(await textOf(page, "#experiment-1 .order li:first-child"), /Group B/);
+  assert.ok(await down.isDisabled());
+  await page.keyboard.press("Enter"); // the focus is on the way back
+  assert.equal(await textOf(page, command), before);
+};
+
 const replaysAGroup: Check = async (page) => {
   await page.locator("#experiment-1 .group button.text").first().click();
   await page.locator('#play[data-state="playing"]').waitFor();
@@ -243,7 +257,7 @@ async function checkFullPage(browser: Browser): Promise<void> {
 
 async function checkStudyPage(browser: Browser): Promise<void> {
   await onPage(browser, studyPage, { colorScheme: "light" }, async (page) => {
-    for (const check of [showsAStudy, drawsTheGroups, replaysAGroup, fitsItsWidth]) {
+    for (const check of [showsAStudy, drawsTheGroups, ordersTheGroups, replaysAGroup, fitsItsWidth]) {
       await check(page);
     }
     await screenshot("study")(page);

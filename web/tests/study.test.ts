@@ -1,7 +1,8 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { decodeStudy, type Estimate, type Group } from "../src/study/data.ts";
+import { decodeStudy, type Estimate, type Experiment, type Group } from "../src/study/data.ts";
+import { moved, preferCommand, quoted } from "../src/study/preference_words.ts";
 import { colorOf, count, interval, letterOf, mean, range, shareOf } from "../src/study/words.ts";
 
 const one = "AACAPw=="; // 1
@@ -55,4 +56,24 @@ test("groups are lettered and coloured", () => {
   assert.equal(colorOf(0), "--series-1");
   assert.equal(colorOf(8), "--series-1");
   assert.equal(colorOf(null), "--ink-faint");
+});
+
+test("an order of groups is a command line", () => {
+  const experiment = {
+    groups: [{ typical: 2 }, { typical: 0 }],
+    runs: [{ name: "crawling/seed1" }, {}, { name: "it's/seed3" }],
+  } as Experiment;
+  assert.equal(
+    preferCommand("runs/my study", experiment, [1, 0]),
+    "trainer prefer 'runs/my study' --order crawling/seed1 'it'\\''s/seed3'",
+  );
+  assert.equal(quoted("runs/six-tasks"), "runs/six-tasks");
+  assert.equal(quoted(""), "''");
+});
+
+test("a group moves up and down, but not out of the list", () => {
+  assert.deepEqual(moved(["a", "b", "c"], 2, -1), ["a", "c", "b"]);
+  assert.deepEqual(moved(["a", "b", "c"], 0, 1), ["b", "a", "c"]);
+  assert.deepEqual(moved(["a", "b", "c"], 0, -1), ["a", "b", "c"]);
+  assert.deepEqual(moved(["a", "b", "c"], 2, 1), ["a", "b", "c"]);
 });

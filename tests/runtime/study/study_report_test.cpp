@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <fstream>
+
 #include "runtime/run/run_files.h"
 #include "tests/runtime/report/report_page.h"
 #include "tests/runtime/run/error_of.h"
@@ -116,6 +118,17 @@ TEST_F(StudyReportTest, ThePageStaysBelowItsSize) {
   const json data = DataOfPage(page);
   EXPECT_THAT(data["notes"], ElementsAre(HasSubstr("groups have no replay and no pictures here")));
   EXPECT_TRUE(data["experiments"][0]["groups"][0].contains("recording"));  // of five runs
+}
+
+// taskc does not lie beside the test, and the sample's task is not what its hash says.
+TEST_F(StudyReportTest, PreferencesThatCannotBeFittedLeaveANote) {
+  std::ofstream(folder() / "preferences.toml")
+      << "[[preference]]\nbetter = 'crawling/seed1'\nworse = 'crawling/seed6'\n";
+  const json figures = StudyFigures(folder(), runs_);
+  EXPECT_FALSE(figures["experiments"][0].contains("preferences"));
+  EXPECT_THAT(figures["notes"].back(), HasSubstr("The preferences are left out: "));
+  std::ofstream(folder() / "preferences.toml") << "x = 1\n";
+  EXPECT_THAT(ErrorOf([&] { StudyFigures(folder(), runs_); }), HasSubstr("preferences.toml:1:5"));
 }
 
 TEST_F(StudyReportTest, WhileNoRunIsFinishedAllCount) {

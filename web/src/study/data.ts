@@ -71,6 +71,34 @@ export interface Group {
   strip?: Strip; // of the same
 }
 
+/** With the gains that the runs had, and with the new ones. */
+export interface BeforeAfter<Value> {
+  before: Value;
+  after: Value;
+}
+
+/** What the user's preferences between the runs say of the task's gains. */
+export interface Preferences {
+  is_consistent: boolean;
+  preferences: {
+    better: string; // the name of a run, or RUN:EPISODE
+    worse: string;
+    is_tie: boolean;
+    probability: BeforeAfter<number>;
+    holds: BeforeAfter<boolean>;
+    is_contradicted: boolean;
+  }[];
+  gains: {
+    name: string;
+    unit: string;
+    before: number;
+    after: number;
+    low: number;
+    high: number;
+  }[];
+  notes: string[];
+}
+
 export interface Curve {
   episodes: Float32Array;
   mean: Float32Array;
@@ -97,6 +125,7 @@ export interface Experiment {
   evaluations: Evaluation[];
   groups: Group[];
   runs: StudyRun[];
+  preferences?: Preferences; // where any were stated
   curve: Curve;
   modules: Record<string, AgentModule>;
   agentText: string;
@@ -105,7 +134,8 @@ export interface Experiment {
 }
 
 export interface Study {
-  folder: string;
+  folder: string; // its name
+  path: string; // as the user called it
   madeAt: string;
   experiments: Experiment[];
   notes: string[];

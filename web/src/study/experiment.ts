@@ -8,6 +8,7 @@ import { row, table } from "../page/table.ts";
 import { Curves } from "./curves.ts";
 import type { Estimate, Evaluation, Experiment, Group, StudyRun, Term } from "./data.ts";
 import { GroupCards } from "./groups.ts";
+import { showPreferences } from "./preferences.ts";
 import { colorOf, count, interval, letterOf, mean, runs } from "./words.ts";
 
 const kStates: Record<string, string> = { interrupted: "stopped" };
@@ -147,6 +148,7 @@ function groupWords({ groups, runs: all }: Experiment): string {
 export function showExperiment(
   experiment: Experiment,
   index: number,
+  folder: string,
   replay: (group: Group, title: string) => void,
 ): HTMLElement {
   const id = { class: "experiment", id: idOf(index) };
@@ -180,7 +182,7 @@ export function showExperiment(
     const curves = new Curves(experiment, chart);
     const emphasise = (numbers: number[]): void => curves.emphasise(numbers);
     const cards = new GroupCards(experiment, { emphasise, replay });
-    section.append(cards.element, runTable(experiment));
+    section.append(cards.element, ...showPreferences(experiment, folder), runTable(experiment));
   });
   return section;
 }

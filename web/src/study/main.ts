@@ -75,7 +75,7 @@ function main(): void {
   const dialog = new ReplayDialog();
   study.experiments.forEach((experiment, i) => {
     byId("experiments", HTMLElement).append(
-      showExperiment(experiment, i, (group, title) => {
+      showExperiment(experiment, i, study.path, (group, title) => {
         if (group.recording) dialog.show(group.recording, experiment.body, title);
       }),
     );

@@ -1,0 +1,140 @@
+// What the user calls better: the groups of behaviors in an order of one's own, and what followed
+// from the preferences that were stated before.
+
+import { formatNumber } from "../data/words.ts";
+import { element } from "../page/dom.ts";
+import { row, table } from "../page/table.ts";
+import type { Experiment, Preferences } from "./data.ts";
+import { moved, preferCommand } from "./preference_words.ts";
+import { colorOf, letterOf } from "./words.ts";
+
+/** The groups in an order that buttons change, and the command that states it. */
+class GroupOrder {
+  readonly element: HTMLElement;
+  private readonly list = element("ol", { class: "order" });
+  private readonly command = element("code", {});
+  private order: number[];
+
+  constructor(
+    private readonly experiment: Experiment,
+    private readonly folder: string,
+  ) {
+    this.order = experiment.groups.map((_, group) => group);
+    const copy = element("button", { type: "button", class: "text" }, "Copy");
+    copy.addEventListener("click", () => void this.copy(copy));
+    this.element = element(
+      "div",
+      { class: "preferences" },
+      element("p", { class: "note" }, "Put the groups in your order, the best first:"),
+      this.list,
+      element("p", { class: "note" }, "Then let the task’s gains follow: ", this.command, " ", copy),
+    );
+    this.show();
+  }
+
+  private show(): void {
+    this.list.replaceChildren(...this.order.map((group, place) => this.item(group, place)));
+    this.command.textContent = preferCommand(this.folder, this.experiment, this.order);
+  }
+
+  private item(group: number, place: number): HTMLElement {
+    const swatch = element("span", { class: "swatch", "aria-hidden": "true" });
+    swatch.style.background = `var(${colorOf(group)})`;
+    const [sentence = ""] = this.experiment.groups[group]?.sentences ?? [];
+    return element(
+      "li",
+      {},
+      this.button(group, place, -1),
+      this.button(group, place, 1),
+      swatch,
+      element("strong", {}, `Group ${letterOf(group)}`),
+      element("span", { class: "note" }, sentence),
+    );
+  }
+
+  /** Moves the group, and keeps the focus on its button, so that a key can be pressed again. */
+  private button(group: number, place: number, steps: 1 | -1): HTMLElement {
+    const way = steps < 0 ? "better" : "worse";
+    const label = `Group ${letterOf(group)} is ${way}`;
+    const made = element("button", { type: "button", "aria-label": label, title: way });
+    made.textContent = steps < 0 ? "↑" : "↓";
+    made.disabled = place + steps < 0 || place + steps >= this.order.length;
+    made.addEventListener("click", () => {
+      this.order = moved(this.order, place, steps);
+      this.show();
+      this.focus(place + steps, steps);
+    });
+    return made;
+  }
+
+  private focus(place: number, steps: 1 | -1): void {
+    const buttons = this.list.children[place]?.querySelectorAll("button") ?? [];
+    const [up, down] = steps < 0 ? buttons : [...buttons].reverse();
+    (up?.disabled ? down : up)?.focus();
+  }
+
+  /** Where the clipboard is closed to pages, the command is selected instead. */
+  private async copy(button: HTMLElement): Promise<void> {
+    try {
+      await navigator.clipboard.writeText(this.command.textContent ?? "");
+      button.textContent = "Copied";
+    } catch {
+      getSelection()?.selectAllChildren(this.command);
+    }
+  }
+}
+
+const percent = (probability: number, holds: boolean): string =>
+  `${(100 * probability).toFixed(0)} % ${holds ? "✓" : "✗"}`;
+
+const number = (value: number | null): string => formatNumber(value ?? undefined);
+
+function verdict({ preferences, is_consistent }: Preferences): string {
+  const held = preferences.filter(({ holds }) => holds.before).length;
+  const holding = preferences.filter(({ holds }) => holds.after).length;
+  const words = `Of ${preferences.length} stated, ${held} hold with the present gains, ${holding} with the new ones.`;
+  if (preferences.some((each) => each.is_contradicted)) {
+    return `${words} Some contradict each other.`;
+  }
+  return is_consistent ? words : `${words} No gains within their ranges explain all of them.`;
+}
+
+/** What the stated preferences say of the gains. */
+function outcome(experiment: Experiment, fitted: Preferences): HTMLElement {
+  const short = (name: string): string => name.replace(`${experiment.name}/`, "");
+  const gains = fitted.gains.map(({ name, unit, before, after, low, high }) =>
+    row([
+      unit ? `${name} [${unit}]` : name,
+      number(before),
+      number(after),
+      `${number(low)} … ${number(high)}`,
+    ]),
+  );
+  const preferences = fitted.preferences.map(({ better, worse, is_tie, probability, holds }) =>
+    row([
+      `${short(better)} ${is_tie ? "as good as" : "over"} ${short(worse)}`,
+      percent(probability.before, holds.before),
+      percent(probability.after, holds.after),
+    ]),
+  );
+  return element(
+    "div",
+    { class: "outcome" },
+    element("p", {}, verdict(fitted)),
+    element(
+      "div",
+      { class: "first-row" },
+      table(["Preference", "Now", "New"], preferences),
+      table(["Gain", "Now", "New", "Likely"], gains),
+    ),
+    ...fitted.notes.map((note) => element("p", { class: "note" }, note)),
+  );
+}
+
+/** Nothing where there is neither a choice nor a preference. */
+export function showPreferences(experiment: Experiment, folder: string): HTMLElement[] {
+  const parts: HTMLElement[] = [];
+  if (experiment.groups.length > 1) parts.push(new GroupOrder(experiment, folder).element);
+  if (experiment.preferences) parts.push(outcome(experiment, experiment.preferences));
+  return parts.length > 0 ? [element("h3", {}, "What you prefer"), ...parts] : [];
+}
