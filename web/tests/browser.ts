@@ -184,6 +184,11 @@ const ordersTheGroups: Check = async (page) => {
   assert.ok(await down.isDisabled());
   await page.keyboard.press("Enter"); // the focus is on the way back
   assert.equal(await textOf(page, command), before);
+  const tick = page.locator("#experiment-1 .order li:first-child input");
+  await tick.uncheck();
+  assert.equal(await textOf(page, command), "–"); // one alone is no order
+  await tick.check();
+  assert.equal(await textOf(page, command), before);
 };
 
 const replaysAGroup: Check = async (page) => {

@@ -67,6 +67,13 @@ TEST_F(PreferTest, WhatWasStatedBeforeIsFittedAgain) {
   EXPECT_EQ(Json({"--better", "seed3", "--worse", "seed1"}), first);
 }
 
+TEST_F(PreferTest, TheReportTellsTheSame) {
+  const nlohmann::json outcome = Json({"--better", "seed3", "--worse", "seed1"})["experiments"][0];
+  const ProgramResult result = Trainer({"report", study().string(), "--json"});
+  const nlohmann::json figures = nlohmann::json::parse(result.output);
+  EXPECT_EQ(figures["experiments"][0]["preferences"], outcome);
+}
+
 TEST_F(PreferTest, TheNewGainsAreATaskThatTaskcBuilds) {
   const std::string file = File("tasks/careless.task");
   const ProgramResult result = Prefer({"--better", "seed3", "--worse", "seed1", "-o", file});

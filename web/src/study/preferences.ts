@@ -1,7 +1,6 @@
 // What the user calls better: the groups of behaviors in an order of one's own, and what followed
 // from the preferences that were stated before.
 
-import { formatNumber } from "../data/words.ts";
 import { element } from "../page/dom.ts";
 import { row, table } from "../page/table.ts";
 import type { Experiment, Preferences } from "./data.ts";
@@ -14,6 +13,7 @@ class GroupOrder {
   private readonly list = element("ol", { class: "order" });
   private readonly command = element("code", {});
   private order: number[];
+  private readonly left = new Set<number>(); // groups about which nothing is said
 
   constructor(
     private readonly experiment: Experiment,
@@ -25,7 +25,7 @@ class GroupOrder {
     this.element = element(
       "div",
       { class: "preferences" },
-      element("p", { class: "note" }, "Put the groups in your order, the best first:"),
+      element("p", { class: "note" }, "Put the groups in your order, the best first; untick those of which you are not sure:"),
       this.list,
       element("p", { class: "note" }, "Then let the task’s gains follow: ", this.command, " ", copy),
     );
@@ -34,7 +34,13 @@ class GroupOrder {
 
   private show(): void {
     this.list.replaceChildren(...this.order.map((group, place) => this.item(group, place)));
-    this.command.textContent = preferCommand(this.folder, this.experiment, this.order);
+    this.showCommand();
+  }
+
+  private showCommand(): void {
+    const order = this.order.filter((group) => !this.left.has(group));
+    this.command.textContent =
+      order.length < 2 ? "–" : preferCommand(this.folder, this.experiment, order);
   }
 
   private item(group: number, place: number): HTMLElement {
@@ -46,10 +52,20 @@ class GroupOrder {
       {},
       this.button(group, place, -1),
       this.button(group, place, 1),
-      swatch,
-      element("strong", {}, `Group ${letterOf(group)}`),
+      element("label", {}, this.tick(group), swatch, `Group ${letterOf(group)}`),
       element("span", { class: "note" }, sentence),
     );
+  }
+
+  private tick(group: number): HTMLElement {
+    const made = element("input", { type: "checkbox" });
+    made.checked = !this.left.has(group);
+    made.addEventListener("change", () => {
+      if (made.checked) this.left.delete(group);
+      else this.left.add(group);
+      this.showCommand();
+    });
+    return made;
   }
 
   /** Moves the group, and keeps the focus on its button, so that a key can be pressed again. */
@@ -87,7 +103,9 @@ class GroupOrder {
 const percent = (probability: number, holds: boolean): string =>
   `${(100 * probability).toFixed(0)} % ${holds ? "✓" : "✗"}`;
 
-const number = (value: number | null): string => formatNumber(value ?? undefined);
+/** A gain as it stands in a task; one that was computed, to two digits. */
+const exactly = String;
+const roughly = (value: number): string => String(Number(value.toPrecision(2)));
 
 function verdict({ preferences, is_consistent }: Preferences): string {
   const held = preferences.filter(({ holds }) => holds.before).length;
@@ -105,9 +123,9 @@ function outcome(experiment: Experiment, fitted: Preferences): HTMLElement {
   const gains = fitted.gains.map(({ name, unit, before, after, low, high }) =>
     row([
       unit ? `${name} [${unit}]` : name,
-      number(before),
-      number(after),
-      `${number(low)} … ${number(high)}`,
+      exactly(before),
+      exactly(after),
+      `${roughly(low)} … ${roughly(high)}`,
     ]),
   );
   const preferences = fitted.preferences.map(({ better, worse, is_tie, probability, holds }) =>
