@@ -25,7 +25,7 @@ class ChildProcess {
   ~ChildProcess();  // kills it if it still runs
 
   // Waits until it has printed this many lines, or this text on standard error; false if it ended
-  // before, or after half a minute.
+  // before, or after two minutes.
   bool WaitForLines(int lines);
   bool WaitForError(const std::string& text);
   void Send(int signal);
