@@ -61,6 +61,7 @@ export interface Strip {
 
 /** Runs that ended in the same behavior. */
 export interface Group {
+  name: string; // A, B, …
   runs: number[]; // indices
   typical: number; // the run in the middle
   share: number; // of the runs that ended

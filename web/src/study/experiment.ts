@@ -9,7 +9,7 @@ import { Curves } from "./curves.ts";
 import type { Estimate, Evaluation, Experiment, Group, StudyRun, Term } from "./data.ts";
 import { GroupCards } from "./groups.ts";
 import { showPreferences } from "./preferences.ts";
-import { colorOf, count, interval, letterOf, mean, runs } from "./words.ts";
+import { colorOf, count, interval, mean, runs } from "./words.ts";
 
 const kStates: Record<string, string> = { interrupted: "stopped" };
 
@@ -105,7 +105,7 @@ function termTable(experiment: Experiment): HTMLElement {
 }
 
 function runRow(run: StudyRun, experiment: Experiment): HTMLTableRowElement {
-  const group = run.group === null ? "" : letterOf(run.group);
+  const group = run.group === null ? "" : (experiment.groups[run.group]?.name ?? "");
   const swatch = element("span", { class: "swatch", "aria-hidden": "true" });
   swatch.style.background = `var(${colorOf(run.group)})`;
   return row([

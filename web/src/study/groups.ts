@@ -3,7 +3,7 @@
 import { formatTime } from "../data/words.ts";
 import { element } from "../page/dom.ts";
 import type { Experiment, Group, Strip } from "./data.ts";
-import { colorOf, letterOf, mean, range, shareOf } from "./words.ts";
+import { colorOf, mean, range, shareOf } from "./words.ts";
 
 export interface GroupActions {
   emphasise(runs: number[]): void; // lets the curves of these runs stand out; all, if none
@@ -29,7 +29,7 @@ export class GroupCards {
     const card = element("article", { class: "group" }, words);
     card.addEventListener("pointerenter", () => this.actions.emphasise(group.runs));
     card.addEventListener("pointerleave", () => this.actions.emphasise(this.kept?.runs ?? []));
-    if (group.recording) words.append(this.replayButton(group, index));
+    if (group.recording) words.append(this.replayButton(group));
     if (group.strip) card.append(snapshots(group.strip));
     return card;
   }
@@ -41,7 +41,7 @@ export class GroupCards {
       "button",
       { type: "button", class: "group-head", "aria-pressed": "false" },
       swatch,
-      element("strong", {}, `Group ${letterOf(index)}`),
+      element("strong", {}, `Group ${group.name}`),
       element("span", { class: "note" }, shareOf(group)),
     );
     head.addEventListener("click", () => {
@@ -55,12 +55,12 @@ export class GroupCards {
     return head;
   }
 
-  private replayButton(group: Group, index: number): HTMLElement {
+  private replayButton(group: Group): HTMLElement {
     const { seed = 0 } = this.experiment.runs[group.typical] ?? {};
     const what = `seed ${seed}, episode ${group.recording?.episode}`;
     const play = element("button", { type: "button", class: "text" }, "Replay");
     play.addEventListener("click", () => {
-      this.actions.replay(group, `${this.experiment.name}, group ${letterOf(index)}: ${what}`);
+      this.actions.replay(group, `${this.experiment.name}, group ${group.name}: ${what}`);
     });
     return element("p", { class: "note" }, play, ` of ${what}`);
   }

@@ -5,7 +5,7 @@ import { element } from "../page/dom.ts";
 import { row, table } from "../page/table.ts";
 import type { Experiment, Preferences } from "./data.ts";
 import { moved, preferCommand } from "./preference_words.ts";
-import { colorOf, letterOf } from "./words.ts";
+import { colorOf } from "./words.ts";
 
 /** The groups in an order that buttons change, and the command that states it. */
 class GroupOrder {
@@ -43,6 +43,10 @@ class GroupOrder {
       order.length < 2 ? "–" : preferCommand(this.folder, this.experiment, order);
   }
 
+  private nameOf(group: number): string {
+    return `Group ${this.experiment.groups[group]?.name ?? ""}`;
+  }
+
   private item(group: number, place: number): HTMLElement {
     const swatch = element("span", { class: "swatch", "aria-hidden": "true" });
     swatch.style.background = `var(${colorOf(group)})`;
@@ -52,7 +56,7 @@ class GroupOrder {
       {},
       this.button(group, place, -1),
       this.button(group, place, 1),
-      element("label", {}, this.tick(group), swatch, `Group ${letterOf(group)}`),
+      element("label", {}, this.tick(group), swatch, this.nameOf(group)),
       element("span", { class: "note" }, sentence),
     );
   }
@@ -71,7 +75,7 @@ class GroupOrder {
   /** Moves the group, and keeps the focus on its button, so that a key can be pressed again. */
   private button(group: number, place: number, steps: 1 | -1): HTMLElement {
     const way = steps < 0 ? "better" : "worse";
-    const label = `Group ${letterOf(group)} is ${way}`;
+    const label = `${this.nameOf(group)} is ${way}`;
     const made = element("button", { type: "button", "aria-label": label, title: way });
     made.textContent = steps < 0 ? "↑" : "↓";
     made.disabled = place + steps < 0 || place + steps >= this.order.length;

@@ -33,12 +33,6 @@ export function shareOf(group: Group): string {
   return `${formatCount(group.runs.length)} of ${runs(all)}, ${(100 * group.share).toFixed(0)} %`;
 }
 
-/** A, B, … Z, AA, … for groups from 0 on. */
-export function letterOf(group: number): string {
-  const letter = String.fromCharCode(65 + (group % 26));
-  return group < 26 ? letter : letterOf(Math.floor(group / 26) - 1) + letter;
-}
-
 const kColors = 8; // --series-1 … --series-8
 
 /** The colour of a group, by its name in the style sheet. */
