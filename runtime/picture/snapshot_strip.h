@@ -28,8 +28,8 @@ std::vector<double> SnapshotTimes(const Motion& motion, const StripOptions& opti
 //
 // Equal motions have equal pixels on every machine for which this was built without -ffast-math
 // and contracted operations: only additions, multiplications, divisions and square roots of IEEE
-// doubles make them, in a fixed order, and neither fonts, threads nor graphics hardware. The file
-// is also equal where zlib is.
+// doubles make them, in a fixed order, each pixel on one thread, and neither fonts nor graphics
+// hardware. The file is also equal where zlib is.
 std::string SnapshotStrip(const Motion& motion, const std::vector<robot::Link>& links,
                           const StripOptions& options = {});
 
