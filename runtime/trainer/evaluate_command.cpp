@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "runtime/module/user_error.h"
-#include "runtime/run/run_database.h"
 #include "runtime/trainer/commands.h"
 #include "runtime/trainer/evaluate_run.h"
 #include "runtime/trainer/evaluation_table.h"
@@ -118,8 +117,7 @@ int EvaluateMany(const EvaluateOptions& options, const std::vector<std::filesyst
 
 int Evaluate(const EvaluateOptions& options) {
   const std::vector<std::filesystem::path> runs = FindRuns(options.folder);
-  const bool is_one = runs.empty() || RunDatabase::Exists(options.folder);
-  return is_one ? EvaluateOne(options) : EvaluateMany(options, runs);
+  return runs.empty() ? EvaluateOne(options) : EvaluateMany(options, runs);
 }
 
 }  // namespace

@@ -50,6 +50,7 @@ std::filesystem::path SeedFolder(const std::filesystem::path& folder, uint64_t s
 }
 
 std::vector<std::filesystem::path> FindRuns(const std::filesystem::path& folder) {
+  if (RunDatabase::Exists(folder)) return {};
   std::vector<std::filesystem::path> folders;
   std::error_code error;
   for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {

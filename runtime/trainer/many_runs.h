@@ -15,7 +15,7 @@ namespace runtime {
 std::filesystem::path SeedFolder(const std::filesystem::path& folder, uint64_t seed);
 
 // The runs in `folder`, and in the folders in it, in the order of their names with numbers taken as
-// numbers.
+// numbers. None where `folder` is a run itself.
 std::vector<std::filesystem::path> FindRuns(const std::filesystem::path& folder);
 
 // --jobs, on whose help `verb` says what is done to the runs: "train"; 0 stands for as many as

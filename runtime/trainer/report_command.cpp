@@ -3,7 +3,6 @@
 #include <nlohmann/json.hpp>
 
 #include "runtime/report/report.h"
-#include "runtime/run/run_database.h"
 #include "runtime/study/study_document.h"
 #include "runtime/study/study_report.h"
 #include "runtime/trainer/commands.h"
@@ -19,35 +18,36 @@ struct ReportOptions {
   bool json = false;
 };
 
-struct StudyFolders {
-  std::filesystem::path folder;
-  std::vector<std::filesystem::path> runs;
-};
-
-// One run is a study that has only this one.
-StudyFolders FoldersOf(const std::filesystem::path& folder, bool is_one) {
-  if (!is_one) return {folder, FindRuns(folder)};
-  const std::filesystem::path run = std::filesystem::weakly_canonical(folder);
-  return {run.parent_path(), {run}};
-}
-
-void Report(const ReportOptions& options) {
-  const bool is_one = RunDatabase::Exists(options.folder) || FindRuns(options.folder).empty();
-  const StudyFolders study = FoldersOf(options.folder, is_one);
+void ReportStudy(const ReportOptions& options, const std::filesystem::path& folder,
+                 const std::vector<std::filesystem::path>& runs) {
   if (options.json) {
-    const nlohmann::ordered_json figures = StudyFigures(study.folder, study.runs);
+    const nlohmann::ordered_json figures = StudyFigures(folder, runs);
     fmt::print("{}\n", figures.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
     return;
   }
-  std::filesystem::path file;
-  if (!options.document.empty()) {
-    file = WriteStudyDocument(study.folder, study.runs, options.document);
-  } else if (is_one) {
-    file = WriteReport(options.folder, options.output);
-  } else {
-    file = WriteStudyReport(study.folder, study.runs, options.output);
-  }
+  const bool is_page = options.document.empty();
+  const std::filesystem::path file = is_page ? WriteStudyReport(folder, runs, options.output)
+                                             : WriteStudyDocument(folder, runs, options.document);
   fmt::print("{}\n", file.string());
+}
+
+// One run has a page of its own. Figures and document take it for a study that has only this one.
+void ReportRun(const ReportOptions& options) {
+  if (!options.json && options.document.empty()) {
+    fmt::print("{}\n", WriteReport(options.folder, options.output).string());
+    return;
+  }
+  const std::filesystem::path run = std::filesystem::weakly_canonical(options.folder);
+  ReportStudy(options, run.parent_path(), {run});
+}
+
+void Report(const ReportOptions& options) {
+  const std::vector<std::filesystem::path> runs = FindRuns(options.folder);
+  if (runs.empty()) {
+    ReportRun(options);
+  } else {
+    ReportStudy(options, options.folder, runs);
+  }
 }
 
 }  // namespace

@@ -33,13 +33,12 @@ int ResumeMany(const ResumeOptions& options, const std::vector<std::filesystem::
       PlanEpisodes(options.episodes, database, run);
     }
   }
-  return TrainRuns(options.folder, FindRuns(options.folder), options.jobs, options.session.output);
+  return TrainRuns(options.folder, runs, options.jobs, options.session.output);
 }
 
 int Resume(const ResumeOptions& options) {
   const std::vector<std::filesystem::path> runs = FindRuns(options.folder);
-  const bool is_one = runs.empty() || RunDatabase::Exists(options.folder);
-  return is_one ? ResumeOne(options) : ResumeMany(options, runs);
+  return runs.empty() ? ResumeOne(options) : ResumeMany(options, runs);
 }
 
 }  // namespace

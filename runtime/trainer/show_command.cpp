@@ -2,7 +2,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "runtime/run/run_database.h"
 #include "runtime/trainer/commands.h"
 #include "runtime/trainer/many_runs.h"
 #include "runtime/trainer/run_overview.h"
@@ -64,7 +63,7 @@ void AddShowCommand(CLI::App& app, int& status) {
   command->add_flag("--json", options->json, "print JSON");
   command->callback([options, &status] {
     const std::vector<std::filesystem::path> runs = FindRuns(options->folder);
-    if (runs.empty() || RunDatabase::Exists(options->folder)) {
+    if (runs.empty()) {
       ShowOne(options->folder, options->json);
     } else {
       ShowMany(ProgressOf(options->folder, runs), options->json);
