@@ -151,11 +151,7 @@ size_t AddPreferences(const std::filesystem::path& folder,
     text += TomlOf(preference);
     ++added;
   }
-  if (added == 0) return 0;
-  if (const std::error_code error = ReplaceFile(file, text)) {
-    throw UserError(
-        fmt::format("cannot write {}: {}; nothing was noted", file.string(), error.message()));
-  }
+  if (added > 0) WriteFile(file, text);
   return added;
 }
 

@@ -37,12 +37,6 @@ std::string TextOf(const PreferredTask& task) {
   return text;
 }
 
-void Write(const fs::path& file, const std::string& text) {
-  if (const std::error_code error = ReplaceFile(file, text)) {
-    throw UserError(fmt::format("cannot write {}: {}", file.string(), error.message()));
-  }
-}
-
 void CheckTarget(const PreferredTask& task, bool is_forced) {
   if (task.file.extension() != ".task" || !IsName(task.file.stem().string())) {
     throw UserError(fmt::format(
@@ -68,7 +62,7 @@ std::vector<fs::path> WritePreferredTask(const PreferredTask& task, bool is_forc
   std::error_code error;
   fs::create_directories(folder, error);  // a failure shows when the file is written
   const fs::path draft = folder / ("." + task.file.filename().string());
-  Write(draft, TextOf(task));
+  WriteFile(draft, TextOf(task));
   std::string silence;
   if (!RunCompiler({"fmt", draft.string()}, silence) ||
       !RunCompiler({"check", draft.string()}, silence)) {
@@ -80,9 +74,9 @@ std::vector<fs::path> WritePreferredTask(const PreferredTask& task, bool is_forc
   const fs::path base_agent = AgentFileOf(task.base);
   if (fs::exists(base_agent)) {
     written.push_back(AgentFileOf(task.file));
-    Write(written.back(),
-          fmt::format("# The same agent as that of the task it extends.\ninclude = [\"{}\"]\n",
-                      RelativeTo(task.file, base_agent)));
+    WriteFile(written.back(),
+              fmt::format("# The same agent as that of the task it extends.\ninclude = [\"{}\"]\n",
+                          RelativeTo(task.file, base_agent)));
   }
   return written;
 }

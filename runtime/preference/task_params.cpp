@@ -52,9 +52,7 @@ std::filesystem::path WriteSources(const std::vector<SourceRecord>& sources,
   for (size_t i = 0; i < files.size(); ++i) {
     files[i] = (root / files[i]).lexically_normal();
     std::filesystem::create_directories(files[i].parent_path());
-    if (const std::error_code error = ReplaceFile(files[i], sources[i].text)) {
-      throw UserError(fmt::format("cannot write {}: {}", files[i].string(), error.message()));
-    }
+    WriteFile(files[i], sources[i].text);
   }
   return files.front();
 }

@@ -19,14 +19,6 @@ std::string PluginName(const std::string& bytes) {
   return fmt::format("plugin-{}.so", seal::Sha256(bytes).substr(0, 16));
 }
 
-void WriteFile(const std::filesystem::path& file, const std::string& bytes) {
-  const std::error_code error = ReplaceFile(file, bytes);
-  if (!error) return;
-  throw UserError(
-      fmt::format("{}: cannot write this file: {}; check the disk and the folder's permissions",
-                  file.string(), error.message()));
-}
-
 }  // namespace
 
 std::error_code ReplaceFile(const std::filesystem::path& file, const std::string& bytes) {
@@ -45,6 +37,14 @@ std::error_code ReplaceFile(const std::filesystem::path& file, const std::string
   std::error_code ignored;
   if (error) std::filesystem::remove(part, ignored);
   return error;
+}
+
+void WriteFile(const std::filesystem::path& file, const std::string& bytes) {
+  const std::error_code error = ReplaceFile(file, bytes);
+  if (!error) return;
+  throw UserError(
+      fmt::format("{}: cannot write this file: {}; check the disk and the folder's permissions",
+                  file.string(), error.message()));
 }
 
 void WriteOutput(const std::filesystem::path& file, std::string_view what,

@@ -26,8 +26,11 @@ robot::RobotDescription ReadKeptRobot(const std::filesystem::path& folder,
 // file. Returns why it could not be done; then the old file is as it was.
 std::error_code ReplaceFile(const std::filesystem::path& file, const std::string& bytes);
 
-// Makes or replaces a file that the user asked for, whole or not at all. Throws UserError, which
-// calls it `what`: "the report".
+// The same; throws UserError where it cannot be done.
+void WriteFile(const std::filesystem::path& file, const std::string& bytes);
+
+// Makes or replaces a file that the user asked for by --output, whole or not at all. Throws
+// UserError, which calls it `what`: "the report".
 void WriteOutput(const std::filesystem::path& file, std::string_view what,
                  const std::string& bytes);
 

@@ -103,13 +103,7 @@ PolicyEvaluation ReadEvaluation(const std::filesystem::path& file) {
 }
 
 void WriteEvaluation(const std::filesystem::path& run, const PolicyEvaluation& evaluation) {
-  const std::filesystem::path file = EvaluationFile(run, evaluation.profile);
-  const std::error_code error = ReplaceFile(file, ToJson(evaluation).dump(2) + "\n");
-  if (!error) return;
-  throw UserError(
-      fmt::format("{}: cannot write this file: {}; check the disk and the folder's "
-                  "permissions",
-                  file.string(), error.message()));
+  WriteFile(EvaluationFile(run, evaluation.profile), ToJson(evaluation).dump(2) + "\n");
 }
 
 }  // namespace runtime

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "runtime/module/user_error.h"
-#include "runtime/report/page.h"
+#include "runtime/run/run_files.h"
 #include "runtime/study/curve_plot.h"
 #include "runtime/study/figures.h"
 #include "runtime/study/group_strip.h"
@@ -193,7 +193,7 @@ class Document {
     }
     for (const std::string& note : results_.notes) text += fmt::format("Note: {}\n\n", note);
     const std::filesystem::path file = output_ / kDocumentName;
-    WritePage(file, text);
+    WriteFile(file, text);
     return file;
   }
 
@@ -206,8 +206,8 @@ class Document {
     PlotCurves(result, curves, output_ / plot);
     std::string text = fmt::format(
         "## {}\n\n{}\n![Learning curves: each run in the colour of its group, their mean and its "
-        "95 "
-        "% interval]({})\n\n{}\n{}\n{}",
+        "95 % "
+        "interval]({})\n\n{}\n{}\n{}",
         name, Provenance(experiment), plot, KeyFigures(experiment), Terms(experiment),
         Evaluations(experiment));
     for (size_t group = 0; group < result.groups.size(); ++group) {
@@ -220,7 +220,7 @@ class Document {
   // Draws the strip of a group to `file` and shows it.
   std::string Strip(const ExperimentResult& result, size_t group, const std::string& file) const {
     const GroupStrip strip = DrawGroupStrip(result, result.groups[group], kStripHeight);
-    WritePage(output_ / file, strip.png);
+    WriteFile(output_ / file, strip.png);
     const StudyRun& run = *result.runs[result.groups[group].typical].run;
     return fmt::format("![Group {}: seed {}, episode {}, at {:.2f} s]({})\n", GroupName(group),
                        run.record.seed, strip.episode, fmt::join(strip.times, ", "), file);
