@@ -13,7 +13,8 @@
 namespace runtime {
 namespace {
 
-// Of the groups of behaviors, in the order of the groups; then they begin again.
+// Of the groups of behaviors, in the order of the groups; then they begin again. As --series-1 to
+// --series-8 of the pages (web/src/style/theme.css).
 constexpr std::array kGroupColors = {"#1f5fa8", "#c2561a", "#2f8a57", "#8a4fae",
                                      "#a8801a", "#16808c", "#b03a63", "#5a636d"};
 constexpr const char* kColorWithoutGroup = "#86909a";

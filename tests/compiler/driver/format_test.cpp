@@ -1,13 +1,11 @@
 // The forms in which taskc reports, and their colours.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <pty.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <nlohmann/json.hpp>
 
 #include "tests/compiler/driver/taskc_process.h"
+#include "tests/terminal.h"
 
 namespace compiler {
 namespace {
@@ -38,7 +36,8 @@ TEST(Format, JsonHasTheDiagnosticsAndWhatBecameOfEachTask) {
                                       {"sensors", 2},
                                       {"terms", 1},
                                       {"ends", 1}}));
-  EXPECT_EQ(report["tasks"][1], (json{{"file", "bad.task"}, {"ok", false}, {"files", {"bad.task"}}}));
+  EXPECT_EQ(report["tasks"][1],
+            (json{{"file", "bad.task"}, {"ok", false}, {"files", {"bad.task"}}}));
   EXPECT_EQ(report["diagnostics"][0]["code"], "E0201");
   EXPECT_EQ(report["diagnostics"][0]["line"], 3);
   EXPECT_THAT(report["failures"][0].get<std::string>(), HasSubstr("absent.task"));
@@ -106,27 +105,14 @@ TEST(Color, IsThereOnWish) {
 }
 
 // What `taskc check bad.task` prints on a terminal of its own.
-std::string CheckOnTerminal(const TaskcProcess& taskc, const std::string& options) {
-  int terminal = -1;
-  pid_t child = forkpty(&terminal, nullptr, nullptr, nullptr);
-  if (child == 0) {
-    std::string command =
-        "cd '" + taskc.path("").string() + "' && " + options + " '" TASKC "' check bad.task";
-    execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
-    _exit(127);
-  }
-  std::string printed;
-  char bytes[4096];
-  for (ssize_t size; (size = read(terminal, bytes, sizeof bytes)) > 0;) {
-    printed.append(bytes, static_cast<size_t>(size));
-  }
-  close(terminal);
-  waitpid(child, nullptr, 0);
-  return printed;
+std::string CheckOnTerminal(const TaskcProcess& taskc, const std::string& environment) {
+  return PrintedOnTerminal(
+      {"/bin/sh", "-c",
+       "cd '" + taskc.path("").string() + "' && " + environment + " '" TASKC "' check bad.task"});
 }
 
 TEST(Color, IsThereOnATerminalUnlessNotWished) {
-  if (!std::filesystem::exists("/dev/pts/ptmx")) GTEST_SKIP() << "there are no terminals here";
+  if (!HasTerminals()) GTEST_SKIP() << "there are no terminals here";
   TaskcProcess taskc;
   taskc.Write("bad.task", kBadTask);
   EXPECT_THAT(CheckOnTerminal(taskc, "env -u NO_COLOR"), HasSubstr("\033["));

@@ -2,23 +2,14 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <iterator>
+#include "tests/runtime/theme_colour.h"
 
 namespace runtime {
 namespace {
 
 using Eigen::Vector3d;
 
-// The value of a colour in the pages' light theme, which comes first in its file.
-Light ThemeColour(const std::string& name) {
-  std::ifstream in(SOURCE_DIR "/web/src/style/theme.css");
-  const std::string text(std::istreambuf_iterator<char>(in), {});
-  const size_t at = text.find("--" + name + ": #");
-  if (at == std::string::npos) return Light::Zero();
-  return LightOf(
-      static_cast<uint32_t>(std::stoul(text.substr(at + name.size() + 5, 6), nullptr, 16)));
-}
+Light LightOfTheme(const std::string& name) { return LightOf(ThemeColour(name)); }
 
 robot::Link LinkOf(const char* name, robot::ShapeKind kind) {
   robot::Link link;
@@ -40,10 +31,10 @@ TEST(PaintsOf, AreThePagesColours) {
   const std::vector<Paint> paints =
       PaintsOf({LinkOf("body", kBox), LinkOf("left_hand", kCapsule), LinkOf("right_hand", kBox),
                 LinkOf("left_knee", kSphere)});
-  EXPECT_EQ(paints[0].light, ThemeColour("trunk"));
-  EXPECT_EQ(paints[1].light, ThemeColour("left"));
-  EXPECT_EQ(paints[2].light, ThemeColour("right"));
-  EXPECT_EQ(paints[3].light, 0.55 * ThemeColour("left"));
+  EXPECT_EQ(paints[0].light, LightOfTheme("trunk"));
+  EXPECT_EQ(paints[1].light, LightOfTheme("left"));
+  EXPECT_EQ(paints[2].light, LightOfTheme("right"));
+  EXPECT_EQ(paints[3].light, 0.55 * LightOfTheme("left"));
 }
 
 TEST(ColourAt, HasAPlateOnTheFrontOfBaseAndHead) {
@@ -55,13 +46,13 @@ TEST(ColourAt, HasAPlateOnTheFrontOfBaseAndHead) {
     return ColourAt(paints[link], links[link].shape, place);
   };
   const Vector3d front(0.05, 0, 0.05);
-  EXPECT_EQ(colour(0, front), ThemeColour("plate"));
-  EXPECT_EQ(colour(1, front), ThemeColour("plate"));
-  EXPECT_EQ(colour(2, front), ThemeColour("trunk"));
-  EXPECT_EQ(colour(3, front), ThemeColour("right"));
-  EXPECT_EQ(colour(0, {-0.05, 0, 0.05}), ThemeColour("trunk"));  // behind
-  EXPECT_EQ(colour(0, {0.05, 0.07, 0.05}), ThemeColour("trunk"));
-  EXPECT_EQ(colour(0, {0.05, 0, -0.05}), ThemeColour("trunk"));
+  EXPECT_EQ(colour(0, front), LightOfTheme("plate"));
+  EXPECT_EQ(colour(1, front), LightOfTheme("plate"));
+  EXPECT_EQ(colour(2, front), LightOfTheme("trunk"));
+  EXPECT_EQ(colour(3, front), LightOfTheme("right"));
+  EXPECT_EQ(colour(0, {-0.05, 0, 0.05}), LightOfTheme("trunk"));  // behind
+  EXPECT_EQ(colour(0, {0.05, 0.07, 0.05}), LightOfTheme("trunk"));
+  EXPECT_EQ(colour(0, {0.05, 0, -0.05}), LightOfTheme("trunk"));
 }
 
 TEST(Shade, IsDarkerInTheShadowAndInCorners) {

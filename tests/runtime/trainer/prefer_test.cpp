@@ -1,7 +1,3 @@
-#include <pty.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -9,6 +5,7 @@
 #include "runtime/run/run_files.h"
 #include "tests/runtime/study/sample_preferences.h"
 #include "tests/runtime/trainer/trainer_test.h"
+#include "tests/terminal.h"
 
 namespace runtime {
 namespace {
@@ -26,6 +23,10 @@ class PreferTest : public TrainerTest {
   ProgramResult Prefer(std::vector<std::string> words) const {
     words.insert(words.begin(), {"prefer", study().string()});
     return Trainer(std::move(words));
+  }
+  // On a terminal.
+  std::string Asked(const std::string& answers) const {
+    return PrintedOnTerminal({TRAINER, "prefer", study().string()}, answers);
   }
   nlohmann::json Json(std::vector<std::string> words = {}) const {
     words.push_back("--json");
@@ -150,28 +151,9 @@ TEST_F(PreferTest, AMistakeInTheFileIsShownWithItsPlace) {
   EXPECT_THAT(Prefer({}).errors, HasSubstr("preferences.toml:1:1: "));
 }
 
-// What the command prints on a terminal of its own, where a person types `answers`.
-std::string OnTerminal(const std::filesystem::path& study, const std::string& answers) {
-  int terminal = -1;
-  const pid_t child = forkpty(&terminal, nullptr, nullptr, nullptr);
-  if (child == 0) {
-    execl(TRAINER, "trainer", "prefer", study.c_str(), nullptr);
-    _exit(127);
-  }
-  EXPECT_EQ(write(terminal, answers.data(), answers.size()), static_cast<ssize_t>(answers.size()));
-  std::string printed;
-  char bytes[4096];
-  for (ssize_t size; (size = read(terminal, bytes, sizeof bytes)) > 0;) {
-    printed.append(bytes, static_cast<size_t>(size));
-  }
-  close(terminal);
-  waitpid(child, nullptr, 0);
-  return printed;
-}
-
 TEST_F(PreferTest, AsksOnATerminal) {
-  if (!std::filesystem::exists("/dev/pts/ptmx")) GTEST_SKIP() << "there are no terminals here";
-  const std::string printed = OnTerminal(study(), "what\nb\ns\n=\n");
+  if (!HasTerminals()) GTEST_SKIP() << "there are no terminals here";
+  const std::string printed = Asked("what\nb\ns\n=\n");
   EXPECT_THAT(printed, AllOf(HasSubstr("a  group B, as seed2; 1 run"), HasSubstr("distance 10 m"),
                              HasSubstr("of 2 preferences")));
   const std::vector<Preference> preferences = ReadPreferences(study());
@@ -181,8 +163,8 @@ TEST_F(PreferTest, AsksOnATerminal) {
 }
 
 TEST_F(PreferTest, AnswersStayWhereTheQuestionsAreBrokenOff) {
-  if (!std::filesystem::exists("/dev/pts/ptmx")) GTEST_SKIP() << "there are no terminals here";
-  EXPECT_THAT(OnTerminal(study(), "a\nq\n"), HasSubstr("of 1 preference"));
+  if (!HasTerminals()) GTEST_SKIP() << "there are no terminals here";
+  EXPECT_THAT(Asked("a\nq\n"), HasSubstr("of 1 preference"));
   EXPECT_THAT(ReadPreferences(study()), SizeIs(1));
 }
 
