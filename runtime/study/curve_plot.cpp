@@ -69,12 +69,15 @@ std::string Plot(const ExperimentResult& result, const Curves& curves) {
   const bool has_interval = std::ranges::any_of(
       curves.means, [](const Estimate& mean) { return std::isfinite(mean.low); });
   std::string plot = "plot ";
-  if (has_interval) plot += "$data using 1:3:4 with filledcurves fillcolor rgb '#e1e7ed', ";
-  for (size_t run = 0; run < result.runs.size(); ++run) {
-    plot += fmt::format("$data using 1:{} with lines linewidth 1.25 linecolor rgb '{}', ",
-                        kFirstRunColumn + run, ColorOf(result.runs[run]));
+  if (has_interval) {
+    plot += "$data using 1:3:4 title '95 %' with filledcurves fillcolor rgb '#e1e7ed', ";
   }
-  return plot + "$data using 1:2 with lines linewidth 2.5 linecolor rgb '#1c2127'\n";
+  for (size_t run = 0; run < result.runs.size(); ++run) {
+    plot += fmt::format(
+        "$data using 1:{} title 'seed {}' with lines linewidth 1.25 linecolor rgb '{}', ",
+        kFirstRunColumn + run, result.runs[run].run->record.seed, ColorOf(result.runs[run]));
+  }
+  return plot + "$data using 1:2 title 'mean' with lines linewidth 2.5 linecolor rgb '#1c2127'\n";
 }
 
 }  // namespace

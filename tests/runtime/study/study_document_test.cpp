@@ -70,7 +70,7 @@ TEST_F(StudyDocumentTest, DrawsTheCurvesTheSameEveryTime) {
   Write();
   const std::string drawing = ReadText(output() / "crawling.svg");
   EXPECT_THAT(drawing, AllOf(StartsWith("<?xml"), HasSubstr("return, mean of 2"),
-                             HasSubstr("episode"), EndsWith("</svg>\n\n")));
+                             HasSubstr("<title>seed 7</title>"), EndsWith("</svg>\n\n")));
   // The colours of both groups, of the mean and of its interval.
   for (const char* name : {"series-1", "series-2", "ink"}) {
     EXPECT_THAT(drawing, HasSubstr(InDrawings(ThemeColour(name)))) << name;
