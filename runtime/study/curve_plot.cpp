@@ -1,14 +1,15 @@
 #include "runtime/study/curve_plot.h"
 
 #include <fmt/format.h>
-#include <sys/wait.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
+#include "runtime/control/child_process.h"
+#include "runtime/control/scratch_folder.h"
 #include "runtime/module/user_error.h"
+#include "runtime/run/run_files.h"
 
 namespace runtime {
 namespace {
@@ -24,23 +25,15 @@ std::string ColorOf(const RunResult& run) {
   return run.group ? kGroupColors[*run.group % kGroupColors.size()] : kColorWithoutGroup;
 }
 
-// A text in gnuplot's single quotes.
-std::string Quoted(const std::string& text) {
-  std::string quoted = "'";
-  for (const char byte : text) quoted += byte == '\'' ? "''" : std::string(1, byte);
-  return quoted + "'";
-}
-
 // gnuplot knows `NaN` as a gap.
 std::string Column(double value) {
   return std::isfinite(value) ? fmt::format(" {:.6g}", value) : " NaN";
 }
 
-std::string Style(const std::filesystem::path& file, int64_t window) {
+std::string Style(int64_t window) {
   return fmt::format(
       "set terminal svg size 860,360 font 'DejaVu Sans,Helvetica,Arial,sans-serif,13' "
       "background rgb '#ffffff'\n"
-      "set output {}\n"
       "set border 3 linecolor rgb '#86909a'\n"
       "set tics nomirror textcolor rgb '#5a636d' scale 0.5\n"
       "set grid linecolor rgb '#eceff1' linetype 1\n"
@@ -48,7 +41,7 @@ std::string Style(const std::filesystem::path& file, int64_t window) {
       "set xlabel 'episode' textcolor rgb '#5a636d'\n"
       "set ylabel 'return, mean of {}' textcolor rgb '#5a636d'\n"
       "set key off\nset lmargin 9\nset rmargin 2\n",
-      Quoted(file.string()), window);
+      window);
 }
 
 std::string Data(const Curves& curves) {
@@ -82,20 +75,16 @@ std::string Plot(const ExperimentResult& result, const Curves& curves) {
 
 }  // namespace
 
-void PlotCurves(const ExperimentResult& result, const Curves& curves,
-                const std::filesystem::path& file) {
-  const std::string script = Style(file, result.window) + Data(curves) + Plot(result, curves);
-  std::FILE* gnuplot = popen("gnuplot", "we");
-  int status = -1;
-  if (gnuplot != nullptr) {
-    std::fwrite(script.data(), 1, script.size(), gnuplot);
-    status = pclose(gnuplot);
-  }
-  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return;
-  throw UserError(fmt::format(
-      "{}: gnuplot could not draw the curves; is it installed (gnuplot-nox), and can this file be "
-      "written?",
-      file.string()));
+std::string DrawCurves(const ExperimentResult& result, const Curves& curves) {
+  const ScratchFolder scratch;
+  const std::filesystem::path script = scratch.path() / "curves.gnuplot";
+  WriteFile(script, Style(result.window) + Data(curves) + Plot(result, curves));
+  ChildResult drawing = RunChild({"gnuplot", script.string()}, Captured::kOutput);
+  if (drawing.is_success) return std::move(drawing.captured);
+  throw UserError(fmt::format("gnuplot draws the curves of {}, and {}", result.experiment->name,
+                              drawing.error ? "cannot be run: " + drawing.error.message() +
+                                                  "; install it (in Debian: gnuplot-nox)"
+                                            : "failed"));
 }
 
 }  // namespace runtime

@@ -1,16 +1,15 @@
 // The learning curves of an experiment as a picture for documents.
 #pragma once
 
-#include <filesystem>
+#include <string>
 
 #include "runtime/study/results.h"
 
 namespace runtime {
 
-// Writes the curves of all runs, coloured by their groups, and their mean with its confidence
-// interval to `file`, an SVG drawing. `curves`: those of `result`, of an episode at least. Throws
-// UserError where gnuplot is missing or cannot write.
-void PlotCurves(const ExperimentResult& result, const Curves& curves,
-                const std::filesystem::path& file);
+// The curves of all runs, coloured by their groups, and their mean with its confidence interval, as
+// SVG. `curves`: those of `result`, of an episode at least. Throws UserError where gnuplot is
+// missing or fails.
+std::string DrawCurves(const ExperimentResult& result, const Curves& curves);
 
 }  // namespace runtime

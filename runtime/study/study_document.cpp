@@ -203,7 +203,7 @@ class Document {
     const Curves curves = CurvesOf(result);
     if (curves.episodes.empty()) return fmt::format("## {}\n\nNo episode yet.\n\n", name);
     const std::string plot = name + ".svg";
-    PlotCurves(result, curves, output_ / plot);
+    WriteFile(output_ / plot, DrawCurves(result, curves));
     std::string text = fmt::format(
         "## {}\n\n{}\n![Learning curves: each run in the colour of its group, their mean and its "
         "95 % "

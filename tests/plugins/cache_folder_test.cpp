@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/compiler/scoped_environment.h"
+#include "tests/scoped_environment.h"
 
 namespace cache {
 namespace {

@@ -3,6 +3,7 @@
 #include <cstdlib>
 
 #include "plugins/robot/robot_description.h"
+#include "tests/scoped_environment.h"
 
 namespace robot {
 namespace {
@@ -44,9 +45,8 @@ TEST(FindRobot, SaysWhereItLookedIfThereIsNoRobotAtAll) {
 }
 
 TEST(FindRobot, TheEnvironmentComesBeforeTheProgramsOwnFolder) {
-  setenv("TASKC_ROBOT_PATH", "/a:/b/c:", 1);
+  const ScopedEnvironment robots("TASKC_ROBOT_PATH", "/a:/b/c:");
   const auto folders = DefaultRobotFolders();
-  unsetenv("TASKC_ROBOT_PATH");
   ASSERT_EQ(folders.size(), 3u);
   EXPECT_EQ(folders[0], "/a");
   EXPECT_EQ(folders[1], "/b/c");

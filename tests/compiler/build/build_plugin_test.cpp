@@ -12,8 +12,8 @@
 #include "compiler/build/internal_error.h"
 #include "compiler/build/plugin_cache.h"
 #include "compiler/source/diagnostic.h"
-#include "tests/compiler/scoped_environment.h"
 #include "tests/compiler/temporary_folder.h"
+#include "tests/scoped_environment.h"
 
 namespace compiler {
 namespace {

@@ -6,8 +6,8 @@
 #include "compiler/build/file_io.h"
 #include "compiler/source/diagnostic.h"
 #include "plugins/seal/seal.h"
-#include "tests/compiler/scoped_environment.h"
 #include "tests/compiler/temporary_folder.h"
+#include "tests/scoped_environment.h"
 
 namespace compiler {
 namespace {

@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <fstream>
 
-#include "tests/compiler/scoped_environment.h"
-#include "tests/runtime/run/temporary_folder.h"
 #include "tests/runtime/learning/test_robot.h"
+#include "tests/runtime/run/temporary_folder.h"
+#include "tests/scoped_environment.h"
 
 namespace runtime {
 namespace {

@@ -11,6 +11,7 @@
 #include "tests/runtime/run/temporary_folder.h"
 #include "tests/runtime/study/sample_study.h"
 #include "tests/runtime/theme_colour.h"
+#include "tests/scoped_environment.h"
 
 namespace runtime {
 namespace {
@@ -78,6 +79,13 @@ TEST_F(StudyDocumentTest, DrawsTheCurvesTheSameEveryTime) {
   EXPECT_THAT(drawing, HasSubstr(InDrawings(0xe1e7ed)));
   Write();
   EXPECT_EQ(ReadText(output() / "crawling.svg"), drawing);
+}
+
+TEST_F(StudyDocumentTest, SaysThatGnuplotIsMissing) {
+  const ScopedEnvironment path("PATH", output_.path().string());
+  EXPECT_EQ(ErrorOf([&] { Write(); }),
+            "gnuplot draws the curves of crawling, and cannot be run: No such file or directory; "
+            "install it (in Debian: gnuplot-nox)");
 }
 
 TEST_F(StudyDocumentTest, ShowsWhatEachGroupDoes) {

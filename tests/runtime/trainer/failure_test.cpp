@@ -3,6 +3,7 @@
 #include <sstream>
 
 #include "tests/runtime/trainer/trainer_test.h"
+#include "tests/scoped_environment.h"
 
 namespace runtime {
 namespace {
@@ -46,10 +47,9 @@ TEST_F(FailureTest, GoesOnAfterASimulationThatDiverged) {
   description = WithValue(description, "stiffness", "1e9");
   description = WithValue(description, "max_torque", "1e9");
   std::ofstream(robot / "robot.toml") << description;
-  setenv("TASKC_ROBOT_PATH", (folder() / "robots").c_str(), 1);
+  const ScopedEnvironment robots("TASKC_ROBOT_PATH", folder() / "robots");
   const ProgramResult result = Trainer({"train", TaskFile("leaning"), "--profile", "paper",
                                         "--episodes", "2", "--out", RunFolder("run")});
-  unsetenv("TASKC_ROBOT_PATH");
   ASSERT_EQ(result.exit_status, 0) << result.errors;
   EXPECT_THAT(result.errors, HasSubstr("warning: episode 2: the simulation diverged"));
   EXPECT_THAT(result.output, HasSubstr("best none"));
