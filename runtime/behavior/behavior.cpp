@@ -18,12 +18,16 @@ using Eigen::VectorXd;
 // Two behaviors that differ by this much in one of these, and in nothing else, have a distance
 // of 1.
 constexpr double kVelocity = 0.15;     // [m/s]
-constexpr double kTurns = 0.6;        // [full turns]
+constexpr double kTurns = 0.6;         // [full turns]
 constexpr double kHeight = 0.1;        // mean over the time, ordered by height [m]
 constexpr double kTilt = 0.5;          // the same of the tilt: upright to lying is 1
 constexpr double kPosture = 0.5;       // root mean square over the links [rad]
 constexpr double kContactShare = 0.3;  // root mean square over the links that touch the floor
 constexpr double kTouchdowns = 1;      // the same [1/s]
+
+// One touchdown more makes no other behavior of an episode that is over in a moment: as if it had
+// lasted so long [s].
+constexpr double kLeastDuration = 1;
 
 // A link that is on the floor for less of the time tells nothing of the rhythm.
 constexpr double kLeastContact = 0.02;
@@ -90,7 +94,7 @@ void DescribeContacts(const Motion& motion, const robot::LinkShape& shape, int l
     frames_down += touches ? 1 : 0;
   }
   behavior.contact_shares[link] = static_cast<double>(frames_down) / motion.frame_count();
-  behavior.touchdowns[link] = touchdowns / std::max(motion.duration(), motion.frame_interval);
+  behavior.touchdowns[link] = touchdowns / std::max(motion.duration(), kLeastDuration);
 }
 
 double Square(double value) { return value * value; }

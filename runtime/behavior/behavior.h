@@ -30,7 +30,7 @@ struct Behavior {
 
   // ---- Contact rhythm, one value for each link.
   Eigen::VectorXd contact_shares;  // share of the time in which it touches the floor
-  Eigen::VectorXd touchdowns;      // how often it comes down on it [1/s]
+  Eigen::VectorXd touchdowns;      // how often it comes down on it [1/s], as in a second at least
 };
 
 // `links`: those of the motion, with their shapes; the first is the base.

@@ -107,6 +107,14 @@ TEST(DescribeBehavior, CountsTouchdownsAndTheTimeOnTheFloor) {
   EXPECT_DOUBLE_EQ(behavior.touchdowns[1], 5 / kDuration);
 }
 
+// Over in half a second, with one touchdown: as in a whole second, not two of them in one.
+TEST(DescribeBehavior, CountsTouchdownsInASecondAtLeast) {
+  Script script;
+  script.duration = 0.5;
+  script.foot_height = [](double time) { return time < 0.25 ? 0.2 : 0.1; };
+  EXPECT_DOUBLE_EQ(BehaviorOf(script).touchdowns[1], 1);
+}
+
 TEST(DescribeBehavior, AFootThatTremblesAboveTheFloorIsStillDown) {
   Script script;
   script.foot_height = [](double time) { return 0.105 + 0.01 * std::sin(20 * time); };
