@@ -6,12 +6,12 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "runtime/study/compared_behavior.h"
 #include "runtime/study/preference_figures.h"
 #include "runtime/trainer/call_error.h"
 #include "runtime/trainer/commands.h"
 #include "runtime/trainer/many_runs.h"
 #include "runtime/trainer/prefer_dialog.h"
+#include "runtime/trainer/prefer_statements.h"
 #include "runtime/trainer/prefer_text.h"
 #include "runtime/trainer/write_gains.h"
 
@@ -22,18 +22,13 @@ namespace fs = std::filesystem;
 
 struct PreferOptions {
   fs::path folder;
-  std::string better;
-  std::string worse;
-  std::vector<std::string> order;
-  std::vector<std::string> equal;
+  PreferStatements statements;
   std::string experiment;
   double factor = kExpectedFactor;
   fs::path output;
   fs::path task;
   bool is_forced = false;
   bool json = false;
-
-  bool has_statement() const { return !better.empty() || !order.empty() || !equal.empty(); }
 };
 
 // What follows from a user's preferences, experiment by experiment.
@@ -51,8 +46,8 @@ class PreferCommand {
   }
 
   void Run() {
-    NoteStatements();
-    const bool may_ask = !options_.has_statement() && options_.output.empty() && !options_.json;
+    stated_ = NoteStatements(options_.statements, study_, options_.experiment, options_.folder);
+    const bool may_ask = stated_ == nullptr && options_.output.empty() && !options_.json;
     if (may_ask && isatty(STDIN_FILENO) != 0 && isatty(STDOUT_FILENO) != 0) AskAll();
     const std::vector<PreferenceFit> fits = FitAll();
     if (!options_.json) Print(fits);
@@ -70,49 +65,6 @@ class PreferCommand {
                       folder.string()));
     }
     return ReadStudyResults(folder, runs);
-  }
-
-  // What the command line says. A behavior that cannot be compared is an error at once.
-  void NoteStatements() {
-    std::vector<Preference> preferences;
-    const auto add = [&](const std::vector<std::string>& names, bool is_tie) {
-      const std::vector<BehaviorName> behaviors =
-          FindBehaviors(study_.experiments, names, options_.experiment);
-      for (size_t i = 0; i + 1 < behaviors.size(); ++i) {
-        preferences.push_back({behaviors[i], behaviors[i + 1], is_tie});
-      }
-    };
-    if (!options_.better.empty()) add({options_.better, options_.worse}, false);
-    if (!options_.order.empty()) add(options_.order, false);
-    if (!options_.equal.empty()) add(options_.equal, true);
-    if (preferences.empty()) return;
-    for (const Preference& preference : preferences) Check(preference);
-    AddPreferences(options_.folder, preferences);
-  }
-
-  void Check(const Preference& preference) {
-    if (preference.better == preference.worse) {
-      throw CallError(fmt::format("{} is compared with itself", preference.better.text()));
-    }
-    const ExperimentResult& experiment = ExperimentOf(preference.better.run);
-    if (&experiment != &ExperimentOf(preference.worse.run)) {
-      throw CallError(fmt::format("{} and {} are runs of two experiments; compare runs of one",
-                                  preference.better.run, preference.worse.run));
-    }
-    for (const BehaviorName* behavior : {&preference.better, &preference.worse}) {
-      const RunResult& run = experiment.runs[FindRun(experiment, behavior->run).value()];
-      if (const auto why = WhyIncomparable(*run.run)) {
-        throw UserError(fmt::format("{} cannot be compared: {}", behavior->run, *why));
-      }
-      TermSums(run, *behavior);
-    }
-    stated_ = &experiment;
-  }
-
-  const ExperimentResult& ExperimentOf(const std::string& run) const {
-    return *std::ranges::find_if(study_.experiments, [&](const ExperimentResult& each) {
-      return FindRun(each, run).has_value();
-    });
   }
 
   // Whether this call is about the experiment: the one that is chosen, or that a statement is
@@ -207,17 +159,6 @@ class PreferCommand {
   std::map<std::string, TaskParams> params_;  // by the tasks' hashes
 };
 
-void AddStatementOptions(CLI::App& command, PreferOptions& options) {
-  const std::string name = "a run, or RUN:EPISODE; its name may be shortened: `seed3`";
-  CLI::Option* better = command.add_option("--better", options.better, name);
-  CLI::Option* worse = command.add_option("--worse", options.worse, "than which it is better");
-  better->needs(worse);
-  worse->needs(better);
-  command.add_option("--order", options.order, "runs, or RUN:EPISODE, the best first")
-      ->expected(2, CLI::detail::expected_max_vector_size);
-  command.add_option("--equal", options.equal, "two that are equally good")->expected(2);
-}
-
 }  // namespace
 
 void AddPreferCommand(CLI::App& app, int& status) {
@@ -226,7 +167,7 @@ void AddPreferCommand(CLI::App& app, int& status) {
       "prefer",
       "Fits the gains of a task to what you call better, shows what would change, and writes it.");
   command->add_option("DIR", options->folder, "folder of the runs")->required();
-  AddStatementOptions(*command, *options);
+  options->statements.AddTo(*command);
   command->add_option("--experiment", options->experiment, "look at this one only");
   command
       ->add_option("--factor", options->factor,
@@ -242,8 +183,7 @@ void AddPreferCommand(CLI::App& app, int& status) {
   command->add_flag("--json", options->json, "print JSON, and ask nothing");
   command->footer(
       "What is stated is kept in DIR/preferences.toml. Without a statement, and without -o, it "
-      "asks "
-      "on a\nterminal which of two groups of behaviors is better.");
+      "asks on a\nterminal which of two groups of behaviors is better.");
   command->callback([options, &status] {
     PreferCommand(*options).Run();
     status = kSuccess;
