@@ -4,7 +4,6 @@
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <limits>
-#include <vector>
 
 namespace runtime {
 namespace {
@@ -33,6 +32,14 @@ Estimate EstimateMean(std::span<const double> values) {
   const double half = known.size() > 2 ? HalfWidth(known, mean) : kNothing;
   const auto [least, greatest] = std::ranges::minmax(known);
   return {static_cast<int>(known.size()), mean, mean - half, mean + half, least, greatest};
+}
+
+double Median(std::vector<double> values) {
+  std::erase_if(values, [](double value) { return std::isnan(value); });
+  if (values.empty()) return kNothing;
+  std::ranges::sort(values);
+  const size_t half = values.size() / 2;
+  return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;
 }
 
 }  // namespace runtime

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 namespace runtime {
 
@@ -16,5 +17,9 @@ struct Estimate {
 
 // Values that are not numbers are left out.
 Estimate EstimateMean(std::span<const double> values);
+
+// The value in the middle, or the mean of both in the middle; values that are not numbers are left
+// out, and without any it is none either.
+double Median(std::vector<double> values);
 
 }  // namespace runtime

@@ -71,7 +71,8 @@ Json EvaluationsJson(const ExperimentResult& result) {
     json.push_back({{"profile", evaluation.profile},
                     {"learned_return", ToJson(evaluation.learned_return)},
                     {"return", ToJson(evaluation.mean_return)},
-                    {"share", evaluation.share()}});
+                    {"share", evaluation.share()},
+                    {"median_share", evaluation.median_share}});
   }
   return json;
 }

@@ -105,6 +105,7 @@ std::vector<EvaluationResult> EvaluationsOf(const ExperimentResult& result) {
   struct Returns {
     std::vector<double> learned;
     std::vector<double> mean;
+    std::vector<double> shares;
   };
   std::map<std::string, Returns> profiles;
   for (const RunResult& run : SettledRuns(result)) {
@@ -112,11 +113,13 @@ std::vector<EvaluationResult> EvaluationsOf(const ExperimentResult& result) {
       Returns& returns = profiles[evaluation.profile];
       returns.learned.push_back(evaluation.learned_return);
       returns.mean.push_back(evaluation.mean_return);
+      returns.shares.push_back(evaluation.share());
     }
   }
   std::vector<EvaluationResult> evaluations;
   for (const auto& [profile, returns] : profiles) {
-    evaluations.push_back({profile, EstimateMean(returns.learned), EstimateMean(returns.mean)});
+    evaluations.push_back({profile, EstimateMean(returns.learned), EstimateMean(returns.mean),
+                           Median(returns.shares)});
   }
   return evaluations;
 }

@@ -71,6 +71,7 @@ struct EvaluationResult {
   std::string profile;
   Estimate learned_return;  // of the runs that were evaluated there
   Estimate mean_return;     // of the same runs
+  double median_share = 0;  // of the runs' own shares; not a number where no run has one
   double share() const { return ShareThatRemains(mean_return.mean, learned_return.mean); }
 };
 

@@ -109,12 +109,17 @@ std::string KeyFigures(const Json& experiment) {
   return text;
 }
 
+// A share of 1 as "100 %"; `text` makes the number.
+template <class Text>
+std::string Percent(const Json& share, Text text) {
+  const Json percent = share.is_number() ? Json(100 * share.get<double>()) : Json();
+  return text(percent) + " %";
+}
+
 std::string Terms(const Json& experiment) {
   std::string text = Head({"term", "in an episode", "share"});
   for (const Json& term : experiment["terms"]) {
-    const Json& share = term["share"];
-    const double percent = share.is_number() ? 100 * share.get<double>() : std::nan("");
-    text += Row({term["name"], Number(term["value"]["mean"]), Number(percent) + " %"});
+    text += Row({term["name"], Number(term["value"]["mean"]), Percent(term["share"], Number)});
   }
   return text;
 }
@@ -122,13 +127,13 @@ std::string Terms(const Json& experiment) {
 // What remains in other profiles; nothing where no run was evaluated.
 std::string Evaluations(const Json& experiment) {
   if (experiment["evaluations"].empty()) return "";
-  std::string text = Head({"without learning, in", "runs", "return", "95 %", "remains"});
+  std::string text =
+      Head({"without learning, in", "runs", "return", "95 %", "remains", "median of the runs"});
   for (const Json& evaluation : experiment["evaluations"]) {
     const Json& there = evaluation["return"];
-    const Json& share = evaluation["share"];
-    const double percent = share.is_number() ? 100 * share.get<double>() : std::nan("");
-    text += Row({evaluation["profile"], Whole(there["count"]), Number(there["mean"]),
-                 Interval(there), Whole(percent) + " %"});
+    text +=
+        Row({evaluation["profile"], Whole(there["count"]), Number(there["mean"]), Interval(there),
+             Percent(evaluation["share"], Whole), Percent(evaluation["median_share"], Whole)});
   }
   return text + "\n";
 }

@@ -40,5 +40,12 @@ TEST(EstimateMean, OfNothingIsNotANumber) {
   EXPECT_TRUE(std::isnan(estimate.mean));
 }
 
+TEST(Median, IsTheValueInTheMiddle) {
+  const double none = std::nan("");
+  EXPECT_DOUBLE_EQ(Median({7, none, 1, 2}), 2);
+  EXPECT_DOUBLE_EQ(Median({4, 10, 1, 2}), 3);
+  EXPECT_TRUE(std::isnan(Median({none})));
+}
+
 }  // namespace
 }  // namespace runtime

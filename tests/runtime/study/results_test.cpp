@@ -83,6 +83,7 @@ TEST_F(ResultsTest, TellsWhatRemainsInOtherProfiles) {
   EXPECT_DOUBLE_EQ(fast.learned_return.mean, (102 + 104 + 106 + 108 + 110 + 500 + 500) / 7.);
   EXPECT_DOUBLE_EQ(fast.share(), 0.9);
   EXPECT_EQ(evaluations[1].profile, "paper-tree");
+  EXPECT_NEAR(evaluations[1].median_share, 0.99, 1e-12);  // 1.02, 1.01, ... 0.96
   EXPECT_THAT(notes_, IsEmpty());
 }
 

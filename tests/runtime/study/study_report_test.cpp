@@ -53,6 +53,7 @@ TEST_F(StudyReportTest, FiguresTellWhatRemainsInOtherProfiles) {
   EXPECT_EQ(fast["profile"], "fast");
   EXPECT_EQ(fast["return"]["count"], 7);
   EXPECT_DOUBLE_EQ(fast["share"], 0.9);
+  EXPECT_DOUBLE_EQ(fast["median_share"], 0.9);
   EXPECT_TRUE(fast["return"]["low"].is_number());
   const json& run = crawling["runs"][1]["evaluations"][1];
   EXPECT_EQ(run["profile"], "paper-tree");

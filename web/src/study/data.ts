@@ -35,6 +35,7 @@ export interface Evaluation {
   learned_return: Estimate; // of the runs that were evaluated
   return: Estimate; // of the same runs
   share: number | null; // of the two means
+  median_share: number | null; // of the runs' own shares
 }
 
 export interface StudyRun {

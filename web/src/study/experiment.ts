@@ -62,9 +62,13 @@ function termRow({ name, doc, value, share }: Term): HTMLTableRowElement {
   return row([title, bar, percent, mean(value)]);
 }
 
+function wholePercent(share: number | null): string {
+  return share === null ? "–" : `${Math.round(100 * share)} %`;
+}
+
 /** A profile, what the runs' policies bring in there, and a bar for what remains of the learned return. */
 function evaluationRow(evaluation: Evaluation, learnedIn: string): HTMLTableRowElement {
-  const { profile, return: there, share } = evaluation;
+  const { profile, return: there, share, median_share } = evaluation;
   const bar = element("span", { class: "remains-bar" });
   const part = element("span");
   part.style.width = `${100 * Math.min(Math.max(share ?? 0, 0), 1)}%`;
@@ -72,23 +76,24 @@ function evaluationRow(evaluation: Evaluation, learnedIn: string): HTMLTableRowE
   return row([
     profile === learnedIn ? `${profile}, its own` : profile,
     bar,
-    share === null ? "–" : `${Math.round(100 * share)} %`,
-    mean(there),
-    interval(there),
-    count(there.count),
+    wholePercent(share),
+    wholePercent(median_share),
+    element("span", { title: `${runs(there.count)}, 95 %: ${interval(there)}` }, mean(there)),
   ]);
 }
 
 /** How much of the return is left in other profiles; nothing where no run was evaluated. */
 function evaluationTable({ evaluations, profile }: Experiment): HTMLElement[] {
   if (evaluations.length === 0) return [];
-  const heads = ["Profile", "", "Remains", "Return", "95 %", "Runs"];
+  const heads = ["Profile", "", "Remains", "Median", "Return"];
   const host = table(
     heads,
     evaluations.map((evaluation) => evaluationRow(evaluation, profile)),
   );
   host.classList.add("evaluations-table");
-  const words = "The last policies, acting without learning, and what remains of the final return.";
+  const words =
+    "The last policies, acting without learning: what remains of the final return, " +
+    "of all runs together and of the run in the middle.";
   return [
     element("h3", {}, "In other physics"),
     element("p", { class: "note" }, words),
