@@ -8,6 +8,7 @@ import {
   formatDuration,
   formatLength,
   formatNumber,
+  formatRatio,
   formatTime,
 } from "../src/data/words.ts";
 
@@ -29,6 +30,12 @@ test("lengths have millimetres and no negative zero", () => {
 test("counts are grouped from five digits on", () => {
   assert.equal(formatCount(2000), "2000");
   assert.equal(formatCount(-30000), "\u221230\u202f000");
+});
+
+test("ratios are of two digits or whole", () => {
+  assert.equal(formatRatio(4.94), "4.9");
+  assert.equal(formatRatio(9.96), "10");
+  assert.equal(formatRatio(131.6), "132");
 });
 
 test("durations name their two largest units", () => {

@@ -41,6 +41,10 @@ export function formatDuration(seconds: number): string {
   return `${formatCount(hours)} h ${minutes} min`;
 }
 
+/** How many times as much: "4.9", "132". */
+export const formatRatio = (ratio: number): string =>
+  ratio < 9.95 ? ratio.toFixed(1) : formatCount(Math.round(ratio));
+
 /** "2026-01-31T12:30:59Z" without the seconds, for people. */
 export const formatDate = (iso: string | undefined): string =>
   (iso ?? "").replace(/^(\d{4}-\d{2}-\d{2})T(\d{2}:\d{2}).*Z$/, "$1 $2 UTC");

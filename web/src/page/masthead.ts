@@ -10,6 +10,7 @@ import {
   formatDate,
   formatDuration,
   formatNumber,
+  formatRatio,
 } from "../data/words.ts";
 import { byId, element } from "./dom.ts";
 import { figure } from "./figure.ts";
@@ -76,7 +77,7 @@ export function showKeyFigures(report: Report): void {
       "Simulated",
       formatDuration(report.simulatedSeconds),
       Number.isFinite(ratio)
-        ? `in ${formatDuration(report.wallSeconds)}, ${ratio.toPrecision(2)} × real time`
+        ? `in ${formatDuration(report.wallSeconds)}, ${formatRatio(ratio)} × real time`
         : "",
     ),
     endsFigure(report),
