@@ -130,9 +130,10 @@ TEST_F(LiveTest, ASwapTakesEffectWhenTheNextEpisodeStarts) {
   const std::vector<EpisodeRecord> episodes = Episodes();
   EXPECT_EQ(episodes[episode - 1].active.task, 1);
   EXPECT_EQ(episodes[episode].active.task, 2);
-  EXPECT_THAT(episodes[episode].active.terms, SizeIs(2));
-  // 2 * up.z, nearly upright, for the whole episode
-  EXPECT_NEAR(episodes[episode].active.terms[0], 2 * episodes[episode].simulated_seconds, 0.1);
+  ASSERT_THAT(episodes[episode].active.terms, SizeIs(2));
+  // `count` pays as many per second as episodes have begun, for the whole of this one.
+  EXPECT_NEAR(episodes[episode].active.terms[1],
+              static_cast<double>(episode + 1) * episodes[episode].simulated_seconds, 1e-9);
   EXPECT_THAT(Changes(), ElementsAre(std::to_string(episode + 1) + ":0 swap"));
 }
 
