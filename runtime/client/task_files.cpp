@@ -1,42 +1,19 @@
 #include "runtime/client/task_files.h"
 
-#include <fmt/format.h>
-
-#include <array>
-#include <cstdio>
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 
 #include "runtime/control/build_task.h"
+#include "runtime/control/child_process.h"
 
 namespace runtime {
 namespace {
 
-// As one word of a shell.
-std::string Quoted(const std::string& text) {
-  std::string quoted = "'";
-  for (const char byte : text) quoted += byte == '\'' ? R"('\'')" : std::string(1, byte);
-  return quoted + "'";
-}
-
-// What a shell's command prints.
-std::string OutputOf(const std::string& command) {
-  const std::unique_ptr<FILE, int (*)(FILE*)> pipe(popen(command.c_str(), "re"), pclose);
-  std::string output;
-  if (!pipe) return output;
-  std::array<char, 4096> bytes;
-  for (size_t size; (size = fread(bytes.data(), 1, bytes.size(), pipe.get())) > 0;) {
-    output.append(bytes.data(), size);
-  }
-  return output;
-}
-
 nlohmann::json CompilersReport(const std::filesystem::path& task) {
-  const std::string command =
-      fmt::format("{} check --format json {} 2>/dev/null", Quoted(CompilerProgram().string()),
-                  Quoted(task.string()));
-  return nlohmann::json::parse(OutputOf(command), nullptr, false);
+  const ChildResult report =
+      RunChild({CompilerProgram().string(), "check", "--format", "json", task.string()},
+               Captured::kOutputOnly);
+  return nlohmann::json::parse(report.captured, nullptr, false);
 }
 
 }  // namespace

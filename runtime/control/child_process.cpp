@@ -22,8 +22,11 @@ class ChildOutput {
       throw UserError(fmt::format("cannot make a pipe: {}", std::strerror(errno)));
     }
     posix_spawn_file_actions_init(&actions_);
-    if (captured == Captured::kOutput) {
+    if (captured == Captured::kOutput || captured == Captured::kOutputOnly) {
       posix_spawn_file_actions_adddup2(&actions_, ends_[1], STDOUT_FILENO);
+      if (captured == Captured::kOutputOnly) {
+        posix_spawn_file_actions_addopen(&actions_, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+      }
       return;
     }
     if (captured == Captured::kMessages) {

@@ -8,8 +8,8 @@
 namespace runtime {
 
 // What of a child's output is for us. The rest goes to the user, all of it to our standard error:
-// our standard output may be read by a program.
-enum class Captured { kNothing, kOutput, kMessages };
+// our standard output may be read by a program. With kOutputOnly, messages go nowhere.
+enum class Captured { kNothing, kOutput, kOutputOnly, kMessages };
 
 struct ChildResult {
   std::error_code error;  // why it could not be started
