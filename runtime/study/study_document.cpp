@@ -210,9 +210,9 @@ class Document {
     const std::string plot = name + ".svg";
     WriteFile(output_ / plot, DrawCurves(result, curves));
     std::string text = fmt::format(
-        "## {}\n\n{}\n![Learning curves: each run in the colour of its group, their mean and its "
-        "95 % "
-        "interval]({})\n\n{}\n{}\n{}",
+        "## {}\n\n{}\n"
+        "![Learning curves: each run in the colour of its group, their mean and its 95 % interval]"
+        "({})\n\n{}\n{}\n{}",
         name, Provenance(experiment), plot, KeyFigures(experiment), Terms(experiment),
         Evaluations(experiment));
     for (size_t group = 0; group < result.groups.size(); ++group) {

@@ -34,14 +34,11 @@ std::string List(std::vector<int64_t> numbers) {
 // "it has 3, 50 and 100"; of many recordings only those before and after `episode`.
 std::string WhatIsRecorded(const std::vector<int64_t>& recorded, int64_t episode) {
   constexpr size_t kMostNamed = 12;
-  std::vector<int64_t> named = recorded;
-  if (recorded.size() > kMostNamed) {
-    const auto next = std::ranges::lower_bound(recorded, episode);
-    named.clear();
-    if (next != recorded.begin()) named.push_back(*std::prev(next));
-    if (next != recorded.end()) named.push_back(*next);
-  }
-  if (recorded.size() <= kMostNamed) return "it has " + List(named);
+  if (recorded.size() <= kMostNamed) return "it has " + List(recorded);
+  std::vector<int64_t> named;
+  const auto next = std::ranges::lower_bound(recorded, episode);
+  if (next != recorded.begin()) named.push_back(*std::prev(next));
+  if (next != recorded.end()) named.push_back(*next);
   return fmt::format("of the {} that it has, {} {} nearest", recorded.size(), List(named),
                      named.size() == 1 ? "is" : "are");
 }
