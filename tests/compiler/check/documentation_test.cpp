@@ -72,8 +72,9 @@ TEST(DiagnosticsPage, ExamplesProvokeWhatTheyExplain) {
 }
 
 TEST(Documentation, ExamplesAreFreeOfErrors) {
-  const std::pair<const char*, size_t> pages[] = {
-      {"/docs/language.md", 20}, {"/docs/tutorial.md", 9}, {"/docs/from-skyai.md", 1}};
+  // The tutorial's are parts of a file that grows: see tests/compiler/driver/tutorial_test.cpp.
+  const std::pair<const char*, size_t> pages[] = {{"/docs/language.md", 20},
+                                                  {"/docs/from-skyai.md", 1}};
   for (const auto& [page, least] : pages) {
     const auto examples = ExamplesOf(golden::ReadFile(std::string(SOURCE_DIR) + page));
     EXPECT_GE(examples.size(), least) << page;
