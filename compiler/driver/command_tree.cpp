@@ -48,6 +48,7 @@ std::vector<CompletedVerb> VerbsOf(const CLI::App& app) {
   for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
     CompletedVerb verb{command->get_name(), command->get_description(), {}, {}};
     for (const CLI::Option* option : command->get_options()) {
+      if (option->get_group().empty()) continue;  // hidden
       if (option->get_positional()) {
         verb.argument = ValueOf(*option);
       } else {

@@ -92,7 +92,13 @@ CLI::Option* AddChoice(CLI::App& app, const std::string& option, std::string& va
 }
 
 void AddReport(CLI::App& app, Session& session) {
-  AddChoice(app, "--format", session.format, {"text", "json", "sarif"}, "how to report");
+  CLI::Option* json = app.add_flag_callback(
+      "--json", [&] { session.format = "json"; }, "report as JSON, for other programs");
+  app.add_flag_callback(
+         "--sarif", [&] { session.format = "sarif"; }, "report as SARIF 2.1.0")
+      ->excludes(json);
+  // What scripts may still say: not in the help.
+  AddChoice(app, "--format", session.format, {"text", "json", "sarif"}, "")->group("");
   AddChoice(app, "--color", session.color, {"auto", "always", "never"},
             "colours; auto: on a terminal, where NO_COLOR is not set");
 }

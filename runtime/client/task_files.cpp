@@ -10,9 +10,8 @@ namespace runtime {
 namespace {
 
 nlohmann::json CompilersReport(const std::filesystem::path& task) {
-  const ChildResult report =
-      RunChild({CompilerProgram().string(), "check", "--format", "json", task.string()},
-               Captured::kOutputOnly);
+  const ChildResult report = RunChild(
+      {CompilerProgram().string(), "check", "--json", task.string()}, Captured::kOutputOnly);
   return nlohmann::json::parse(report.captured, nullptr, false);
 }
 

@@ -50,9 +50,12 @@ void AddAgentCommand(CLI::App& app, int& status) {
       "Prints the whole agent that would learn a task, as an agent file that says for each line "
       "where it comes from; or its modules and connections, as text, JSON or Graphviz.");
   options->task.AddTo(*show);
-  show->add_option("--format", options->format, "toml, text, json or dot")
-      ->transform(CLI::CheckedTransformer(formats))
-      ->type_name("FORMAT");
+  CLI::Option* format = show->add_option("--format", options->format, "toml, text or dot")
+                            ->transform(CLI::CheckedTransformer(formats))
+                            ->type_name("FORMAT");
+  show->add_flag_callback(
+          "--json", [options] { options->format = AgentFormat::kJson; }, "print JSON")
+      ->excludes(format);
   show->callback([options, &status] { status = ShowAgent(*options); });
 }
 

@@ -48,7 +48,8 @@ TEST(Completion, OffersVerbsInBash) {
 TEST(Completion, OffersTheOptionsOfAVerbInBash) {
   TaskcProcess taskc;
   EXPECT_THAT(Completed(taskc, "taskc check --"),
-              IsSupersetOf({"--format", "--color", "--robots", "--help"}));
+              IsSupersetOf({"--json", "--sarif", "--color", "--robots", "--help"}));
+  EXPECT_THAT(Completed(taskc, "taskc check --form"), IsEmpty());
   EXPECT_THAT(Completed(taskc, "taskc build --cac"), ElementsAre("--cache"));
   EXPECT_THAT(Completed(taskc, "taskc check --cac"), IsEmpty());
 }
@@ -59,7 +60,7 @@ TEST(Completion, OffersValuesInBash) {
   taskc.Write("notes.txt", "");
   taskc.Write("two words.task", "");
   taskc.Write("more/x.task", "");
-  EXPECT_THAT(Completed(taskc, "taskc check --format "), ElementsAre("json", "sarif", "text"));
+  EXPECT_THAT(Completed(taskc, "taskc check --color "), ElementsAre("always", "auto", "never"));
   EXPECT_THAT(Completed(taskc, "taskc explain W070"), Contains("W0706"));
   EXPECT_THAT(Completed(taskc, "taskc completion "), ElementsAre("bash", "fish", "zsh"));
   std::vector<std::string> files = Completed(taskc, "taskc check ");
@@ -79,7 +80,7 @@ TEST(Completion, NamesAllVerbsForEveryShell) {
       if (verb.starts_with("-")) continue;
       EXPECT_THAT(outcome.out, HasSubstr(verb)) << shell;
     }
-    EXPECT_THAT(outcome.out, HasSubstr("text json sarif"));
+    EXPECT_THAT(outcome.out, HasSubstr("auto always never"));
   }
 }
 

@@ -22,7 +22,7 @@ TEST(Format, JsonHasTheDiagnosticsAndWhatBecameOfEachTask) {
   TaskcProcess taskc;
   taskc.Write("good.task", kGoodTask);
   taskc.Write("bad.task", kBadTask);
-  Outcome outcome = taskc.Run("check good.task bad.task absent.task --format json");
+  Outcome outcome = taskc.Run("check good.task bad.task absent.task --json");
   EXPECT_EQ(outcome.status, 2);
   json report = json::parse(outcome.out);
   EXPECT_EQ(report["exit_status"], 2);
@@ -49,7 +49,7 @@ TEST(Format, JsonHasTheBoundsThatAreAskedFor) {
               "task bounded\nsensor speed: real [m/s]\non end_of_time_step {\n"
               "  reward rate forward = abs(speed)\n"
               "  if speed > 9 m/s { end_episode success \"fast\" }\n}\n");
-  json report = json::parse(taskc.Run("check --bounds bounded.task --format json").out);
+  json report = json::parse(taskc.Run("check --bounds bounded.task --json").out);
   EXPECT_EQ(report["tasks"][0]["bounds"],
             json::array({{{"name", "forward"},
                           {"kind", "rate"},
@@ -65,15 +65,15 @@ TEST(Format, JsonSaysWhereThePluginIs) {
   TaskcProcess taskc;
   taskc.Write("good.task", kGoodTask);
   std::string plugin = taskc.Run("build good.task").out;
-  json report = json::parse(taskc.Run("build good.task --format json").out);
+  json report = json::parse(taskc.Run("build good.task --json").out);
   EXPECT_EQ(report["tasks"][0]["plugin"].get<std::string>() + "\n", plugin);
-  report = json::parse(taskc.Run("build good.task -o out.so --format json").out);
+  report = json::parse(taskc.Run("build good.task -o out.so --json").out);
   EXPECT_EQ(report["tasks"][0]["plugin"], "out.so");
 }
 
 TEST(Format, JsonIsWholeEvenWhereNothingCouldBeDone) {
   TaskcProcess taskc;
-  Outcome outcome = taskc.Run("build absent.task --format json");
+  Outcome outcome = taskc.Run("build absent.task --json");
   EXPECT_EQ(outcome.status, 2);
   json report = json::parse(outcome.out);
   EXPECT_EQ(report["tasks"], json::array());
@@ -83,18 +83,30 @@ TEST(Format, JsonIsWholeEvenWhereNothingCouldBeDone) {
 TEST(Format, SarifNamesItsVersionAndTheResults) {
   TaskcProcess taskc;
   taskc.Write("bad.task", kBadTask);
-  Outcome outcome = taskc.Run("check bad.task --format sarif");
+  Outcome outcome = taskc.Run("check bad.task --sarif");
   EXPECT_EQ(outcome.status, 1);
   json report = json::parse(outcome.out);
   EXPECT_EQ(report["version"], "2.1.0");
   EXPECT_EQ(report["runs"][0]["results"][0]["ruleId"], "E0201");
 }
 
-TEST(Format, IsOneOfThree) {
+TEST(Format, IsOne) {
   TaskcProcess taskc;
-  Outcome outcome = taskc.Run("check x.task --format xml");
+  Outcome outcome = taskc.Run("check x.task --json --sarif");
   EXPECT_EQ(outcome.status, 2);
-  EXPECT_THAT(outcome.error, HasSubstr("xml not in {text,json,sarif}"));
+  EXPECT_THAT(outcome.error, HasSubstr("--json excludes --sarif"));
+}
+
+TEST(Format, IsStillKnownByItsOldOption) {
+  TaskcProcess taskc;
+  taskc.Write("bad.task", kBadTask);
+  EXPECT_EQ(taskc.Run("check bad.task --format json").out, taskc.Run("check bad.task --json").out);
+  EXPECT_EQ(taskc.Run("check bad.task --format sarif").out,
+            taskc.Run("check bad.task --sarif").out);
+  EXPECT_THAT(taskc.Run("check x.task --format xml").error,
+              HasSubstr("xml not in {text,json,sarif}"));
+  EXPECT_THAT(taskc.Run("check --help").out,
+              AllOf(HasSubstr("--json"), Not(HasSubstr("--format"))));
 }
 
 TEST(Color, IsThereOnWish) {

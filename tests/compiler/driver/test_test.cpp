@@ -63,7 +63,7 @@ TEST(TestVerb, RunsOnlyThoseThatAreAskedFor) {
 TEST(TestVerb, SaysTheSameAsJson) {
   TaskcProcess taskc;
   taskc.Write("tested.task", kTested);
-  const Outcome outcome = taskc.Run("test tested.task --format json");
+  const Outcome outcome = taskc.Run("test tested.task --json");
   EXPECT_EQ(outcome.status, 1);
   const auto tests = nlohmann::json::parse(outcome.out)["tasks"][0]["tests"];
   ASSERT_EQ(tests.size(), 3u);

@@ -31,7 +31,7 @@ TEST_F(AgentShowTest, SaysWhereEverythingComesFrom) {
 TEST_F(AgentShowTest, DrawsTheNetwork) {
   EXPECT_THAT(Show({"--format", "dot"}).output, StartsWith("digraph agent {"));
   EXPECT_THAT(Show({"--format", "text"}).output, HasSubstr("  reward -> learner.reward  (real)\n"));
-  const auto json = nlohmann::json::parse(Show({"--format", "json"}).output);
+  const auto json = nlohmann::json::parse(Show({"--json"}).output);
   EXPECT_EQ(json["modules"].size(), 6u);
 }
 
