@@ -35,12 +35,23 @@ class AllowanceFilter {
         if (sources_.IndexOf(code.span) != 0) continue;
         useless.push_back(MakeDiagnostic(code::kUselessAllow, code.span,
                                          fmt::format("there is no {} here to allow", code.text)));
-        useless.back().help = "remove it";
+        useless.back().help = {"remove it", {Without(code, allowance)}};
       }
     return useless;
   }
 
  private:
+  // The one code with its comma or, where there is no other, the whole line.
+  Fix Without(const Identifier& code, const Allowance& allowance) const {
+    const auto index = static_cast<size_t>(&code - allowance.codes.data());
+    if (index > 0) return {{allowance.codes[index - 1].span.end, code.span.end}, ""};
+    if (allowance.codes.size() > 1) return {{code.span.begin, allowance.codes[1].span.begin}, ""};
+    const SourceFile& file = sources_.main();
+    const uint32_t line = file.LineOf(code.span.begin);
+    const bool is_last = line == file.line_count();
+    return {{file.LineStart(line), is_last ? file.end_offset() : file.LineStart(line + 1)}, ""};
+  }
+
   // It also covers itself, for what is said of its own codes.
   static bool Covers(const Allowance& allowance, Span place) {
     const Span& covers = allowance.covers;

@@ -13,7 +13,8 @@ Diagnostic UnknownRobot(const Identifier& name, std::string_view what) {
   size_t help = what.find(kHelp);
   Diagnostic diagnostic =
       MakeDiagnostic(code::kUnknownRobot, name.span, std::string(what.substr(0, help)));
-  if (help != std::string_view::npos) diagnostic.help = what.substr(help + kHelp.size());
+  if (help != std::string_view::npos)
+    diagnostic.help = std::string(what.substr(help + kHelp.size()));
   return diagnostic;
 }
 

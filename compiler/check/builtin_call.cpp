@@ -249,7 +249,7 @@ class BuiltinCheck {
     if (IsLiteralZero(arguments_[i].syntax)) value.unit = wanted;
     if (value.unit == wanted) return true;
     const std::string_view code = IsPlain(wanted) ? code::kNotPlain : code::kNotAnAngle;
-    std::string help = HelpForUnit(value.unit, arguments_[i].syntax, wanted);
+    Help help = HelpForUnit(value.unit, arguments_[i].syntax, wanted);
     if (help.empty() && IsPlain(wanted))
       help = fmt::format("divide by a reference, as in `x / 1 {}`", ToString(value.unit));
     Report(

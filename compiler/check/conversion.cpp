@@ -11,14 +11,35 @@ namespace compiler {
 namespace {
 
 // The literal below any signs, or null.
-const NumberLiteral* LiteralOf(const Expression* syntax) {
+const Expression* LiteralOf(const Expression* syntax) {
   while (syntax != nullptr) {
-    if (const auto* number = std::get_if<NumberLiteral>(&syntax->node)) return number;
+    if (std::holds_alternative<NumberLiteral>(syntax->node)) return syntax;
     const auto* unary = std::get_if<UnaryExpression>(&syntax->node);
     const bool is_sign = unary != nullptr && unary->op == UnaryOperator::kNegate;
     syntax = is_sign ? unary->operand.get() : nullptr;
   }
   return nullptr;
+}
+
+const NumberLiteral& NumberIn(const Expression& literal) {
+  return std::get<NumberLiteral>(literal.node);
+}
+
+// Does a factor behind this text concern the whole of it?
+bool IsFactor(const Expression& syntax) {
+  return !std::holds_alternative<UnaryExpression>(syntax.node) &&
+         !std::holds_alternative<BinaryExpression>(syntax.node);
+}
+
+// A literal without a unit, where there must be one.
+Help HelpForLiteral(const Expression& literal, const Unit& want) {
+  const double value = NumberIn(literal).value;
+  const auto with = [&](const std::string& unit) { return fmt::format("{} {}", value, unit); };
+  if (IsAngle(want))
+    return {fmt::format("write `{}` or `{}`", with("deg"), with("rad")),
+            {{literal.span, with("deg")}, {literal.span, with("rad")}}};
+  return {fmt::format("write the number with its unit: `{}`", with(ToString(want))),
+          {{literal.span, with(ToString(want))}}};
 }
 
 std::string HelpForType(const Type& have, const Type& want) {
@@ -34,8 +55,8 @@ std::string HelpForType(const Type& have, const Type& want) {
 }  // namespace
 
 bool IsLiteralZero(const Expression* syntax) {
-  const NumberLiteral* number = LiteralOf(syntax);
-  return number != nullptr && number->value == 0 && !number->unit;
+  const Expression* literal = LiteralOf(syntax);
+  return literal != nullptr && NumberIn(*literal).value == 0 && !NumberIn(*literal).unit;
 }
 
 CheckedExpression ToReal(CheckedExpression expression) {
@@ -54,19 +75,20 @@ std::string NameOf(const Unit& unit) {
   return IsPlain(unit) ? "a plain number" : fmt::format("`{}`", ToString(unit));
 }
 
-std::string HelpForUnit(const Unit& have, const Expression* syntax, const Unit& want) {
-  const NumberLiteral* literal = LiteralOf(syntax);
-  if (IsPlain(have) && literal != nullptr) {
-    if (IsAngle(want)) return fmt::format("write `{0} deg` or `{0} rad`", literal->value);
-    return fmt::format("write the number with its unit: `{} {}`", literal->value, ToString(want));
-  }
+Help HelpForUnit(const Unit& have, const Expression* syntax, const Unit& want) {
+  const Expression* literal = LiteralOf(syntax);
+  if (IsPlain(have) && literal != nullptr) return HelpForLiteral(*literal, want);
   Unit rest = have;
   rest.radian = want.radian;
   if (rest != want) return "";
   const bool divide = have.radian > want.radian;
   const int power = std::abs(have.radian - want.radian);
-  return fmt::format("an angle is no plain number: {} by `1 rad{}`", divide ? "divide" : "multiply",
-                     power == 1 ? "" : fmt::format("^{}", power));
+  const std::string factor = power == 1 ? "1 rad" : fmt::format("1 rad^{}", power);
+  Help help = fmt::format("an angle is no plain number: {} by `{}`", divide ? "divide" : "multiply",
+                          factor);
+  if (syntax != nullptr && IsFactor(*syntax))
+    help.fixes = {{{syntax->span.end, syntax->span.end}, (divide ? " / " : " * ") + factor}};
+  return help;
 }
 
 std::optional<CheckedExpression> ConvertTo(Operand value, const Type& type, const Unit& unit,

@@ -28,7 +28,7 @@ std::string NameOf(const Unit& unit);
 
 // How to get from a value of unit `have` to one of unit `want`; empty where nothing general can be
 // said. `syntax` is what was written for the value, or null.
-std::string HelpForUnit(const Unit& have, const Expression* syntax, const Unit& want);
+Help HelpForUnit(const Unit& have, const Expression* syntax, const Unit& want);
 
 // The value as type and unit of a place that is called `place` in messages, such as "`fallen`".
 // Reports, with further `labels`, and returns nothing where it does not fit.

@@ -198,7 +198,7 @@ void CheckStartPose(const SyntaxTree& tree, const robot::RobotDescription* robot
   for (const robot::Pose& pose : robot->poses) poses.push_back(pose.name);
   Report(diagnostics, code::kUnknownPose, start.span,
          fmt::format("the {} has no pose `{}`", robot->name, start.text),
-         {.help = Suggest(start.text, poses, "poses")});
+         {.help = Suggest(start.span, start.text, poses, "poses")});
 }
 
 void CheckSensors(const SyntaxTree& tree, TaskScope& scope) {

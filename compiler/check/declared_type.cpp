@@ -47,7 +47,7 @@ std::optional<Type> CheckType(const TypeExpression& written, const TaskScope& sc
   if (!type) {
     Report(scope.diagnostics, code::kUnknownType, written.name.span,
            fmt::format("there is no type `{}`", written.name.text),
-           {.help = Suggest(written.name.text, TypeNames(), "types")});
+           {.help = Suggest(written.name.span, written.name.text, TypeNames(), "types")});
     return std::nullopt;
   }
   if (!written.index) return type;
@@ -73,10 +73,12 @@ std::optional<DeclaredType> CheckDeclaredType(const TypeExpression& type,
     return std::nullopt;
   }
   if (scaled->numerator != scaled->denominator) {
-    Report(scope.diagnostics, code::kScaledUnit, unit->span, "declarations are in SI units",
-           {.note = "this is a multiple of one",
-            .help = fmt::format("write `[{}]`; numbers may have any unit of length, time and so on",
-                                ToString(scaled->unit))});
+    Report(
+        scope.diagnostics, code::kScaledUnit, unit->span, "declarations are in SI units",
+        {.note = "this is a multiple of one",
+         .help = {fmt::format("write `[{}]`; numbers may have any unit of length, time and so on",
+                              ToString(scaled->unit)),
+                  {{unit->span, ToString(scaled->unit)}}}});
     return std::nullopt;
   }
   return DeclaredType{*checked, scaled->unit};

@@ -15,6 +15,10 @@ void AddOnce(Indices& set, const Indices& more) {
     if (std::ranges::find(set, index) == set.end()) set.push_back(index);
 }
 
+Help SmallerFirst(Span range, const std::string& turned) {
+  return {fmt::format("write the smaller end first: `{}`", turned), {{range, turned}}};
+}
+
 // Resolves items recursively. Empty results are legal in here: only the whole must not be empty.
 class IndexResolver {
  public:
@@ -60,10 +64,11 @@ class IndexResolver {
     if (const Enumeration* other = FindEnumerationOf(scope_.enumerations, text))
       return WrongEnumeration(text, *other, span);
     if (symbol != nullptr) return NotAnIndex(span);
-    Report(scope_.diagnostics, code::kUnknownPart, span,
-           fmt::format("the robot has no {} or group of {} called `{}`", domain_.names->name,
-                       domain_.names->all, text),
-           {.help = Suggest(text, domain_.names->Names(), domain_.names->all + " and groups")});
+    Report(
+        scope_.diagnostics, code::kUnknownPart, span,
+        fmt::format("the robot has no {} or group of {} called `{}`", domain_.names->name,
+                    domain_.names->all, text),
+        {.help = Suggest(span, text, domain_.names->Names(), domain_.names->all + " and groups")});
     return std::nullopt;
   }
 
@@ -90,7 +95,7 @@ class IndexResolver {
     if (*first > *last) {
       Report(scope_.diagnostics, code::kEmptySet, span,
              fmt::format("the range from {} to {} is empty", *first, *last),
-             {.help = fmt::format("write the smaller end first: `{}..{}`", *last, *first)});
+             {.help = SmallerFirst(span, fmt::format("{}..{}", *last, *first))});
       return std::nullopt;
     }
     Indices indices;
@@ -182,10 +187,11 @@ class IndexResolver {
   }
 
   std::nullopt_t WrongEnumeration(const std::string& part, const Enumeration& other, Span span) {
-    Report(scope_.diagnostics, code::kWrongEnumeration, span,
-           fmt::format("`{}` belongs to the {} of the robot, but {} are indexed here", part,
-                       other.all, domain_.names->all),
-           {.help = Suggest(part, domain_.names->Names(), domain_.names->all + " and groups")});
+    Report(
+        scope_.diagnostics, code::kWrongEnumeration, span,
+        fmt::format("`{}` belongs to the {} of the robot, but {} are indexed here", part, other.all,
+                    domain_.names->all),
+        {.help = Suggest(span, part, domain_.names->Names(), domain_.names->all + " and groups")});
     return std::nullopt;
   }
 

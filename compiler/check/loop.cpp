@@ -62,7 +62,7 @@ void ReportUnknownSet(const Identifier& name, const TaskScope& scope) {
   std::vector<std::string> valid;
   for (const Enumeration& parts : scope.enumerations)
     for (std::string& part : parts.Names()) valid.push_back(std::move(part));
-  std::string help = Suggest(name.text, valid, "links, joints and groups");
+  Help help = Suggest(name.span, name.text, valid, "links, joints and groups");
   if (help.empty()) help = "go through `links`, `joints`, some of them, or numbers as in `0..3`";
   Report(scope.diagnostics, code::kUnknownPart, name.span,
          fmt::format("the robot has no link, joint or group called `{}`", name.text),

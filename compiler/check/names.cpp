@@ -34,11 +34,13 @@ std::vector<std::string> ReadableNames(const TaskScope& scope) {
 // `enumeration`: "link" or "joint".
 void ReportPartAsValue(const Identifier& name, std::string_view enumeration,
                        const TaskScope& scope) {
-  Report(
-      scope.diagnostics, code::kMisplacedName, name.span,
-      fmt::format("`{}` stands only inside an index", name.text),
-      {.help = fmt::format("write it in the brackets of an array over {}s: `{}[{}]`", enumeration,
-                           enumeration == "link" ? "contact" : "joint.angle", name.text)});
+  const std::string element =
+      fmt::format("{}[{}]", enumeration == "link" ? "contact" : "joint.angle", name.text);
+  Report(scope.diagnostics, code::kMisplacedName, name.span,
+         fmt::format("`{}` stands only inside an index", name.text),
+         {.help = {fmt::format("write it in the brackets of an array over {}s: `{}`", enumeration,
+                               element),
+                   {{name.span, element}}}});
 }
 
 // Nothing, after a message, where a symbol is no value.
@@ -157,7 +159,7 @@ void ReportUnknownSensor(const std::vector<Identifier>& path, const TaskScope& s
   const std::string name = Join(path, 2);
   Report(scope.diagnostics, code::kUnknownSensor, SpanOf(path, 2),
          fmt::format("there is no sensor `{}`", name),
-         {.help = Suggest(name, siblings, "sensors of this kind")});
+         {.help = Suggest(SpanOf(path, 2), name, siblings, "sensors of this kind")});
 }
 
 // A sensor that robots have, in a task without a robot. False: it is no such sensor.
@@ -326,7 +328,7 @@ const FunctionSignature* ResolveFunction(const Identifier& name, const Place& pl
   }
   std::vector<std::string> functions = BuiltinNames();
   for (const FunctionSignature& function : scope.functions) functions.push_back(function.name.text);
-  std::string help = Suggest(name.text, functions, "functions");
+  Help help = Suggest(name.span, name.text, functions, "functions");
   if (IsTestFunction(name.text)) help = "it is known only behind the `expect` of a test";
   Report(scope.diagnostics, code::kUnknownFunction, name.span,
          fmt::format("there is no function `{}`{}", name.text,
@@ -402,7 +404,7 @@ void ReportUnknownName(const Identifier& name, const TaskScope& scope) {
   if (ReportInvisibleLocal(name, scope)) return;
   Report(scope.diagnostics, code::kUnknownName, name.span,
          fmt::format("there is nothing called `{}`", name.text),
-         {.help = Suggest(name.text, ReadableNames(scope), "known names")});
+         {.help = Suggest(name.span, name.text, ReadableNames(scope), "known names")});
 }
 
 }  // namespace compiler

@@ -157,8 +157,8 @@ class BinaryCheck {
     return false;
   }
 
-  std::string UnitHelp() {
-    const std::string help = HelpForUnit(right().unit, right_.syntax, left().unit);
+  Help UnitHelp() {
+    Help help = HelpForUnit(right().unit, right_.syntax, left().unit);
     return help.empty() ? HelpForUnit(left().unit, left_.syntax, right().unit) : help;
   }
 

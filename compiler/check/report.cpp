@@ -27,10 +27,9 @@ std::string List(const std::vector<std::string>& names) {
   return text;
 }
 
-std::string Suggest(std::string_view name, const std::vector<std::string>& valid,
-                    std::string_view what) {
-  if (const auto nearest = text::NearestName(name, valid))
-    return fmt::format("did you mean `{}`?", *nearest);
+Help Suggest(Span span, std::string_view name, const std::vector<std::string>& valid,
+             std::string_view what) {
+  if (const auto nearest = text::NearestName(name, valid)) return DidYouMean(span, *nearest);
   if (valid.empty() || valid.size() > kLongestList) return "";
   return fmt::format("the {} are {}", what, List(valid));
 }

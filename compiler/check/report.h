@@ -15,7 +15,7 @@ namespace compiler {
 // What a diagnostic says beyond its message.
 struct Explanation {
   std::string note{};
-  std::string help{};
+  Help help{};
   std::vector<Label> labels{};
 };
 
@@ -26,9 +26,9 @@ void Report(Diagnostics& diagnostics, std::string_view code, Span span, std::str
 // "`a`, `b` and `c`"
 std::string List(const std::vector<std::string>& names);
 
-// The help for an unknown name: the nearest of the valid ones or else, where they are few, all of
-// them. `what`: what they are, in the plural.
-std::string Suggest(std::string_view name, const std::vector<std::string>& valid,
-                    std::string_view what);
+// The help for an unknown name, which stands in `span`: the nearest of the valid ones or else,
+// where they are few, all of them. `what`: what they are, in the plural.
+Help Suggest(Span span, std::string_view name, const std::vector<std::string>& valid,
+             std::string_view what);
 
 }  // namespace compiler

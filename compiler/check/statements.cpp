@@ -104,10 +104,11 @@ class EventChecker {
     NoteReference(reward.name, ReferenceKind::kTerm, scope_);
     auto value = CheckRealNumber(reward.value, "a reward", place_, scope_);
     if (reward.is_rate && !place_.has_time_step()) {
-      Report(scope_.diagnostics, code::kMisplacedRate,
-             Cover({span.begin, span.begin}, reward.name.span),
+      const Span head = Cover({span.begin, span.begin}, reward.name.span);
+      Report(scope_.diagnostics, code::kMisplacedRate, head,
              fmt::format("`{}` has no time step to pay for", event_name_),
-             {.help = "write `reward` without `rate`, or move this to `on end_of_time_step`"});
+             {.help = {"write `reward` without `rate`, or move this to `on end_of_time_step`",
+                       {{head, "reward " + reward.name.text}}}});
       return;
     }
     const uint32_t term = TermOf(reward.name.text, span);

@@ -127,8 +127,8 @@ class TestChecker {
     Report(scope_.diagnostics, code::kUnknownEnd, span,
            fmt::format("no event of this task has `{}`", text),
            {.help = same != task_.ends.end()
-                        ? fmt::format("write `expect {}`", EndText(same->kind, same->reason))
-                        : Suggest(text, known, "ends of this task")});
+                        ? WriteInstead(span, "expect " + EndText(same->kind, same->reason))
+                        : Suggest(end.span, text, known, "ends of this task")});
   }
 
   template <typename Node>

@@ -25,17 +25,18 @@ void AddNames(const std::vector<Entry>& entries, std::vector<std::string>& names
   std::ranges::transform(entries, std::back_inserter(names), &Entry::name);
 }
 
-void ReportUnknown(const CallExpression& call, const Identifier& name, const CheckedTask& task,
-                   const TaskScope& scope) {
+// `span`: of the call.
+void ReportUnknown(const CallExpression& call, Span span, const Identifier& name,
+                   const CheckedTask& task, const TaskScope& scope) {
   const bool is_total = call.function.text == kTotal;
   std::vector<std::string> valid;
   std::vector<std::string> other;
   AddNames(task.terms, is_total ? valid : other);
   AddNames(task.metrics, is_total ? other : valid);
   AddNames(task.logs, is_total ? other : valid);
-  std::string help = Suggest(name.text, valid, is_total ? "reward terms" : "metrics and logs");
+  Help help = Suggest(name.span, name.text, valid, is_total ? "reward terms" : "metrics and logs");
   if (std::ranges::find(other, name.text) != other.end())
-    help = fmt::format("write `{}({})`", is_total ? kValue : kTotal, name.text);
+    help = WriteInstead(span, fmt::format("{}({})", is_total ? kValue : kTotal, name.text));
   Report(scope.diagnostics, code::kUnknownTerm, name.span,
          is_total ? fmt::format("there is no reward term `{}`", name.text)
                   : fmt::format("there is no metric or log `{}`", name.text),
@@ -76,7 +77,7 @@ std::optional<CheckedExpression> CheckTestRead(const CallExpression& call, Span 
     read.node = TestRead{TestRead::kLog, *log};
     return read;
   }
-  ReportUnknown(call, name->name, task, scope);
+  ReportUnknown(call, span, name->name, task, scope);
   return std::nullopt;
 }
 

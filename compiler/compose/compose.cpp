@@ -204,7 +204,7 @@ class Composer {
   }
 
   // "did you mean `shaping.task`?", of the tasks in the folder where the file should be.
-  static std::string NearestFile(const Reference& reference) {
+  static Help NearestFile(const Reference& reference) {
     std::vector<std::string> names;
     std::error_code error;
     fs::path folder = reference.file.parent_path();
@@ -216,10 +216,11 @@ class Composer {
     const auto nearest = text::NearestName(reference.file.filename().string(), names);
     if (!nearest) return "a path is relative to the folder of the file that it stands in";
     const fs::path written = fs::path(reference.written).parent_path() / *nearest;
-    return fmt::format("did you mean `{}`?", written.string());
+    return {fmt::format("did you mean `{}`?", written.string()),
+            {{reference.span, '"' + written.string() + '"'}}};
   }
 
-  void Report(std::string_view code, Span span, std::string message, std::string help) {
+  void Report(std::string_view code, Span span, std::string message, Help help) {
     Diagnostic diagnostic = MakeDiagnostic(code, span, std::move(message));
     diagnostic.help = std::move(help);
     diagnostics_.Add(std::move(diagnostic));

@@ -214,10 +214,10 @@ class Extension {
         MakeDiagnostic(code::kNothingToOverride, name.span,
                        fmt::format("the base has no {}", DescriptionOf(declaration)));
     if (const auto nearest = text::NearestName(name.text, names)) {
-      diagnostic.help = fmt::format("did you mean `{}`?", *nearest);
+      diagnostic.help = DidYouMean(name.span, *nearest);
     } else if (!std::holds_alternative<ParamOverride>(declaration.node) &&
                !std::holds_alternative<RewardOverride>(declaration.node)) {
-      diagnostic.help = "to add it, leave out `override`";
+      diagnostic.help = {"to add it, leave out `override`", {Without(*declaration.override_span)}};
     }
     diagnostics_.Add(std::move(diagnostic));
   }
@@ -287,9 +287,16 @@ class Extension {
       diagnostic.help =
           fmt::format("to give it another value: `override param {} = ...`", name.text);
     } else {
-      diagnostic.help = fmt::format("to replace it, write `override {} {}`", kind, name.text);
+      const uint32_t begin = declaration.span.begin;
+      diagnostic.help = {fmt::format("to replace it, write `override {} {}`", kind, name.text),
+                         {{{begin, begin}, "override "}}};
     }
     diagnostics_.Add(std::move(diagnostic));
+  }
+
+  // `override` and the blank behind it.
+  static Fix Without(Span override_span) {
+    return {{override_span.begin, override_span.end + 1}, ""};
   }
 
   // ---- Words ----

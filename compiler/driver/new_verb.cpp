@@ -36,7 +36,7 @@ robot::RobotDescription GetRobot(const std::string& name, const std::filesystem:
   auto robot = FindRobot({name, {}}, file, session.robots, diagnostics);
   if (robot) return std::move(*robot);
   const Diagnostic& mistake = diagnostics.list().front();
-  throw CallError(mistake.message + (mistake.help.empty() ? "" : "; " + mistake.help));
+  throw CallError(mistake.message + (mistake.help.empty() ? "" : "; " + mistake.help.text));
 }
 
 ExitStatus New(const Options& options, Session& session) {

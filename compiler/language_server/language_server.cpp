@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "compiler/format/format.h"
+#include "compiler/language_server/code_actions.h"
 #include "compiler/language_server/completion.h"
 #include "compiler/language_server/document_symbols.h"
 #include "compiler/language_server/hover.h"
@@ -81,6 +82,7 @@ const std::map<std::string, LanguageServer::RequestHandler>& LanguageServer::Req
       {"textDocument/documentHighlight", &LanguageServer::HighlightsAt},
       {"textDocument/prepareRename", &LanguageServer::PrepareRenameAt},
       {"textDocument/rename", &LanguageServer::RenameAt},
+      {"textDocument/codeAction", &LanguageServer::ActionsAt},
       {"textDocument/formatting", &LanguageServer::FormatAll},
       {"textDocument/signatureHelp", &LanguageServer::SignatureAt},
       {"textDocument/documentSymbol", &LanguageServer::SymbolsOf}};
@@ -178,6 +180,7 @@ Json LanguageServer::Initialize(const Json& params) {
       {"referencesProvider", true},
       {"documentHighlightProvider", true},
       {"renameProvider", {{"prepareProvider", true}}},
+      {"codeActionProvider", {{"codeActionKinds", {"quickfix"}}}},
       {"documentFormattingProvider", true},
       {"signatureHelpProvider", {{"triggerCharacters", {"(", ","}}}},
       {"documentSymbolProvider", true}};
@@ -233,21 +236,27 @@ void LanguageServer::FilesChanged(const Json&) {
   has_changed_ = true;
 }
 
-std::vector<Json> LanguageServer::Report() {
-  if (!std::exchange(has_changed_, false)) return {};
-  std::map<std::string, Json> wanted;
+std::map<std::string, Json> LanguageServer::AllDiagnostics() {
+  std::map<std::string, Json> diagnostics_of;
   for (const Document* document : workspace_.documents()) {
     const Findings& findings = workspace_.FindingsOf(*document);
     for (auto& [file, diagnostics] :
          DiagnosticsByUri(findings, options_.diagnostics_page, workspace_.encoding)) {
       // The editor knows an open file by the name that it gave it.
       const bool is_own = file == UriOfPath(document->path());
-      Json& all = wanted.try_emplace(is_own ? document->uri() : file, Json::array()).first->second;
+      const std::string& uri = is_own ? document->uri() : file;
+      Json& all = diagnostics_of.try_emplace(uri, Json::array()).first->second;
       for (Json& diagnostic : diagnostics) {
         if (std::ranges::find(all, diagnostic) == all.end()) all.push_back(std::move(diagnostic));
       }
     }
   }
+  return diagnostics_of;
+}
+
+std::vector<Json> LanguageServer::Report() {
+  if (!std::exchange(has_changed_, false)) return {};
+  std::map<std::string, Json> wanted = AllDiagnostics();
   for (const auto& [uri, diagnostics] : shown_) wanted.try_emplace(uri, Json::array());
   std::vector<Json> messages;
   for (const auto& [uri, diagnostics] : wanted) {
@@ -316,6 +325,12 @@ Json LanguageServer::RenameAt(const Json& params) {
                                params.at("newName").get<std::string>(), workspace_);
   if (result.edit.is_null()) throw RequestError(protocol::kRequestFailed, result.refusal);
   return std::move(result.edit);
+}
+
+// What is shown may be out of date, so the present text is asked.
+Json LanguageServer::ActionsAt(const Json& params) {
+  const std::string uri = DocumentIn(params).uri();
+  return CodeActions(AllDiagnostics()[uri], uri, params);
 }
 
 // The whole text, unless nothing changes. A text with syntax errors is not touched.

@@ -52,6 +52,7 @@ class LanguageServer {
   Json HighlightsAt(const Json& params);
   Json PrepareRenameAt(const Json& params);
   Json RenameAt(const Json& params);
+  Json ActionsAt(const Json& params);
   Json FormatAll(const Json& params);
   Json SignatureAt(const Json& params);
   Json SymbolsOf(const Json& params);
@@ -62,6 +63,9 @@ class LanguageServer {
   void Changed(const Json& params);
   void Closed(const Json& params);
   void FilesChanged(const Json& params);
+
+  // What is wrong in all open files and what these are made of, by file.
+  std::map<std::string, Json> AllDiagnostics();
 
   const Document& DocumentIn(const Json& params) const;
   static uint32_t OffsetIn(const Document& document, const Json& params);

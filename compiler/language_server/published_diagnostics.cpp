@@ -1,5 +1,7 @@
 #include "compiler/language_server/published_diagnostics.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 
@@ -38,8 +40,23 @@ std::string AnchorOf(const std::string& code) {
 std::string MessageOf(const Diagnostic& diagnostic) {
   std::string message = diagnostic.message;
   if (!diagnostic.note.empty()) message += " (" + diagnostic.note + ")";
-  if (!diagnostic.help.empty()) message += "\nhelp: " + diagnostic.help;
+  if (!diagnostic.help.empty()) message += "\nhelp: " + diagnostic.help.text;
   return message;
+}
+
+std::string TitleOf(const Fix& fix, const Sources& sources) {
+  std::string_view old = sources.FileOf(fix.span).TextOf(fix.span);
+  if (fix.text.empty()) {
+    old.remove_prefix(std::min(old.find_first_not_of(" \t"), old.size()));
+    return fmt::format("Remove `{}`", old.substr(0, old.find_first_of("\r\n")));
+  }
+  return fmt::format("{} `{}`", old.empty() ? "Insert" : "Replace by", fix.text);
+}
+
+Json ToJson(const Fix& fix, const Sources& sources, PositionEncoding encoding) {
+  return {{"title", TitleOf(fix, sources)},
+          {"range", protocol::LocationOf(sources, fix.span, encoding)["range"]},
+          {"newText", fix.text}};
 }
 
 Json ToJson(const Diagnostic& diagnostic, const Sources& sources, const std::filesystem::path& page,
@@ -58,6 +75,9 @@ Json ToJson(const Diagnostic& diagnostic, const Sources& sources, const std::fil
          {"message", label.text}});
   }
   if (IsAboutUnused(diagnostic.code)) json["tags"] = {kUnnecessary};
+  for (const Fix& fix : diagnostic.help.fixes) {
+    json["data"]["fixes"].push_back(ToJson(fix, sources, encoding));
+  }
   return json;
 }
 

@@ -21,7 +21,13 @@ Json ToJson(const RunReport::Finding& finding) {
   json["message"] = diagnostic.message;
   AddPlace(json, finding.place);
   json["note"] = diagnostic.note;
-  json["help"] = diagnostic.help;
+  json["help"] = diagnostic.help.text;
+  json["fixes"] = Json::array();
+  for (size_t i = 0; i < finding.fix_places.size(); ++i) {
+    Json& fix = json["fixes"].emplace_back();
+    AddPlace(fix, finding.fix_places[i]);
+    fix["text"] = diagnostic.help.fixes[i].text;
+  }
   json["labels"] = Json::array();
   for (size_t i = 0; i < finding.label_places.size(); ++i) {
     Json& label = json["labels"].emplace_back();

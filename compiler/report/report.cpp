@@ -9,9 +9,12 @@ Place PlaceOf(const Sources& sources, Span span) {
 
 void RunReport::Add(const Sources& sources, const Diagnostics& diagnostics) {
   for (const Diagnostic& diagnostic : diagnostics.list()) {
-    Finding finding{diagnostic, PlaceOf(sources, diagnostic.span), {}};
+    Finding finding{diagnostic, PlaceOf(sources, diagnostic.span), {}, {}};
     for (const Label& label : diagnostic.labels) {
       finding.label_places.push_back(PlaceOf(sources, label.span));
+    }
+    for (const Fix& fix : diagnostic.help.fixes) {
+      finding.fix_places.push_back(PlaceOf(sources, fix.span));
     }
     findings.push_back(std::move(finding));
   }

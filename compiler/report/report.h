@@ -26,6 +26,7 @@ struct RunReport {
     Diagnostic diagnostic;
     Place place;
     std::vector<Place> label_places;  // one for each label
+    std::vector<Place> fix_places;    // one for each fix
   };
   std::vector<Finding> findings;
   std::vector<std::string> failures;  // mistakes in the call and in taskc, about no place in a task

@@ -24,14 +24,26 @@ std::string ToUri(const std::string& path) {
   return uri;
 }
 
+Json Region(const Place& place) {
+  return {{"startLine", place.begin.line},
+          {"startColumn", place.begin.column},
+          {"endLine", place.end.line},
+          {"endColumn", place.end.column}};
+}
+
 Json Location(const Place& place) {
   Json location;
   location["physicalLocation"]["artifactLocation"]["uri"] = ToUri(place.file);
-  location["physicalLocation"]["region"] = {{"startLine", place.begin.line},
-                                            {"startColumn", place.begin.column},
-                                            {"endLine", place.end.line},
-                                            {"endColumn", place.end.column}};
+  location["physicalLocation"]["region"] = Region(place);
   return location;
+}
+
+Json FixOf(const Place& place, const Fix& fix) {
+  Json change;
+  change["artifactLocation"]["uri"] = ToUri(place.file);
+  change["replacements"] =
+      Json::array({{{"deletedRegion", Region(place)}, {"insertedContent", {{"text", fix.text}}}}});
+  return {{"artifactChanges", Json::array({change})}};
 }
 
 const char* Level(std::string_view code) { return code.starts_with('W') ? "warning" : "error"; }
@@ -52,7 +64,7 @@ Json Result(const RunReport::Finding& finding) {
   const Diagnostic& diagnostic = finding.diagnostic;
   std::string message = diagnostic.message;
   if (!diagnostic.note.empty()) message += "\n" + diagnostic.note;
-  if (!diagnostic.help.empty()) message += "\nhelp: " + diagnostic.help;
+  if (!diagnostic.help.empty()) message += "\nhelp: " + diagnostic.help.text;
   const auto rule = std::ranges::find(kDiagnosticTable, diagnostic.code, &DiagnosticKind::code);
   Json result{{"ruleId", diagnostic.code},
               {"ruleIndex", std::distance(std::begin(kDiagnosticTable), rule)},
@@ -63,6 +75,9 @@ Json Result(const RunReport::Finding& finding) {
     Json related = Location(finding.label_places[i]);
     related["message"]["text"] = diagnostic.labels[i].text;
     result["relatedLocations"].push_back(std::move(related));
+  }
+  for (size_t i = 0; i < finding.fix_places.size(); ++i) {
+    result["fixes"].push_back(FixOf(finding.fix_places[i], diagnostic.help.fixes[i]));
   }
   return result;
 }

@@ -13,6 +13,14 @@ namespace {
 
 }  // namespace
 
+Help DidYouMean(Span span, const std::string& name) {
+  return {"did you mean `" + name + "`?", {{span, name}}};
+}
+
+Help WriteInstead(Span span, const std::string& text) {
+  return {"write `" + text + "`", {{span, text}}};
+}
+
 Diagnostic MakeDiagnostic(std::string_view code, Span span, std::string message) {
   Diagnostic diagnostic;
   diagnostic.severity = code.starts_with('W') ? Severity::kWarning : Severity::kError;

@@ -21,6 +21,31 @@ struct Label {
   std::string text;
 };
 
+// An edit that mends a mistake, in the file of its diagnostic: `text` takes the place of what
+// stands in `span`. Where the span is empty something is inserted, where the text is, removed.
+struct Fix {
+  Span span;
+  std::string text;
+};
+
+// What to do about a mistake: in words and, where these name what to write, as an edit.
+struct Help {
+  Help() = default;
+  Help(std::string words, std::vector<Fix> edits = {})
+      : text(std::move(words)), fixes(std::move(edits)) {}
+  Help(const char* words) : text(words) {}
+
+  bool empty() const { return text.empty(); }
+
+  std::string text;
+  std::vector<Fix> fixes;  // any one of them mends it
+};
+
+// "did you mean `name`?", in the place of what stands in `span`.
+Help DidYouMean(Span span, const std::string& name);
+// "write `text`", in the place of what stands in `span`.
+Help WriteInstead(Span span, const std::string& text);
+
 struct Diagnostic {
   Severity severity = Severity::kError;
   std::string code;     // "E0203": one per kind of mistake, listed in diagnostic_table.def
@@ -28,7 +53,7 @@ struct Diagnostic {
   Span span;            // what the carets point at
   std::string note;     // written behind the carets; may be empty
   std::vector<Label> labels;
-  std::string help;  // the likely fix; may be empty
+  Help help;  // the likely fix; may be empty
 };
 
 // A diagnostic of the kind `code` (one of compiler::code); "W..." is a warning, all else an error.

@@ -49,7 +49,7 @@ class Renderer {
       FileLine(&file == &files_.front() ? "-->" : ":::", file);
       SourceLines(file);
     }
-    if (!diagnostic_.help.empty()) Help();
+    if (!diagnostic_.help.empty()) HelpLines();
     return std::move(out_);
   }
 
@@ -145,11 +145,11 @@ class Renderer {
     GutterLine("", marked);
   }
 
-  void Help() {
+  void HelpLines() {
     const std::string blanks(gutter_, ' ');
     GutterLine("", "");
     out_ += blanks + Colored(kBlue, " =") + " " + Colored(kCyan, "help:") + " ";
-    for (const char c : diagnostic_.help) {
+    for (const char c : diagnostic_.help.text) {
       out_ += c;
       if (c == '\n') out_ += blanks + "         ";
     }

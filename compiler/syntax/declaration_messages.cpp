@@ -22,31 +22,35 @@ constexpr std::string_view kImportHelp = "write `import \"NAME.task\"`";
 constexpr std::string_view kValueHelp =
     "a value that can be turned is a `param`, one that the task changes a `memory`";
 constexpr std::array<ForeignWord, 13> kForeignWords = {{
-    {"def", kFunctionHelp},
-    {"func", kFunctionHelp},
-    {"function", kFunctionHelp},
-    {"fun", kFunctionHelp},
-    {"include", kImportHelp},
-    {"use", kImportHelp},
-    {"using", kImportHelp},
-    {"from", kImportHelp},
+    {"def", kFunctionHelp, "fn"},
+    {"func", kFunctionHelp, "fn"},
+    {"function", kFunctionHelp, "fn"},
+    {"fun", kFunctionHelp, "fn"},
+    {"include", kImportHelp, "import"},
+    {"use", kImportHelp, "import"},
+    {"using", kImportHelp, "import"},
+    {"from", kImportHelp, "import"},
     {"var", kValueHelp},
     {"const", kValueHelp},
-    {"state", kValueHelp},
-    {"when", "events are declared by `on EVENT { ... }`"},
-    {"event", "events are declared by `on EVENT { ... }`"},
+    {"state", kValueHelp, "memory"},
+    {"when", "events are declared by `on EVENT { ... }`", "on"},
+    {"event", "events are declared by `on EVENT { ... }`", "on"},
 }};
 
 constexpr const char* kHeaderHelp =
     "a file begins with the task's name and its robot: `task crawling for humanoid`";
 
-std::string HelpForDeclaration(const std::string& word) {
-  std::string help = HelpForForeign(word, kForeignWords);
-  if (!help.empty()) return help;
+Help HelpForDeclaration(const antlr4::Token& word) {
+  Help help = HelpForForeign(word, kForeignWords);
   const std::vector<std::string> keywords = DeclarationKeywords();
-  const std::string guess = DidYouMean(word, keywords);
-  return guess.empty() ? fmt::format("declarations begin with {}", fmt::join(keywords, ", "))
-                       : guess;
+  if (help.empty()) help = Nearest(word, keywords);
+  if (help.empty()) help = fmt::format("declarations begin with {}", fmt::join(keywords, ", "));
+  return help;
+}
+
+// `wrong`: the word in the place of `for`.
+Help RobotIs(const std::string& name, Span wrong) {
+  return {fmt::format("the robot is named by `for {}`", name), {{wrong, "for"}}};
 }
 
 std::string PlaceOfStatement(TokenType type) {
@@ -79,15 +83,14 @@ std::string HelpForStatement(TokenType type) {
 
 Description MissingHeader(const Failure& failure) {
   if (failure.rule != TaskParser::RuleFile || failure.last != nullptr) return std::nullopt;
-  const std::string word = failure.found.getText();
   std::vector<std::string> keywords = DeclarationKeywords();
   keywords.insert(keywords.begin(), Spelling(TaskParser::TASK));
-  const std::string guess = DidYouMean(word, keywords);
-  const bool is_other = !guess.empty() && guess != DidYouMean(word, {keywords.front()});
-  if (is_other) return std::nullopt;
+  const Help guess = Nearest(failure.found, keywords);
+  const Help task = Nearest(failure.found, {keywords.front()});
+  if (guess.text != task.text) return std::nullopt;
   return WithHelp(MakeDiagnostic(code::kMissingHeader, SpanOf(failure.found),
                                  fmt::format("expected `task NAME`, found {}", FoundText(failure))),
-                  kHeaderHelp);
+                  {kHeaderHelp, task.fixes});
 }
 
 Description BadHeader(const Failure& failure) {
@@ -97,9 +100,10 @@ Description BadHeader(const Failure& failure) {
                         failure.parent_rule == TaskParser::RuleEvent &&
                         failure.before_last->getType() == TaskParser::ON;
   if (is_event) {
-    return WithHelp(MakeDiagnostic(code::kUnexpectedToken, SpanOf(*failure.before_last),
+    const Span on = SpanOf(*failure.before_last);
+    return WithHelp(MakeDiagnostic(code::kUnexpectedToken, on,
                                    "expected `for` or the end of the line, found `on`"),
-                    fmt::format("the robot is named by `for {}`", failure.last->getText()));
+                    RobotIs(failure.last->getText(), on));
   }
   if (failure.rule != TaskParser::RuleFile || failure.is_at_line_start()) return std::nullopt;
   if (failure.type() == TaskParser::EXTENDS) {
@@ -109,9 +113,10 @@ Description BadHeader(const Failure& failure) {
   if (has_robot) return Expected(failure, "the end of the line");
   Diagnostic diagnostic = Expected(failure, "`for`, `extends` or the end of the line");
   if (failure.next_type() == TaskParser::STRING) {
-    diagnostic.help = fmt::format("did you mean `extends {}`?", failure.next->getText());
+    diagnostic.help = {fmt::format("did you mean `extends {}`?", failure.next->getText()),
+                       {{SpanOf(failure.found), "extends"}}};
   } else if (failure.next_type() == TaskParser::NAME) {
-    diagnostic.help = fmt::format("the robot is named by `for {}`", failure.next->getText());
+    diagnostic.help = RobotIs(failure.next->getText(), SpanOf(failure.found));
   }
   return diagnostic;
 }
@@ -146,9 +151,10 @@ Description BadOverride(const Failure& failure) {
   }
   Diagnostic diagnostic = Expected(failure, "`start`, `param`, `metric`, `reward`, `on` or `fn`");
   if (failure.type() != TaskParser::NAME) return diagnostic;
-  diagnostic.help = DidYouMean(word, {"start", "param", "metric", "reward", "on", "fn"});
+  diagnostic.help = Nearest(failure.found, {"start", "param", "metric", "reward", "on", "fn"});
   if (failure.next_type() == TaskParser::ASSIGN) {
-    diagnostic.help = fmt::format("say what it is: `override param {} = ...`", word);
+    diagnostic.help = {fmt::format("say what it is: `override param {} = ...`", word),
+                       {{SpanOf(failure.found), "param " + word}}};
   }
   return diagnostic;
 }
@@ -166,8 +172,11 @@ Description BadPath(const Failure& failure) {
       return std::nullopt;
   }
   Diagnostic diagnostic = Expected(failure, "a file in double quotes");
-  const std::string name = failure.type() == TaskParser::NAME ? failure.found.getText() : "NAME";
-  diagnostic.help = fmt::format("write `{} \"{}.task\"`", failure.last->getText(), name);
+  const bool is_name = failure.type() == TaskParser::NAME;
+  const std::string file = fmt::format("\"{}.task\"", is_name ? failure.found.getText() : "NAME");
+  diagnostic.help = fmt::format("write `{} {}`", failure.last->getText(), file);
+  const bool is_whole = failure.next_type() != TaskParser::DOT;
+  if (is_name && is_whole) diagnostic.help.fixes = {{SpanOf(failure.found), file}};
   return diagnostic;
 }
 
@@ -200,7 +209,7 @@ Description BadDeclaration(const Failure& failure) {
   return WithHelp(
       MakeDiagnostic(code::kUnknownDeclaration, SpanOf(failure.found),
                      fmt::format("expected a declaration, found {}", FoundText(failure))),
-      HelpForDeclaration(word));
+      HelpForDeclaration(failure.found));
 }
 
 }  // namespace compiler

@@ -55,11 +55,12 @@ Description BadDeclaration(const Failure& failure);
 struct ForeignWord {
   std::string_view text;
   std::string_view help;
+  std::string_view instead = "";  // the word itself; empty where more has to change
 };
-// The help for `word`, or "" where it is none of these.
-std::string HelpForForeign(std::string_view word, std::span<const ForeignWord> words);
+// The help for such a word; empty where it is none of these.
+Help HelpForForeign(const antlr4::Token& word, std::span<const ForeignWord> words);
 
 // "did you mean `x`?", or nothing.
-std::string DidYouMean(const std::string& name, const std::vector<std::string>& candidates);
+Help Nearest(const antlr4::Token& word, const std::vector<std::string>& candidates);
 
 }  // namespace compiler

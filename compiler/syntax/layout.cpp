@@ -322,14 +322,15 @@ bool Layout::Close(antlr4::CommonToken& token) {
     const TokenType closing = ClosingOf(bracket.type);
     diagnostic.message = fmt::format("{} does not close {}", Quoted(type), Quoted(bracket.type));
     diagnostic.labels.push_back({bracket.span, "opened here"});
-    diagnostic.help = fmt::format("write {}", Quoted(closing));
+    diagnostic.help = WriteInstead(SpanOf(token), Spelling(closing));
     token.setType(closing == TaskParser::RIGHT_BRACE ? size_t{TaskParser::SET_END} : closing);
     Pop();
     report_.Add(std::move(diagnostic));
     return true;
   }
   diagnostic.message = fmt::format("{} closes nothing", Quoted(type));
-  diagnostic.help = "remove it, or add the opening bracket that belongs to it";
+  diagnostic.help = {"remove it, or add the opening bracket that belongs to it",
+                     {{SpanOf(token), ""}}};
   report_.Add(std::move(diagnostic));
   return false;
 }

@@ -22,17 +22,18 @@ struct ForeignSign {
   std::string_view text;
   TokenType meant;
   std::string_view help;
+  std::string_view instead = "";  // what takes its place; empty where more has to change
 };
 constexpr std::array<ForeignSign, 9> kForeignSigns = {{
-    {"&&", TaskLexer::AND, "write `and`"},
-    {"||", TaskLexer::OR, "write `or`; the length of a vector is `norm(v)`"},
-    {"!", TaskLexer::NOT, "write `not`"},
-    {"<>", TaskLexer::NOT_EQUAL, "write `!=`"},
+    {"&&", TaskLexer::AND, "write `and`", "and"},
+    {"||", TaskLexer::OR, "write `or`; the length of a vector is `norm(v)`", "or"},
+    {"!", TaskLexer::NOT, "write `not`", "not"},
+    {"<>", TaskLexer::NOT_EQUAL, "write `!=`", "!="},
     {";", kNothing, "remove it: a statement ends at the end of its line"},
     {"%", kNothing, "there is no remainder and no percentage: write `0.05` for 5 percent"},
     {"**", TaskLexer::TIMES, "write a square as a product: `x * x`"},
     {"++", TaskLexer::PLUS, "write `x += 1`"},
-    {"#", kNothing, "a comment begins with `//`"},
+    {"#", kNothing, "a comment begins with `//`", "//"},
 }};
 
 struct Lookalike {
@@ -69,7 +70,7 @@ Diagnostic UnknownCharacter(const antlr4::Token& token, const SourceFile& source
       fmt::format("the character {} has no meaning here", Named(point.value, bytes)));
   const auto found = std::ranges::find(kLookalikes, point.value, &Lookalike::value);
   if (found != kLookalikes.end()) {
-    diagnostic.help = fmt::format("did you mean `{}`?", found->meant);
+    diagnostic.help = DidYouMean(diagnostic.span, std::string(found->meant));
   } else if (point.value >= 0x80) {
     diagnostic.help =
         "names consist of the letters a to z, digits and underscores; "
@@ -78,12 +79,31 @@ Diagnostic UnknownCharacter(const antlr4::Token& token, const SourceFile& source
   return diagnostic;
 }
 
+// A word stands apart from the names and numbers beside it.
+std::string Apart(std::string_view word, Span place, const SourceFile& source) {
+  const auto is_blank = [&](uint32_t begin) {
+    const std::string_view beside = source.TextOf({begin, begin + 1});
+    return beside.empty() || beside.find_first_of(" \t\r\n(") == 0;
+  };
+  std::string text;
+  if (place.begin > source.first_offset() && !is_blank(place.begin - 1)) text += ' ';
+  text += word;
+  if (!is_blank(place.end)) text += ' ';
+  return text;
+}
+
+std::vector<Fix> FixesOf(const ForeignSign& sign, Span place, const SourceFile& source) {
+  if (sign.instead.empty()) return {};
+  const bool is_word = sign.instead.front() >= 'a' && sign.instead.front() <= 'z';
+  return {{place, is_word ? Apart(sign.instead, place, source) : std::string(sign.instead)}};
+}
+
 bool RepairForeignSign(antlr4::CommonToken& token, const std::string& text, SyntaxReport& report) {
   const auto* sign = std::ranges::find(kForeignSigns, text, &ForeignSign::text);
   Diagnostic diagnostic =
       MakeDiagnostic(code::kForeignSyntax, SpanOf(token),
                      fmt::format("`{}` is not part of the task language", text));
-  diagnostic.help = sign->help;
+  diagnostic.help = {std::string(sign->help), FixesOf(*sign, SpanOf(token), report.source())};
   report.Add(std::move(diagnostic));
   token.setType(sign->meant);
   return sign->meant != kNothing;
@@ -101,16 +121,20 @@ bool RepairString(antlr4::CommonToken& token, SyntaxReport& report) {
 bool RepairNumber(antlr4::CommonToken& token, const std::string& text, SyntaxReport& report) {
   Diagnostic diagnostic =
       MakeDiagnostic(code::kBadNumber, SpanOf(token), "a number begins with a digit");
-  diagnostic.help = fmt::format("write `0{}`", text);
+  diagnostic.help = WriteInstead(SpanOf(token), "0" + text);
   report.Add(std::move(diagnostic));
   token.setType(TaskLexer::NUMBER);
   return true;
 }
 
-bool RepairForeignString(antlr4::CommonToken& token, SyntaxReport& report) {
+bool RepairForeignString(antlr4::CommonToken& token, const std::string& text,
+                         SyntaxReport& report) {
   Diagnostic diagnostic =
       MakeDiagnostic(code::kForeignSyntax, SpanOf(token), "a text stands between double quotes");
   diagnostic.help = "write `\"...\"`";
+  const std::string inside = text.substr(1, text.size() - 2);
+  if (inside.find_first_of("\"\\") == std::string::npos)
+    diagnostic.help.fixes = {{SpanOf(token), '"' + inside + '"'}};
   report.Add(std::move(diagnostic));
   token.setType(TaskLexer::STRING);
   return true;
@@ -148,7 +172,7 @@ bool RepairToken(antlr4::CommonToken& token, SyntaxReport& report) {
     case TaskLexer::FOREIGN:
       return RepairForeignSign(token, text, report);
     case TaskLexer::FOREIGN_STRING:
-      return RepairForeignString(token, report);
+      return RepairForeignString(token, text, report);
     case TaskLexer::BLOCK_COMMENT:
       return RejectBlockComment(token, report);
     case TaskLexer::BEYOND_ASCII:

@@ -67,10 +67,11 @@ Description NumberWithoutDigits(const Failure& failure) {
   const bool is_number = failure.last_type() == TaskParser::DOT && failure.before_last != nullptr &&
                          failure.before_last->getType() == TaskParser::NUMBER;
   if (!is_number) return std::nullopt;
+  const Span span = Cover(SpanOf(*failure.before_last), SpanOf(*failure.last));
+  const std::string number = failure.before_last->getText();
   return WithHelp(
-      MakeDiagnostic(code::kBadNumber, Cover(SpanOf(*failure.before_last), SpanOf(*failure.last)),
-                     "a number ends with a digit"),
-      fmt::format("write `{0}.0` or `{0}`", failure.before_last->getText()));
+      MakeDiagnostic(code::kBadNumber, span, "a number ends with a digit"),
+      {fmt::format("write `{0}.0` or `{0}`", number), {{span, number + ".0"}, {span, number}}});
 }
 
 Description MissingOperand(const Failure& failure) {
@@ -93,14 +94,15 @@ Description MissingOperand(const Failure& failure) {
   } else if (failure.type() == TaskParser::NOT) {
     diagnostic.help = "put `not` and what it denies in parentheses";
   } else if (failure.type() == TaskParser::PLUS) {
-    diagnostic.help = "there is no plus sign in front of an operand";
+    diagnostic.help = {"there is no plus sign in front of an operand",
+                       {{SpanOf(failure.found), ""}}};
   }
   return diagnostic;
 }
 
 Diagnostic UnknownUnit(const antlr4::Token& token) {
   const std::string name = token.getText();
-  std::string help = DidYouMean(name, UnitNames());
+  Help help = Nearest(token, UnitNames());
   if (help.empty()) help = fmt::format("the units are {}", fmt::join(UnitNames(), ", "));
   return WithHelp(
       MakeDiagnostic(code::kUnknownUnit, SpanOf(token), fmt::format("there is no unit `{}`", name)),

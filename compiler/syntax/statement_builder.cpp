@@ -166,7 +166,7 @@ RewardStatement StatementBuilder::Reward(TaskParser::RewardContext& context) {
 }
 
 EndStatement StatementBuilder::End(TaskParser::EndContext& context) {
-  EndStatement statement{EndKind::kTruncated, "", {}};
+  EndStatement statement{EndKind::kTruncated, "", {}, SpanOf(context)};
   if (context.outcome != nullptr) {
     statement.kind = LookUp(BuildName(*context.outcome), kOutcomeNames, code::kUnknownWord,
                             "an outcome of an episode", report_);

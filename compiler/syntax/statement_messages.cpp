@@ -26,21 +26,40 @@ constexpr std::string_view kLogHelp = "write `log NAME = ...` to record a value 
 constexpr std::string_view kBreakHelp =
     "a loop goes through its whole set: put what is skipped into an `if`";
 constexpr std::array<ForeignWord, 28> kForeignWords = {{
-    {"while", kLoopHelp},    {"loop", kLoopHelp},
-    {"repeat", kLoopHelp},   {"do", kLoopHelp},
-    {"until", kLoopHelp},    {"foreach", kLoopHelp},
-    {"break", kBreakHelp},   {"continue", kBreakHelp},
-    {"switch", kBranchHelp}, {"match", kBranchHelp},
-    {"case", kBranchHelp},   {"elif", kBranchHelp},
-    {"elsif", kBranchHelp},  {"elseif", kBranchHelp},
-    {"var", kLocalHelp},     {"val", kLocalHelp},
-    {"const", kLocalHelp},   {"auto", kLocalHelp},
-    {"local", kLocalHelp},   {"real", kLocalHelp},
-    {"float", kLocalHelp},   {"double", kLocalHelp},
-    {"int", kLocalHelp},     {"bool", kLocalHelp},
-    {"print", kLogHelp},     {"printf", kLogHelp},
-    {"echo", kLogHelp},      {"assert", "write `require CONDITION`"},
+    {"while", kLoopHelp},
+    {"loop", kLoopHelp},
+    {"repeat", kLoopHelp},
+    {"do", kLoopHelp},
+    {"until", kLoopHelp},
+    {"foreach", kLoopHelp},
+    {"break", kBreakHelp},
+    {"continue", kBreakHelp},
+    {"switch", kBranchHelp},
+    {"match", kBranchHelp},
+    {"case", kBranchHelp},
+    {"elif", kBranchHelp, "else if"},
+    {"elsif", kBranchHelp, "else if"},
+    {"elseif", kBranchHelp, "else if"},
+    {"var", kLocalHelp, "let"},
+    {"val", kLocalHelp, "let"},
+    {"const", kLocalHelp, "let"},
+    {"auto", kLocalHelp, "let"},
+    {"local", kLocalHelp, "let"},
+    {"real", kLocalHelp, "let"},
+    {"float", kLocalHelp, "let"},
+    {"double", kLocalHelp, "let"},
+    {"int", kLocalHelp, "let"},
+    {"bool", kLocalHelp, "let"},
+    {"print", kLogHelp},
+    {"printf", kLogHelp},
+    {"echo", kLogHelp},
+    {"assert", "write `require CONDITION`", "require"},
 }};
+
+// `a = 1` where `a == 1` is meant.
+Help Comparison(const Failure& failure) {
+  return {"to compare, write `==`", {{SpanOf(failure.found), "=="}}};
+}
 
 Diagnostic Misplaced(const Failure& failure, const std::string& where, std::string help) {
   return WithHelp(MakeDiagnostic(code::kUnknownStatement, SpanOf(failure.found),
@@ -70,9 +89,7 @@ Diagnostic BadEndOfStatement(const Failure& failure) {
   const bool is_condition = failure.statement_type() == TaskParser::REQUIRE ||
                             failure.statement_type() == TaskParser::EXPECT ||
                             failure.statement_type() == TaskParser::RETURN;
-  if (is_condition && failure.type() == TaskParser::ASSIGN) {
-    diagnostic.help = "to compare, write `==`";
-  }
+  if (is_condition && failure.type() == TaskParser::ASSIGN) diagnostic.help = Comparison(failure);
   return diagnostic;
 }
 
@@ -105,7 +122,7 @@ Description BadCondition(const Failure& failure) {
       failure.rule == TaskParser::RuleBlock && has_head && failure.expects(TaskParser::LEFT_BRACE);
   if (!is_behind_head || !EndsOperand(failure.last_type())) return std::nullopt;
   Diagnostic diagnostic = Expected(failure, "an operator or `{`");
-  if (failure.type() == TaskParser::ASSIGN) diagnostic.help = "to compare, write `==`";
+  if (failure.type() == TaskParser::ASSIGN) diagnostic.help = Comparison(failure);
   return diagnostic;
 }
 
@@ -176,7 +193,7 @@ Description UnknownStatement(const Failure& failure) {
     return WithHelp(Expected(failure, "`=`"),
                     fmt::format("a local value is `let {} = ...`, without a type", name));
   }
-  std::string help = HelpForForeign(name, kForeignWords);
+  Help help = HelpForForeign(begin, kForeignWords);
   if (help.empty() && failure.type() == TaskParser::LEFT_PARENTHESIS) {
     return WithHelp(MakeDiagnostic(code::kUnknownStatement, SpanOf(begin),
                                    fmt::format("the value of `{}` is not used", name)),
@@ -184,7 +201,7 @@ Description UnknownStatement(const Failure& failure) {
   }
   std::vector<std::string> keywords = StatementKeywords();
   keywords.push_back(Spelling(TaskParser::ELSE));
-  if (help.empty()) help = DidYouMean(name, keywords);
+  if (help.empty()) help = Nearest(begin, keywords);
   if (help.empty()) help = fmt::format("a memory is set by `{} = ...`", name);
   return WithHelp(MakeDiagnostic(code::kUnknownStatement, SpanOf(begin),
                                  fmt::format("there is no statement `{}`", name)),
@@ -225,11 +242,11 @@ Description BadTestStatement(const Failure& failure) {
   const std::string help = "a test holds `given`, `fire` and `expect`";
   if (IsReserved(failure.type())) return Misplaced(failure, "does not stand in a test", help);
   if (failure.type() != TaskParser::NAME) return Expected(failure, "a statement or `}`");
-  const std::string guess = DidYouMean(
-      failure.found.getText(),
+  const Help guess = Nearest(
+      failure.found,
       {Spelling(TaskParser::GIVEN), Spelling(TaskParser::FIRE), Spelling(TaskParser::EXPECT)});
   if (guess.empty() && GoesOn(failure)) return BadEndOfStatement(failure);
-  return WithHelp(Expected(failure, "a statement of a test"), guess.empty() ? help : guess);
+  return WithHelp(Expected(failure, "a statement of a test"), guess.empty() ? Help(help) : guess);
 }
 
 Description BadBodyStatement(const Failure& failure) {
@@ -239,14 +256,14 @@ Description BadBodyStatement(const Failure& failure) {
   const bool is_reserved = IsReserved(failure.type());
   if (GoesOn(failure) && !is_reserved) return BadEndOfStatement(failure);
   const std::string help = "a function is `let`s and one `return`, and changes nothing";
-  const std::string guess = DidYouMean(failure.found.getText(),
-                                       {Spelling(TaskParser::LET), Spelling(TaskParser::RETURN)});
+  const Help guess =
+      Nearest(failure.found, {Spelling(TaskParser::LET), Spelling(TaskParser::RETURN)});
   return WithHelp(
       MakeDiagnostic(code::kBadFunctionBody, SpanOf(failure.found),
                      is_reserved
                          ? fmt::format("{} does not stand in a function", FoundText(failure))
                          : fmt::format("expected `let` or `return`, found {}", FoundText(failure))),
-      guess.empty() || is_reserved ? help : guess);
+      guess.empty() || is_reserved ? Help(help) : guess);
 }
 
 }  // namespace compiler

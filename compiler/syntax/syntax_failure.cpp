@@ -91,7 +91,7 @@ Diagnostic ExpectedBehindLast(const Failure& failure, const std::string& what) {
                         fmt::format("expected {}, found {}", what, FoundText(failure)));
 }
 
-Diagnostic WithHelp(Diagnostic diagnostic, std::string help) {
+Diagnostic WithHelp(Diagnostic diagnostic, Help help) {
   diagnostic.help = std::move(help);
   return diagnostic;
 }

@@ -47,6 +47,6 @@ Diagnostic Expected(const Failure& failure, const std::string& what);
 // The same behind the last token in any case: where a sign is missing.
 Diagnostic ExpectedBehindLast(const Failure& failure, const std::string& what);
 
-Diagnostic WithHelp(Diagnostic diagnostic, std::string help);
+Diagnostic WithHelp(Diagnostic diagnostic, Help help);
 
 }  // namespace compiler

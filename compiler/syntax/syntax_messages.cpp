@@ -14,16 +14,18 @@
 
 namespace compiler {
 
-std::string DidYouMean(const std::string& name, const std::vector<std::string>& candidates) {
+Help Nearest(const antlr4::Token& word, const std::vector<std::string>& candidates) {
+  const std::string name = word.getText();
   const auto nearest = text::NearestName(name, candidates);
-  return nearest && *nearest != name ? fmt::format("did you mean `{}`?", *nearest) : "";
+  return nearest && *nearest != name ? DidYouMean(SpanOf(word), *nearest) : Help();
 }
 
-std::string HelpForForeign(std::string_view word, std::span<const ForeignWord> words) {
-  for (const ForeignWord& foreign : words) {
-    if (foreign.text == word) return std::string(foreign.help);
-  }
-  return "";
+Help HelpForForeign(const antlr4::Token& word, std::span<const ForeignWord> words) {
+  const auto found = std::ranges::find(words, word.getText(), &ForeignWord::text);
+  if (found == words.end()) return {};
+  Help help = std::string(found->help);
+  if (!found->instead.empty()) help.fixes = {{SpanOf(word), std::string(found->instead)}};
+  return help;
 }
 
 namespace {

@@ -170,6 +170,7 @@ struct EndStatement {  // `end_episode failure "why"`, `truncate_episode "why"`
   EndKind kind;
   std::string reason;
   Span reason_span;
+  Span span;
 };
 
 enum class Reduction { kLast, kSum, kMax, kMin, kMean };

@@ -19,7 +19,7 @@ constexpr int kMaxPower = 9;
 // Up to here every integer is a real number, too.
 constexpr double kMaxInteger = 9007199254740992.0;  // 2^53
 
-void ReportNumber(SyntaxReport& report, Span span, std::string message, std::string help) {
+void ReportNumber(SyntaxReport& report, Span span, std::string message, Help help) {
   Diagnostic diagnostic = MakeDiagnostic(code::kBadNumber, span, std::move(message));
   diagnostic.help = std::move(help);
   report.Add(std::move(diagnostic));
@@ -129,8 +129,9 @@ NumberLiteral BuildNumber(TaskParser::NumberContext& context, SyntaxReport& repo
     ReportNumber(report, SpanOf(token), "this number is too large or too close to 0",
                  "a number is 0 or lies between 2.3e-308 and 1.7e308");
   } else if (number.is_integer && number.value > kMaxInteger) {
-    ReportNumber(report, SpanOf(token), "this integer is too large",
-                 fmt::format("write it as a real number: `{}.0`", text));
+    ReportNumber(
+        report, SpanOf(token), "this integer is too large",
+        {fmt::format("write it as a real number: `{}.0`", text), {{SpanOf(token), text + ".0"}}});
   }
   if (auto* unit = context.literalUnit()) {
     number.unit = UnitExpression{BuildFactors(*unit, report), SpanOf(*unit)};

@@ -25,12 +25,12 @@ Meaning LookUp(const Identifier& word, const std::array<Word<Meaning>, size>& wo
   Diagnostic diagnostic =
       MakeDiagnostic(code, word.span, fmt::format("`{}` is not {}", word.text, what));
   if (const auto nearest = text::NearestName(word.text, names)) {
-    diagnostic.help = fmt::format("did you mean `{}`?", *nearest);
+    diagnostic.help = DidYouMean(word.span, *nearest);
   } else {
-    diagnostic.help = "it is one of ";
+    std::string& help = diagnostic.help.text = "it is one of ";
     for (size_t i = 0; i < names.size(); ++i) {
-      if (i > 0) diagnostic.help += i + 1 < names.size() ? ", " : " and ";
-      diagnostic.help += fmt::format("`{}`", names[i]);
+      if (i > 0) help += i + 1 < names.size() ? ", " : " and ";
+      help += fmt::format("`{}`", names[i]);
     }
   }
   report.Add(std::move(diagnostic));

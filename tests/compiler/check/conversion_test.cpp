@@ -10,21 +10,21 @@ Unit UnitOf(std::string_view text) { return ParseUnit(text)->unit; }
 
 TEST(UnitHelp, ForALiteralWritesItsUnit) {
   Expression twenty{{}, NumberLiteral{20, true, std::nullopt}};
-  EXPECT_EQ(HelpForUnit({}, &twenty, UnitOf("s")), "write the number with its unit: `20 s`");
-  EXPECT_EQ(HelpForUnit({}, &twenty, UnitOf("rad")), "write `20 deg` or `20 rad`");
+  EXPECT_EQ(HelpForUnit({}, &twenty, UnitOf("s")).text, "write the number with its unit: `20 s`");
+  EXPECT_EQ(HelpForUnit({}, &twenty, UnitOf("rad")).text, "write `20 deg` or `20 rad`");
 }
 
 TEST(UnitHelp, ForAnAngleDividesByTheRadian) {
-  EXPECT_EQ(HelpForUnit(UnitOf("rad"), nullptr, {}),
+  EXPECT_EQ(HelpForUnit(UnitOf("rad"), nullptr, {}).text,
             "an angle is no plain number: divide by `1 rad`");
-  EXPECT_EQ(HelpForUnit(UnitOf("m/s"), nullptr, UnitOf("m rad/s")),
+  EXPECT_EQ(HelpForUnit(UnitOf("m/s"), nullptr, UnitOf("m rad/s")).text,
             "an angle is no plain number: multiply by `1 rad`");
-  EXPECT_EQ(HelpForUnit(UnitOf("rad^2"), nullptr, {}),
+  EXPECT_EQ(HelpForUnit(UnitOf("rad^2"), nullptr, {}).text,
             "an angle is no plain number: divide by `1 rad^2`");
 }
 
 TEST(UnitHelp, IsSilentWhereNothingGeneralCanBeSaid) {
-  EXPECT_EQ(HelpForUnit(UnitOf("m"), nullptr, UnitOf("s")), "");
+  EXPECT_EQ(HelpForUnit(UnitOf("m"), nullptr, UnitOf("s")).text, "");
 }
 
 TEST(LiteralZero, IsAZeroWithoutUnitOrSign) {

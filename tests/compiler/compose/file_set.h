@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <utility>
 
@@ -18,6 +19,22 @@ inline FileReader ReaderOf(FileSet files) {
     const auto found = files.find(file.string());
     return found != files.end() ? std::optional(found->second) : std::nullopt;
   };
+}
+
+// Files in one text, each behind a line `==== NAME`.
+inline FileSet SplitFiles(const std::string& text) {
+  constexpr std::string_view kHeading = "==== ";
+  FileSet files;
+  std::string* file = nullptr;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with(kHeading)) {
+      file = &files[line.substr(kHeading.size())];
+    } else if (file != nullptr) {
+      *file += line + "\n";
+    }
+  }
+  return files;
 }
 
 // The file "main.task" with all that it needs.

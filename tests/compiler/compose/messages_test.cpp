@@ -1,10 +1,8 @@
-// What is wrong between files, as a person reads it. A golden file in `messages` holds files, each
-// behind a line `==== NAME`, and one of the same name ending in `.expected` what is said of the
-// first.
+// What is wrong between files, as a person reads it. A golden file in `messages` holds files, see
+// SplitFiles(), and one of the same name ending in `.expected` what is said of the first.
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <sstream>
 #include <string>
 
 #include "tests/compiler/compose/file_set.h"
@@ -15,24 +13,9 @@ namespace {
 
 const std::filesystem::path kFolder = SOURCE_DIR "/tests/compiler/compose/messages";
 
-FileSet Split(const std::string& text) {
-  constexpr std::string_view kHeading = "==== ";
-  FileSet files;
-  std::string* file = nullptr;
-  std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line);) {
-    if (line.starts_with(kHeading)) {
-      file = &files[line.substr(kHeading.size())];
-    } else if (file != nullptr) {
-      *file += line + "\n";
-    }
-  }
-  return files;
-}
-
 TEST(ComposeMessages, AreAsReviewed) {
   for (const auto& path : golden::FilesIn(kFolder, "fail_", ".txt")) {
-    const Composed composed(Split(golden::ReadFile(path)));
+    const Composed composed(SplitFiles(golden::ReadFile(path)));
     EXPECT_FALSE(composed.tree) << path;
     std::filesystem::path expected = path;
     golden::Expect(expected.replace_extension(".expected"), composed.Messages());
@@ -50,7 +33,7 @@ TEST(ComposeMessages, SuggestAFileOfTheFolder) {
   Compose(folder / "main.task", ReadFromDisk, sources, diagnostics);
   ASSERT_EQ(diagnostics.list().size(), 1u);
   EXPECT_EQ(diagnostics.list()[0].code, code::kMissingFile);
-  EXPECT_EQ(diagnostics.list()[0].help, "did you mean `shaping.task`?");
+  EXPECT_EQ(diagnostics.list()[0].help.text, "did you mean `shaping.task`?");
   std::filesystem::remove_all(folder);
 }
 

@@ -15,7 +15,7 @@ RunReport SampleReport() {
   Diagnostics diagnostics;
   Diagnostic error = MakeDiagnostic(code::kUnknownName, {26, 31}, "there is nothing called `höhe`");
   error.note = "not declared";
-  error.help = "the known names are `pi`";
+  error.help = DidYouMean({26, 31}, "pi");
   error.labels.push_back({{0, 4}, "in this \"task\""});
   diagnostics.Add(error);
   diagnostics.Add(MakeDiagnostic(code::kNeverEnds, {5, 8}, "the task never ends"));
