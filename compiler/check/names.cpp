@@ -146,6 +146,30 @@ std::optional<CheckedExpression> ResolveBuiltIn(const Identifier& name, const Pl
   return std::nullopt;
 }
 
+// A sensor of several names that `path` begins with, were it not for a few wrong letters. False:
+// there is none.
+bool ReportMisspeltSensor(const std::vector<Identifier>& path, const TaskScope& scope) {
+  std::string nearest;
+  size_t length = 0;
+  size_t smallest = std::string::npos;
+  for (const std::string& name : scope.sensors.Names()) {
+    const auto parts = static_cast<size_t>(1 + std::ranges::count(name, '.'));
+    if (parts < 2 || parts > path.size()) continue;
+    const auto distance = text::DottedDistance(Join(path, parts), name);
+    if (!distance || *distance >= smallest) continue;
+    nearest = name;
+    length = parts;
+    smallest = *distance;
+  }
+  if (nearest.empty()) return false;
+  const Span span = SpanOf(path, length);
+  Report(scope.diagnostics, code::kUnknownSensor, span,
+         fmt::format("there is no sensor `{}`", Join(path, length)),
+         {.help = DidYouMean(span, nearest)});
+  return true;
+}
+
+// `path` begins as sensors do.
 void ReportUnknownSensor(const std::vector<Identifier>& path, const TaskScope& scope) {
   std::vector<std::string> siblings;
   for (std::string& name : scope.sensors.Names())
@@ -156,10 +180,9 @@ void ReportUnknownSensor(const std::vector<Identifier>& path, const TaskScope& s
            {.help = fmt::format("its sensors are {}", List(siblings))});
     return;
   }
-  const std::string name = Join(path, 2);
   Report(scope.diagnostics, code::kUnknownSensor, SpanOf(path, 2),
-         fmt::format("there is no sensor `{}`", name),
-         {.help = Suggest(SpanOf(path, 2), name, siblings, "sensors of this kind")});
+         fmt::format("there is no sensor `{}`", Join(path, 2)),
+         {.help = fmt::format("the sensors of this kind are {}", List(siblings))});
 }
 
 // A sensor that robots have, in a task without a robot. False: it is no such sensor.
@@ -283,7 +306,7 @@ std::optional<ResolvedPath> ResolvePath(const std::vector<Identifier>& path, con
     NoteSensor(name, span, sensor, scope);
     return ResolvedPath{{span, sensor.type, sensor.unit, SensorRead{index}}, length};
   }
-  if (ReportSensorOfRobot(path, scope)) return std::nullopt;
+  if (ReportSensorOfRobot(path, scope) || ReportMisspeltSensor(path, scope)) return std::nullopt;
   if (scope.sensors.IsRoot(root.text)) {
     ReportUnknownSensor(path, scope);
   } else if (!ReportMisplacedName(root, scope)) {
@@ -328,7 +351,10 @@ const FunctionSignature* ResolveFunction(const Identifier& name, const Place& pl
   }
   std::vector<std::string> functions = BuiltinNames();
   for (const FunctionSignature& function : scope.functions) functions.push_back(function.name.text);
+  if (place.kind == Place::kExpect)
+    for (const std::string_view of_test : {kTotal, kValue}) functions.emplace_back(of_test);
   Help help = Suggest(name.span, name.text, functions, "functions");
+  if (help.empty()) help = fmt::format("the functions are {}", List(functions));
   if (IsTestFunction(name.text)) help = "it is known only behind the `expect` of a test";
   Report(scope.diagnostics, code::kUnknownFunction, name.span,
          fmt::format("there is no function `{}`{}", name.text,

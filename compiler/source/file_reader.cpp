@@ -11,8 +11,16 @@
 namespace compiler {
 namespace {
 
+// The task that was meant where its ending was left out.
+std::string NearbyTask(const std::filesystem::path& file) {
+  const std::filesystem::path task = file.string() + ".task";
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(task, error)) return "";
+  return "; did you mean `" + task.string() + "`?";
+}
+
 [[noreturn]] void ThrowUnreadable(const std::filesystem::path& file, const std::string& reason) {
-  throw CallError("cannot read `" + file.string() + "`: " + reason);
+  throw CallError("cannot read `" + file.string() + "`: " + reason + NearbyTask(file));
 }
 
 }  // namespace

@@ -37,4 +37,21 @@ size_t LargestPlausibleDistance(std::string_view name) {
   return std::max<size_t>(1, name.size() / 3);
 }
 
+std::optional<size_t> DottedDistance(std::string_view name, std::string_view candidate) {
+  size_t sum = 0;
+  while (true) {
+    const size_t end = name.find('.');
+    const size_t candidate_end = candidate.find('.');
+    const std::string_view part = name.substr(0, end);
+    const size_t distance = SpellingDistance(part, candidate.substr(0, candidate_end));
+    if (distance > LargestPlausibleDistance(part)) return std::nullopt;
+    sum += distance;
+    const bool is_last = end == std::string_view::npos;
+    if (is_last != (candidate_end == std::string_view::npos)) return std::nullopt;
+    if (is_last) return sum;
+    name.remove_prefix(end + 1);
+    candidate.remove_prefix(candidate_end + 1);
+  }
+}
+
 }  // namespace text

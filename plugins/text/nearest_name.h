@@ -18,6 +18,10 @@ size_t SpellingDistance(std::string_view a, std::string_view b);
 // least 1 and never the whole name.
 size_t LargestPlausibleDistance(std::string_view name);
 
+// The mistakes in all parts of a dotted name such as "base.velocity"; nothing where the two have
+// another number of parts, or where one of them no longer looks like a misspelling.
+std::optional<size_t> DottedDistance(std::string_view name, std::string_view candidate);
+
 // The candidate nearest to `name`, the first of several equally near ones; nothing if none is near
 // enough to be a misspelling. `candidates`: any range of strings.
 template <std::ranges::input_range Candidates>

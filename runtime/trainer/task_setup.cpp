@@ -17,8 +17,10 @@ namespace {
 
 void CheckTaskFile(const std::filesystem::path& task) {
   if (task.extension() != ".task" && task.extension() != ".so") {
+    const std::string meant = task.string() + ".task";
     throw CallError(fmt::format(
-        "{}: a task is a .task file, or a .so file that taskc has built from one", task.string()));
+        "{}: a task is a .task file, or a .so file that taskc has built from one{}", task.string(),
+        std::filesystem::exists(meant) ? fmt::format("; did you mean `{}`?", meant) : ""));
   }
   if (std::filesystem::exists(task)) return;
   std::vector<std::string> neighbours;

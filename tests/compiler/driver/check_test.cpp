@@ -28,6 +28,22 @@ TEST(Check, SaysWhatAGoodTaskHas) {
   EXPECT_EQ(outcome.error, "");
 }
 
+// All verbs read files in the same way.
+TEST(Check, SuggestsTheTaskWhoseEndingWasLeftOut) {
+  TaskcProcess taskc;
+  taskc.Write("good.task", kGoodTask);
+  for (const char* verb : {"build", "check", "test", "emit", "fmt", "doc"}) {
+    const Outcome outcome = taskc.Run(std::string(verb) + " good");
+    EXPECT_EQ(outcome.status, 2) << verb;
+    EXPECT_EQ(outcome.error,
+              "taskc: cannot read `good`: No such file or directory; did you mean `good.task`?\n")
+        << verb;
+    EXPECT_EQ(taskc.Run(std::string(verb) + " bad").error,
+              "taskc: cannot read `bad`: No such file or directory\n")
+        << verb;
+  }
+}
+
 TEST(Check, ShowsBounds) {
   TaskcProcess taskc;
   taskc.Write("bounded.task", R"(task bounded

@@ -21,6 +21,21 @@ TEST(SpellingDistance, CountsEachKindOfMistakeOnce) {
 
 TEST(SpellingDistance, CaseDoesNotCount) { EXPECT_EQ(SpellingDistance("Reward", "reWARD"), 0u); }
 
+TEST(DottedDistance, CountsTheMistakesOfAllParts) {
+  EXPECT_EQ(DottedDistance("bas.velocty", "base.velocity"), 2u);
+  EXPECT_EQ(DottedDistance("time", "time"), 0u);
+}
+
+TEST(DottedDistance, IsNoneWhereAPartIsAnotherWord) {
+  EXPECT_EQ(DottedDistance("body.velocity", "base.velocity"), std::nullopt);
+  EXPECT_EQ(DottedDistance("base.speed", "base.velocity"), std::nullopt);
+}
+
+TEST(DottedDistance, IsNoneWhereThePartsAreNotAsMany) {
+  EXPECT_EQ(DottedDistance("base", "base.velocity"), std::nullopt);
+  EXPECT_EQ(DottedDistance("base.velocity.x", "base.velocity"), std::nullopt);
+}
+
 TEST(NearestName, TheNearestOfSeveralWins) {
   const std::vector<std::string> names = {"base.position", "base.velocity", "joint.velocity"};
   EXPECT_EQ(NearestName("base.velocty", names), "base.velocity");

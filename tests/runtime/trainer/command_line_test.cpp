@@ -58,6 +58,10 @@ TEST_F(CommandLineTest, RefusesWrongCalls) {
 TEST_F(CommandLineTest, NamesTheNearestCommandAndTask) {
   EXPECT_THAT(Trainer({"trian"}).errors, HasSubstr("did you mean `trainer train`?"));
   EXPECT_THAT(Trainer({"train", TaskFile("leanign")}).errors, HasSubstr("`leaning.task`"));
+  const std::filesystem::path without_ending =
+      std::filesystem::path(TaskFile("leaning")).replace_extension();
+  EXPECT_THAT(Trainer({"train", without_ending.string()}).errors,
+              HasSubstr("did you mean `" + TaskFile("leaning") + "`?"));
 }
 
 TEST_F(CommandLineTest, NamesTheNearestModuleAndParameter) {
