@@ -39,8 +39,8 @@ class Humanoid {
     for (int step = 0; step < 20; ++step) environment().StepControl();
   }
 
-  RobotEnvironment& environment() { return network_.FindAs<RobotEnvironment>("environment"); }
-  UniversalTask& task() { return network_.FindAs<UniversalTask>("task"); }
+  RobotEnvironment& environment() { return network_.FindOnly<RobotEnvironment>(); }
+  UniversalTask& task() { return network_.FindOnly<UniversalTask>(); }
   LiveNetwork& live() { return live_; }
   // Nothing hears what the task pays: only the task itself is measured.
   void Isolate() {
@@ -48,14 +48,8 @@ class Humanoid {
   }
 
  private:
-  static ModuleTypes Types() {
-    ModuleTypes types;
-    RegisterModuleTypes(types);
-    return types;
-  }
-
   robot::RobotDescription robot_ = robot::ReadRobot(SOURCE_DIR "/plugins/humanoid/robot.toml");
-  ModuleTypes types_ = Types();
+  const ModuleTypes& types_ = ProgramModuleTypes();
   Context context_{&robot_, LoadTask("crawling"), 1};
   Network network_ =
       BuildNetwork(ReadAgent(SOURCE_DIR "/plugins/humanoid/agent.toml"), types_, context_);

@@ -94,7 +94,7 @@ void ChangeMaker::Promote(const Change& change) {
 
 void ChangeMaker::SettleLearner(const Change& change, const UniversalTask& task) {
   if (&task != &network_.active_task()) return;
-  network_.learner().ClearTraces();
+  network_.learner().ForgetCredit();
   if (change.flag("forget")) network_.learner().Forget();
 }
 

@@ -9,9 +9,6 @@
 namespace runtime {
 namespace {
 
-constexpr const char* kEnvironment = "environment";
-constexpr const char* kLearner = "learner";
-
 // Connects each slot of `shadow` to what the same slot of `active` is connected to.
 void ListenLike(const UniversalTask& active, const UniversalTask& shadow) {
   for (const Port* slot : active.ports()) {
@@ -35,13 +32,12 @@ LiveNetwork::LiveNetwork(Network& network, const ModuleTypes& types, const Conte
     : network_(network),
       types_(types),
       context_(context),
-      learner_(network.FindAs<PengQLambda>(kLearner)) {}
+      environment_(network.FindOnly<RobotEnvironment>()),
+      learner_(network.FindOnly<Learner>()) {}
 
 UniversalTask& LiveNetwork::FindTask(std::string_view name) const {
   std::vector<std::string> names;
-  for (const auto& module : network_.modules()) {
-    auto* task = dynamic_cast<UniversalTask*>(module.get());
-    if (task == nullptr) continue;
+  for (UniversalTask* task : network_.FindAll<UniversalTask>()) {
     if (task->name() == name) return *task;
     names.push_back(task->name());
   }
@@ -171,9 +167,7 @@ void LiveNetwork::Disconnect(const std::string& first, const std::string& second
 
 // Without the connection of the two.
 void LiveNetwork::CheckIsStillPaid(const Port& a, const Port& b) const {
-  for (const auto& module : network_.modules()) {
-    const auto* task = dynamic_cast<const UniversalTask*>(module.get());
-    if (task == nullptr) continue;
+  for (const UniversalTask* task : network_.FindAll<UniversalTask>()) {
     for (const Port* slot : task->reward.Connections()) {
       const bool is_theirs =
           (&task->reward == &a && slot == &b) || (&task->reward == &b && slot == &a);
@@ -215,7 +209,7 @@ void LiveNetwork::StartWhatCan() {
 }
 
 void LiveNetwork::CheckIsNeeded(const Module& module) const {
-  if (module.name() == kEnvironment || &module == &learner_ || &module == &active_task()) {
+  if (&module == &environment_ || &module == &learner_ || &module == &active_task()) {
     throw UserError(fmt::format("the run cannot do without `{}`", module.name()));
   }
   for (const Port* port : module.ports()) {

@@ -6,21 +6,24 @@
 #include <string>
 #include <vector>
 
-#include "runtime/learning/peng_q_lambda.h"
+#include "runtime/learning/learner.h"
 #include "runtime/module/context.h"
 #include "runtime/module/network.h"
 #include "runtime/run/task_modules.h"
+#include "runtime/simulation/robot_environment.h"
 
 namespace runtime {
 
 // Each function does all that its name says, or throws UserError and changes nothing.
 class LiveNetwork {
  public:
-  // `network`: started. All of these outlive this object.
+  // `network`: started, with one environment and one learner; throws UserError where it has not.
+  // All of these outlive this object.
   LiveNetwork(Network& network, const ModuleTypes& types, const Context& context);
 
   Network& network() const { return network_; }
-  PengQLambda& learner() const { return learner_; }
+  const RobotEnvironment& environment() const { return environment_; }
+  Learner& learner() const { return learner_; }
   UniversalTask& FindTask(std::string_view name) const;
   UniversalTask& active_task() const;
 
@@ -72,7 +75,8 @@ class LiveNetwork {
   Network& network_;
   const ModuleTypes& types_;
   const Context& context_;
-  PengQLambda& learner_;
+  const RobotEnvironment& environment_;
+  Learner& learner_;
   std::map<std::string, std::string> not_started_;  // modules, and why
 };
 

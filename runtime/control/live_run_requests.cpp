@@ -9,7 +9,6 @@
 #include "runtime/control/parameter_json.h"
 #include "runtime/module/suggestion.h"
 #include "runtime/run/task_record.h"
-#include "runtime/simulation/robot_environment.h"
 
 namespace runtime {
 namespace {
@@ -132,7 +131,6 @@ Json LiveRun::StepOn(const Json& arguments) {
 
 Json LiveRun::StatusJson() const {
   static constexpr const char* kNames[] = {"running", "paused", "finished"};
-  const auto& environment = run_.network.FindAs<RobotEnvironment>("environment");
   const double wall = last_episode_.wall_seconds;
   return {{"run", run_.folder.string()},
           {"task", network_.active_task().plugin().name},
@@ -140,7 +138,7 @@ Json LiveRun::StatusJson() const {
           {"state", kNames[static_cast<int>(state_)]},
           {"episode", position_.episode},
           {"step", position_.step},
-          {"time", position_.step == 0 ? 0.0 : environment.time()},
+          {"time", position_.step == 0 ? 0.0 : network_.environment().time()},
           {"episodes_done", episodes_done_},
           {"episodes_planned", run_.record.episodes_planned},
           {"speed", wall > 0 ? last_episode_.simulated_seconds / wall : 0.0},

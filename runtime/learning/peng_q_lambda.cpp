@@ -25,7 +25,7 @@ bool IsTerminal(EndKind kind) { return kind == EndKind::kSuccess || kind == EndK
 }  // namespace
 
 PengQLambda::PengQLambda(std::string name, const Context& context)
-    : Module(std::move(name)), random_(context.seed) {
+    : Learner(std::move(name)), random_(context.seed) {
   const auto add = [this](const char* parameter, const char* doc, double* target, double maximum) {
     AddParameter(
         {.name = parameter, .doc = doc, .target = target, .minimum = 0, .maximum = maximum});
@@ -43,6 +43,8 @@ PengQLambda::PengQLambda(std::string name, const Context& context)
                 "when an episode ends, and what its last state is worth",
                 &episode_end_,
                 {kOriginal, kClean}});
+  AddCurve({"learning_rate", "", "alpha", &episode_learning_rate_});
+  AddCurve({"temperature", "", "of the selection; 0 is greedy", &episode_temperature_});
 }
 
 void PengQLambda::Start() {
@@ -64,22 +66,10 @@ double PengQLambda::temperature() const {
   return ExponentialSchedule{temperature_, temperature_decay_, kLowestTemperature}.At(episodes_);
 }
 
-void PengQLambda::StartOfEpisode() {
+void PengQLambda::SelectFirst() {
   const Eigen::VectorXd& features = features_in_();
   PrepareTheta(static_cast<int>(features.size()));
-  phase_ = Phase::kRunning;
-  end_.reset();
-  if (early_end_) NoteEnd(*early_end_);
-  early_end_.reset();
-  reward_ = 0;
-  return_ = 0;
-  actions_ = 0;
   q_lambda_.StartEpisode(features, temperature(), random_);
-  if (end_ && ends_at_once()) {
-    Finish();
-  } else {
-    ExecuteAction();
-  }
 }
 
 void PengQLambda::PrepareTheta(int features) {
@@ -90,36 +80,6 @@ void PengQLambda::PrepareTheta(int features) {
       fmt::format("`{}` has learned with {} actions and {} features, and the agent has {} and {}: "
                   "go on with the net and the intervals that it was trained with, or start anew",
                   name(), q_lambda_.actions(), q_lambda_.features(), actions, features));
-}
-
-void PengQLambda::ExecuteAction() {
-  reward_ = 0;
-  ++actions_;
-  start_of_action_();
-  if (phase_ == Phase::kRunning) execute_(q_lambda_.action());
-}
-
-void PengQLambda::Reward(double reward) {
-  if (phase_ != Phase::kOver) reward_ += reward;
-}
-
-void PengQLambda::EndOfAction() {
-  if (phase_ != Phase::kRunning) return;
-  if (end_) return Finish();
-  LearnAndSelect();
-  return_ += reward_;
-  ExecuteAction();
-}
-
-void PengQLambda::EndOfEpisode(EpisodeEnd end) {
-  const bool diverged = end.kind == EndKind::kDiverged;
-  // A task hears of an episode's start before the learner does, and can end it right there.
-  if (phase_ == Phase::kOver && !diverged) early_end_ = end;
-  if (phase_ != Phase::kRunning) return;
-  if (!end_ || diverged) {
-    NoteEnd(end);
-  }
-  if (diverged || ends_at_once()) Finish();
 }
 
 void PengQLambda::Forget() {
@@ -134,34 +94,24 @@ void PengQLambda::StopLearning() {
   learning_rate_min_ = 0;
 }
 
-void PengQLambda::NoteEnd(const EpisodeEnd& end) {
-  end_reason_ = end.reason;
-  end_ = {end.kind, end_reason_.c_str()};
-}
-
-void PengQLambda::Finish() {
-  phase_ = Phase::kEnding;
-  episode_over_(*end_);  // may still bring rewards
-  LearnFromLastAction();
-  return_ += reward_;
-  reward_ = 0;
-  ++episodes_;
-  phase_ = Phase::kOver;
-}
-
-void PengQLambda::LearnFromLastAction() {
-  if (end_->kind == EndKind::kDiverged || actions_ == 0) return;
-  if (ends_at_once() && IsTerminal(end_->kind)) {
-    q_lambda_.EndEpisode(reward_, settings(), learning_rate());
+void PengQLambda::LearnFromEnd(double reward, const EpisodeEnd& end) {
+  if (ends_at_once() && IsTerminal(end.kind)) {
+    q_lambda_.EndEpisode(reward, settings(), learning_rate());
   } else {
-    LearnAndSelect();
+    LearnAndSelect(reward);
   }
 }
 
-void PengQLambda::LearnAndSelect() {
+void PengQLambda::FinishEpisode() {
+  episode_learning_rate_ = learning_rate();
+  episode_temperature_ = temperature();
+  ++episodes_;
+}
+
+void PengQLambda::LearnAndSelect(double reward) {
   const Eigen::VectorXd& features = features_in_();
   if (features.size() != q_lambda_.features()) PrepareTheta(static_cast<int>(features.size()));
-  q_lambda_.Step(reward_, settings(), learning_rate(), features, temperature(), random_);
+  q_lambda_.Step(reward, settings(), learning_rate(), features, temperature(), random_);
 }
 
 void PengQLambda::Save(std::ostream& out) const {
@@ -191,7 +141,6 @@ void PengQLambda::Load(std::istream& in) {
   q_lambda_ = QLambda(std::move(theta));
   random_ = random;
   episodes_ = episodes;
-  phase_ = Phase::kOver;
 }
 
 }  // namespace runtime

@@ -134,6 +134,16 @@ void Network::ThrowOtherClass(std::string_view module) const {
       fmt::format("the module `{}` is of a type that cannot play its part here", module));
 }
 
+void Network::CheckIsOnly(std::string_view role, const std::vector<const Module*>& modules) {
+  if (modules.empty()) {
+    throw UserError(fmt::format(
+        "the agent has no {}: one of its modules, outside of composites, must be one", role));
+  }
+  if (modules.size() == 1) return;
+  throw UserError(fmt::format("the agent has two {}s, `{}` and `{}`: keep one", role,
+                              modules[0]->name(), modules[1]->name()));
+}
+
 Port& Network::FindPort(std::string_view port) const {
   const PortName name = Split(port);
   return Find(name.module).FindPort(name.port);

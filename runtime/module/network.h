@@ -57,6 +57,13 @@ class Network {
   // The module of this name as an M. Throws UserError if it is of another class.
   template <class M>
   M& FindAs(std::string_view module) const;
+  // All modules that are an M, in the order of their creation; not those inside composites.
+  template <class M>
+  std::vector<M*> FindAll() const;
+  // The only one that is. Throws UserError, which calls it `M::kRole`, where there is none or more
+  // than one.
+  template <class M>
+  M& FindOnly() const;
   // "task.reward". Throws UserError for an unknown module or port, with the nearest name.
   Port& FindPort(std::string_view port) const;
 
@@ -83,6 +90,8 @@ class Network {
  private:
   void ConnectAll(const Module& from, const Module& to);
   [[noreturn]] void ThrowOtherClass(std::string_view module) const;
+  // Unless there is exactly one.
+  static void CheckIsOnly(std::string_view role, const std::vector<const Module*>& modules);
 
   std::vector<std::unique_ptr<Module>> modules_;
 };
@@ -91,6 +100,22 @@ template <class M>
 M& Network::FindAs(std::string_view module) const {
   if (M* found = dynamic_cast<M*>(&Find(module))) return *found;
   ThrowOtherClass(module);
+}
+
+template <class M>
+std::vector<M*> Network::FindAll() const {
+  std::vector<M*> found;
+  for (const auto& module : modules_) {
+    if (M* candidate = dynamic_cast<M*>(module.get())) found.push_back(candidate);
+  }
+  return found;
+}
+
+template <class M>
+M& Network::FindOnly() const {
+  const std::vector<M*> found = FindAll<M>();
+  CheckIsOnly(M::kRole, {found.begin(), found.end()});
+  return *found.front();
 }
 
 }  // namespace runtime

@@ -8,7 +8,7 @@ namespace {
 
 // Without the time that it took.
 EpisodeRecord RecordOf(const EpisodeModules& modules) {
-  const PengQLambda& learner = modules.learner;
+  const Learner& learner = modules.learner;
   EpisodeRecord episode;
   episode.actions = learner.action_count();
   episode.simulated_seconds = modules.environment.time();
@@ -17,6 +17,9 @@ EpisodeRecord RecordOf(const EpisodeModules& modules) {
   episode.active.episode_return = learner.episode_return();
   episode.active.end_kind = EndKindName(learner.episode_end().kind);
   episode.active.end_reason = learner.episode_end().reason;
+  for (const LearnerCurve& curve : learner.curves()) {
+    episode.learner.push_back({curve.name, *curve.value});
+  }
   for (const UniversalTask* shadow : modules.tasks.shadows) {
     if (shadow->has_ended()) episode.shadows.push_back(EvaluationOf(*shadow));
   }

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <functional>
 
-#include "runtime/learning/peng_q_lambda.h"
+#include "runtime/learning/learner.h"
 #include "runtime/run/run_records.h"
 #include "runtime/run/task_modules.h"
 #include "runtime/simulation/robot_environment.h"
@@ -14,7 +14,7 @@ namespace runtime {
 // What an episode needs of a network, which outlives this.
 struct EpisodeModules {
   RobotEnvironment& environment;
-  const PengQLambda& learner;
+  const Learner& learner;
   const TaskModules& tasks;
 };
 

@@ -6,10 +6,15 @@
 
 namespace runtime {
 
-void RegisterModuleTypes(ModuleTypes& types) {
-  types.Add<RobotEnvironment>("RobotEnvironment");
-  types.Add<UniversalTask>("UniversalTask");
-  AddLearningModules(types);
+const ModuleTypes& ProgramModuleTypes() {
+  static const ModuleTypes types = [] {
+    ModuleTypes all;
+    all.Add<RobotEnvironment>(RobotEnvironment::kType);
+    all.Add<UniversalTask>("UniversalTask");
+    AddLearningModules(all);
+    return all;
+  }();
+  return types;
 }
 
 }  // namespace runtime

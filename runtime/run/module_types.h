@@ -4,7 +4,7 @@
 
 namespace runtime {
 
-// Adds all types of modules that an agent file can name.
-void RegisterModuleTypes(ModuleTypes& types);
+// All types of modules of this program that an agent file can name.
+const ModuleTypes& ProgramModuleTypes();
 
 }  // namespace runtime

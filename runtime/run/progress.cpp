@@ -75,7 +75,9 @@ nlohmann::ordered_json EpisodeJson(const EpisodeRecord& episode, const RunRecord
                {"wall_seconds", episode.wall_seconds},
                {"cpu_seconds", episode.cpu_seconds},
                {"faults", active.faults},
-               {"violations", active.violations}});
+               {"violations", active.violations},
+               {"learner", Json::object()}});
+  for (const NamedValue& each : episode.learner) json["learner"][each.name] = each.value;
   for (const Evaluation& shadow : episode.shadows) {
     const TaskRecord& task = TaskWithId(run, shadow.task);
     json["shadows"][task.module] = EvaluationJson(shadow, task);

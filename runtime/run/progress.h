@@ -34,8 +34,8 @@ std::string ProgressLine(const ProgressValues& values);
 std::string DurationText(double seconds);
 
 // {"episode": 1, "task": "crawling", "return": ..., "end": {...}, "terms": {...}, ...}; with
-// shadows also "shadows": {"MODULE": {"task": ..., "return": ..., ...}}. The tasks are those of
-// `run`.
+// shadows also "shadows": {"MODULE": {"task": ..., "return": ..., ...}}. "learner" is what the
+// learner shows: {"learning_rate": 0.3, ...}. The tasks are those of `run`.
 nlohmann::ordered_json EpisodeJson(const EpisodeRecord& episode, const RunRecord& run);
 
 class Progress {

@@ -10,7 +10,7 @@
 namespace runtime {
 namespace {
 
-constexpr int kSchemaVersion = 3;
+constexpr int kSchemaVersion = 4;
 constexpr int kApplicationId = 0x74736b63;  // "tskc"
 
 constexpr const char* kOpening = "open the run";
@@ -210,6 +210,9 @@ void RunDatabase::AddEpisode(const EpisodeRecord& episode,
   for (const Evaluation& shadow : episode.shadows) {
     impl_->WriteEvaluation(episode.number, shadow, false);
   }
+  for (const NamedValue& each : episode.learner) {
+    write.learner.Bind(episode.number, each.value, std::string_view(each.name)).Run();
+  }
   if (recording) {
     write.recording
         .Bind(episode.number, recording->is_best ? 1 : 0, recording->frames,
@@ -239,6 +242,20 @@ int64_t RunDatabase::AddChange(const ChangeRecord& change) {
            std::string_view(change.text), std::string_view(change.data))
       .Run();
   return sqlite3_last_insert_rowid(impl_->database->handle());
+}
+
+void RunDatabase::SetLearnerCurves(const std::vector<CurveRecord>& curves) {
+  SqliteTransaction transaction(*impl_->database, "note the learner's curves");
+  SqliteStatement row(*impl_->database,
+                      "INSERT INTO learner_curve (name, unit, doc) VALUES (?, ?, ?) "
+                      "ON CONFLICT (name) DO UPDATE SET unit = excluded.unit, doc = excluded.doc",
+                      "note the learner's curves");
+  for (const CurveRecord& curve : curves) {
+    row.Bind(std::string_view(curve.name), std::string_view(curve.unit),
+             std::string_view(curve.doc))
+        .Run();
+  }
+  transaction.Commit();
 }
 
 void RunDatabase::DeleteEpisodesAfter(int64_t episode) {

@@ -36,6 +36,7 @@ class RunDatabase {
   RunState ReadState() const;
   std::string ReadValue(const std::string& key) const;  // of the table `run`; "" if there is none
   std::vector<EpisodeRecord> ReadEpisodes() const;      // ascending, with all their values
+  std::vector<CurveRecord> ReadLearnerCurves() const;   // in the order in which it shows them
   std::vector<ChangeRecord> ReadChanges() const;        // in the order in which they were added
   std::optional<Checkpoint> ReadCheckpoint() const;
   std::optional<Recording> ReadRecording(int64_t episode) const;
@@ -49,6 +50,9 @@ class RunDatabase {
   // Returns the id that the task, or the change, has from now on; the record's own does not count.
   int64_t AddTask(const TaskRecord& task);
   int64_t AddChange(const ChangeRecord& change);
+  // What the learner is going to show of each episode, also where it has shown something else up to
+  // now. Other values of an episode are not saved.
+  void SetLearnerCurves(const std::vector<CurveRecord>& curves);
   // Deletes the episodes after `episode` with all that belongs to them. Changes stay.
   void DeleteEpisodesAfter(int64_t episode);
   // Also notes the time at which the run was finished or interrupted.

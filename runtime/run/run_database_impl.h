@@ -30,6 +30,9 @@ struct WriteStatements {
         term(database, "INSERT INTO evaluation_term VALUES (?, ?, ?, ?)", "save an episode"),
         metric(database, "INSERT INTO evaluation_metric VALUES (?, ?, ?, ?)", "save an episode"),
         log(database, "INSERT INTO evaluation_log VALUES (?, ?, ?, ?)", "save an episode"),
+        learner(database,
+                "INSERT INTO learner_value SELECT ?, id, ? FROM learner_curve WHERE name = ?",
+                "save an episode"),
         recording(database, "INSERT INTO recording VALUES (?, ?, ?, ?, ?)", "save a recording"),
         checkpoint(database, "INSERT OR REPLACE INTO checkpoint VALUES (1, ?, ?)",
                    "save a checkpoint"),
@@ -40,6 +43,7 @@ struct WriteStatements {
   SqliteStatement term;
   SqliteStatement metric;
   SqliteStatement log;
+  SqliteStatement learner;
   SqliteStatement recording;
   SqliteStatement checkpoint;
   SqliteStatement set_value;

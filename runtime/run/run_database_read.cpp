@@ -115,6 +115,21 @@ void ReadValues(const SqliteDatabase& database, const char* query,
   }
 }
 
+// What the learner has shown of the `episodes`, which are ascending.
+void ReadLearner(const SqliteDatabase& database, std::vector<EpisodeRecord>& episodes) {
+  SqliteStatement row(
+      database,
+      "SELECT episode, name, value FROM learner_value JOIN learner_curve ON curve = "
+      "id ORDER BY episode, curve",
+      "read the episodes");
+  auto episode = episodes.begin();
+  while (row.Step()) {
+    while (episode != episodes.end() && episode->number < row.Integer(0)) ++episode;
+    if (episode == episodes.end()) return;  // added after they were read
+    episode->learner.push_back({row.Text(1), row.Real(2)});
+  }
+}
+
 }  // namespace
 
 std::string RunDatabase::ReadValue(const std::string& key) const {
@@ -167,7 +182,16 @@ std::vector<EpisodeRecord> RunDatabase::ReadEpisodes() const {
              places, &Evaluation::metrics);
   ReadValues(database, "SELECT episode, task, value FROM evaluation_log ORDER BY episode, task, id",
              places, &Evaluation::logs);
+  ReadLearner(database, episodes);
   return episodes;
+}
+
+std::vector<CurveRecord> RunDatabase::ReadLearnerCurves() const {
+  std::vector<CurveRecord> curves;
+  SqliteStatement row(*impl_->database, "SELECT name, unit, doc FROM learner_curve ORDER BY id",
+                      "read the learner's curves");
+  while (row.Step()) curves.push_back({row.Text(0), row.Text(1), "", row.Text(2)});
+  return curves;
 }
 
 std::vector<ChangeRecord> RunDatabase::ReadChanges() const {

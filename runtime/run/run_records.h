@@ -25,11 +25,11 @@ struct SourceRecord {
   std::string text;
 };
 
-// A metric or a log: one number per episode.
+// A metric, a log, or what a learner shows of itself: one number per episode.
 struct CurveRecord {
   std::string name;
   std::string unit;
-  std::string reduction;  // "last", "sum", "max", "min", "mean"
+  std::string reduction;  // "last", "sum", "max", "min", "mean"; "" for the learner's
   std::string doc;
 };
 
@@ -82,6 +82,13 @@ struct Evaluation {
   std::vector<double> logs;     // one for each log of the task; NaN where nothing was logged
 };
 
+// What the learner shows of itself: a name of its own, and the value of one episode.
+struct NamedValue {
+  std::string name;
+  double value = 0;
+  bool operator==(const NamedValue&) const = default;
+};
+
 struct EpisodeRecord {
   int64_t number = 0;  // from 1
   int64_t steps = 0;
@@ -91,6 +98,7 @@ struct EpisodeRecord {
   double cpu_seconds = 0;  // of the trainer's process, while the episode ran
   Evaluation active;       // of the task that paid the learner at the episode's end
   std::vector<Evaluation> shadows;
+  std::vector<NamedValue> learner;
 };
 
 // What a client did to the run that has an effect on learning or on the record. The changes are the

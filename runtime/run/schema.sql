@@ -109,6 +109,21 @@ CREATE TABLE evaluation_log (
   FOREIGN KEY (episode, task) REFERENCES evaluation ON DELETE CASCADE
 ) WITHOUT ROWID;
 
+-- What the learner shows of each episode, such as its learning rate.
+CREATE TABLE learner_curve (
+  id INTEGER PRIMARY KEY,      -- in the order in which it shows them
+  name TEXT NOT NULL UNIQUE,
+  unit TEXT NOT NULL,
+  doc TEXT NOT NULL
+);
+
+CREATE TABLE learner_value (
+  episode INTEGER NOT NULL REFERENCES episode ON DELETE CASCADE,
+  curve INTEGER NOT NULL REFERENCES learner_curve,
+  value REAL,                  -- NULL where there was none
+  PRIMARY KEY (episode, curve)
+) WITHOUT ROWID;
+
 -- What clients did to the run, in the order in which it took effect: the journal that is repeated
 -- when the run goes on from a checkpoint. Stays when episodes are deleted for that.
 CREATE TABLE change (

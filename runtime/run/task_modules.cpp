@@ -5,7 +5,7 @@
 namespace runtime {
 namespace {
 
-bool Pays(const UniversalTask& task, const PengQLambda& learner) {
+bool Pays(const UniversalTask& task, const Learner& learner) {
   for (const Port* slot : task.reward.Connections()) {
     if (&slot->owner() == &learner) return true;
   }
@@ -14,14 +14,12 @@ bool Pays(const UniversalTask& task, const PengQLambda& learner) {
 
 }  // namespace
 
-TaskModules FindTaskModules(const Network& network, PengQLambda& learner) {
+TaskModules FindTaskModules(const Network& network, const Learner& learner) {
   using Role = UniversalTask::Role;
   const Role shadow =
       learner.ends_at_once() ? Role::kShadowEndsAtOnce : Role::kShadowEndsWithAction;
   TaskModules found;
-  for (const auto& module : network.modules()) {
-    auto* task = dynamic_cast<UniversalTask*>(module.get());
-    if (task == nullptr) continue;
+  for (UniversalTask* task : network.FindAll<UniversalTask>()) {
     const bool pays = Pays(*task, learner);
     task->SetRole(pays ? Role::kActive : shadow);
     if (pays && found.active == nullptr) {

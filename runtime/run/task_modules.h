@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "runtime/learning/peng_q_lambda.h"
+#include "runtime/learning/learner.h"
 #include "runtime/module/network.h"
 #include "runtime/run/run_records.h"
 #include "runtime/task/universal_task.h"
@@ -16,7 +16,7 @@ struct TaskModules {
 };
 
 // Also tells each of them its role. Throws UserError where no task pays the learner.
-TaskModules FindTaskModules(const Network& network, PengQLambda& learner);
+TaskModules FindTaskModules(const Network& network, const Learner& learner);
 
 // What a task module says of the episode that has just ended for it.
 Evaluation EvaluationOf(const UniversalTask& task);

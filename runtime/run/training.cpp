@@ -13,6 +13,14 @@ std::string PlaceText(const taskc_plugin& plugin, const taskc_place& place) {
   return fmt::format("{}:{}", plugin.sources[place.source].file, place.line);
 }
 
+std::vector<CurveRecord> CurvesOf(const Learner& learner) {
+  std::vector<CurveRecord> curves;
+  for (const LearnerCurve& curve : learner.curves()) {
+    curves.push_back({curve.name, curve.unit, "", curve.doc});
+  }
+  return curves;
+}
+
 }  // namespace
 
 Training::Training(Network& network, const RunRecord& run, RunDatabase& database,
@@ -22,8 +30,8 @@ Training::Training(Network& network, const RunRecord& run, RunDatabase& database
       database_(database),
       progress_(progress),
       hooks_(hooks),
-      environment_(network.FindAs<RobotEnvironment>("environment")),
-      learner_(network.FindAs<PengQLambda>("learner")),
+      environment_(network.FindOnly<RobotEnvironment>()),
+      learner_(network.FindOnly<Learner>()),
       tasks_(FindTaskModules(network, learner_)),
       recorder_(environment_.link_count(), environment_.control_time_step()) {}
 
@@ -36,6 +44,7 @@ void Training::Restore() {
   }
   tasks_ = FindTaskModules(network_, learner_);
   database_.DeleteEpisodesAfter(episodes_done_);
+  database_.SetLearnerCurves(CurvesOf(learner_));
   for (const EpisodeRecord& episode : database_.ReadEpisodes()) statistics_.Add(episode);
   hooks_.AfterRestore(statistics_);
 }

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/learning/peng_q_lambda.h"
+#include "runtime/learning/learner.h"
 #include "runtime/module/network.h"
 #include "runtime/run/progress.h"
 #include "runtime/run/recorder.h"
@@ -24,8 +24,8 @@ namespace runtime {
 
 class Training {
  public:
-  // `network`: started, with the modules `environment` and `learner` and a task that pays; throws
-  // UserError where one is missing or of another type. Everything passed must outlive the training.
+  // `network`: started, with one environment, one learner and a task that pays it; throws UserError
+  // where it has not. Everything passed must outlive the training.
   // `run` grows as tasks are loaded and episodes planned.
   Training(Network& network, const RunRecord& run, RunDatabase& database, Progress& progress,
            TrainingHooks& hooks);
@@ -65,7 +65,7 @@ class Training {
   Progress& progress_;
   TrainingHooks& hooks_;
   RobotEnvironment& environment_;
-  PengQLambda& learner_;
+  const Learner& learner_;
   TaskModules tasks_;
   Recorder recorder_;
   ReturnStatistics statistics_;

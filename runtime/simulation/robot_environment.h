@@ -31,6 +31,9 @@ namespace runtime {
 // would follow. The sensors then keep what was last read from them.
 class RobotEnvironment : public Module {
  public:
+  static constexpr const char* kRole = "environment";       // for Network::FindOnly()
+  static constexpr const char* kType = "RobotEnvironment";  // in agent files
+
   // `context.robot` describes the robot.
   RobotEnvironment(std::string name, const Context& context);
 
@@ -41,6 +44,7 @@ class RobotEnvironment : public Module {
   // One control step; nothing if the episode has diverged, or none has been started.
   void StepControl();
 
+  const std::string& profile() const { return profile_; }
   int link_count() const { return static_cast<int>(robot_.links.size()); }
   double control_time_step() const { return robot_.controller.time_step; }  // [s]
   double time() const { return time_; }  // since the start of the episode [s]

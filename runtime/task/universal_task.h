@@ -41,6 +41,8 @@ struct TaskEnd {
 // same event reached. The task's params are this module's parameters.
 class UniversalTask : public Module {
  public:
+  static constexpr const char* kRole = "task module";  // for Network::FindOnly()
+
   Slot<> on_start_of_episode{this, "on_start_of_episode", Bind<&UniversalTask::StartEpisode>{}};
   Slot<EpisodeEnd> on_end_of_episode{this, "on_end_of_episode", Bind<&UniversalTask::EndEpisode>{}};
   Slot<> on_start_of_action{this, "on_start_of_action", Bind<&UniversalTask::StartAction>{}};

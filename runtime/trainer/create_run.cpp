@@ -4,7 +4,9 @@
 
 #include "runtime/run/body_json.h"
 #include "runtime/run/run_files.h"
+#include "runtime/run/task_modules.h"
 #include "runtime/run/task_record.h"
+#include "runtime/simulation/robot_environment.h"
 #include "runtime/task/universal_task.h"
 
 namespace runtime {
@@ -12,19 +14,12 @@ namespace {
 
 // The record says which plugin an evaluation is of, and an agent has only one.
 const std::string& TaskModuleOf(const Network& network) {
-  const Module* found = nullptr;
-  for (const auto& module : network.modules()) {
-    if (dynamic_cast<const UniversalTask*>(module.get()) == nullptr) continue;
-    if (found != nullptr) {
-      throw UserError(fmt::format(
-          "the agent has two task modules, `{}` and `{}`: keep one, and load others when it runs, "
-          "with `trainer ctl load`",
-          found->name(), module->name()));
-    }
-    found = module.get();
-  }
-  if (found == nullptr) throw UserError("the agent has no module of the type `UniversalTask`");
-  return found->name();
+  const std::vector<UniversalTask*> tasks = network.FindAll<UniversalTask>();
+  if (tasks.size() <= 1) return network.FindOnly<UniversalTask>().name();
+  throw UserError(fmt::format(
+      "the agent has two task modules, `{}` and `{}`: keep one, and load others when it runs, "
+      "with `trainer ctl load`",
+      tasks[0]->name(), tasks[1]->name()));
 }
 
 }  // namespace
@@ -54,11 +49,12 @@ RunRecord RecordOf(const TaskSetup& setup, const RunPlan& plan) {
   RunRecord run;
   run.tasks = {DescribeTask(setup.plugin->table(), TaskModuleOf(setup.network))};
   run.tasks.front().id = 1;
+  FindTaskModules(setup.network, setup.network.FindOnly<Learner>());  // throws where none pays it
   run.robot = setup.robot.name;
   run.robot_description = ReadText(setup.robot_file);
   run.body = BodyJson(setup.robot);
   run.agent = ToToml(setup.agent);
-  run.profile = std::get<std::string>(setup.network.Find("environment").Get("profile"));
+  run.profile = setup.network.FindOnly<RobotEnvironment>().profile();
   run.version = TASKC_VERSION;
   run.seed = plan.seed;
   run.episodes_planned = plan.episodes;

@@ -21,7 +21,8 @@ struct RunPlan {
   void AddTo(CLI::App& command);
 };
 
-// All that is stored about the run but its plugin.
+// All that is stored about the run but its plugin. Throws UserError where the agent lacks what
+// every run needs: one environment, one learner, one task that pays it.
 RunRecord RecordOf(const TaskSetup& setup, const RunPlan& plan);
 
 // Makes the folder, and in it the run with all that it needs to go on whatever becomes of the

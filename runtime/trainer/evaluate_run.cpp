@@ -47,10 +47,11 @@ struct LearnedRun {
 class Performer {
  public:
   Performer(const std::filesystem::path& folder, LearnedRun& run, RunDatabase& database,
-            const std::string& profile, Progress& progress, const StopRequest& stop)
-      : kept_(folder, run.record, scratch_.path()),
-        environment_(kept_.network.FindAs<RobotEnvironment>("environment")),
-        learner_(kept_.network.FindAs<PengQLambda>("learner")) {
+            const std::string& profile, Progress& progress, const StopRequest& stop,
+            const ModuleTypes& types)
+      : kept_(folder, run.record, scratch_.path(), types),
+        environment_(kept_.network.FindOnly<RobotEnvironment>()),
+        learner_(kept_.network.FindOnly<Learner>()) {
     environment_.Set("profile", profile);
     kept_.network.Start();
     // What was changed while the run learned is changed again.
@@ -69,7 +70,7 @@ class Performer {
   const ScratchFolder scratch_;
   KeptRun kept_;
   RobotEnvironment& environment_;
-  PengQLambda& learner_;
+  Learner& learner_;
   TaskModules tasks_;
 };
 
@@ -131,7 +132,7 @@ std::optional<PolicyEvaluation> FindEvaluation(const std::filesystem::path& run,
 
 std::optional<PolicyEvaluation> EvaluateRun(const std::filesystem::path& folder,
                                             const EvaluationPlan& plan, ProgressStyle style,
-                                            const StopRequest& stop) {
+                                            const StopRequest& stop, const ModuleTypes& types) {
   auto database = std::make_unique<RunDatabase>(RunDatabase::OpenToRead(folder));
   LearnedRun run(folder, *database);
   RunRecord planned = run.record;
@@ -140,7 +141,7 @@ std::optional<PolicyEvaluation> EvaluateRun(const std::filesystem::path& folder,
   progress.Note(fmt::format(
       "{}: what {} learned in {}, up to episode {}, acts in {} and learns nothing", folder.string(),
       run.record.tasks.front().task, run.record.profile, run.checkpoint.episode, plan.profile));
-  Performer performer(folder, run, *database, plan.profile, progress, stop);
+  Performer performer(folder, run, *database, plan.profile, progress, stop, types);
   database.reset();  // a run at work is left alone as soon as can be
   const std::vector<EpisodeRecord> episodes = RunEpisodes(performer, plan.episodes, progress, stop);
   if (static_cast<int64_t>(episodes.size()) < plan.episodes) return std::nullopt;

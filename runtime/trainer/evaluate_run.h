@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "runtime/run/module_types.h"
 #include "runtime/run/progress.h"
 #include "runtime/run/stop_request.h"
 #include "runtime/study/policy_evaluation.h"
@@ -27,9 +28,11 @@ std::optional<PolicyEvaluation> FindEvaluation(const std::filesystem::path& run,
 
 // Lets what the run had learned at its last checkpoint act in the plan's profile, without learning
 // on, and writes the evaluation to its folder. The run may be at work: its record is only read.
-// Nothing if a stop was requested. Throws UserError.
+// Nothing if a stop was requested. `types`: what the agent's modules can be made of. Throws
+// UserError.
 std::optional<PolicyEvaluation> EvaluateRun(const std::filesystem::path& run,
                                             const EvaluationPlan& plan, ProgressStyle style,
-                                            const StopRequest& stop);
+                                            const StopRequest& stop,
+                                            const ModuleTypes& types = ProgramModuleTypes());
 
 }  // namespace runtime

@@ -25,10 +25,11 @@ void WarnOfOtherVersion(const RunRecord& run) {
 }  // namespace
 
 int TrainOneRun(const TaskOptions& options, const RunPlan& plan,
-                const std::filesystem::path& named_folder, const SessionOptions& session) {
+                const std::filesystem::path& named_folder, const SessionOptions& session,
+                const ModuleTypes& types) {
   const BuiltTask task(options.task);
   if (!task.plugin()) return kFailed;
-  TaskSetup setup(options, *task.plugin(), plan.seed);
+  TaskSetup setup(options, *task.plugin(), plan.seed, types);
   RunRecord run = RecordOf(setup, plan);
   const std::filesystem::path folder =
       named_folder.empty()
@@ -56,7 +57,7 @@ bool PlanEpisodes(std::optional<int64_t> episodes, RunDatabase& database, RunRec
 }
 
 int ResumeOneRun(const std::filesystem::path& folder, std::optional<int64_t> episodes,
-                 const SessionOptions& session) {
+                 const SessionOptions& session, const ModuleTypes& types) {
   RunDatabase database = RunDatabase::Open(folder);
   RunRecord run = database.ReadRun();
   const RunState run_state = database.ReadState();
@@ -70,7 +71,7 @@ int ResumeOneRun(const std::filesystem::path& folder, std::optional<int64_t> epi
     return kSuccess;
   }
   WarnOfOtherVersion(run);
-  KeptRun kept(folder, run, folder);
+  KeptRun kept(folder, run, folder, types);
   kept.network.Start();
   database.SetState(RunState::kRunning);
   return RunSession({folder, run, database, kept.network, kept.types, kept.context}, session);

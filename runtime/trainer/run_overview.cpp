@@ -161,6 +161,7 @@ RunOverview ReadOverview(const std::filesystem::path& folder) {
   }
   overview.metrics = LastMeans(episodes, overview.task.metrics.size(), &Evaluation::metrics);
   overview.logs = LastMeans(episodes, overview.task.logs.size(), &Evaluation::logs);
+  if (!episodes.empty()) overview.learner = episodes.back().learner;
   overview.versions = ActiveTasks(episodes);
   overview.shadows = Shadows(overview.run, episodes);
   overview.changes = database.ReadChanges();
@@ -184,6 +185,9 @@ std::string OverviewText(const RunOverview& overview) {
     lines.Add("last 20", "{:.6g} on average", overview.returns.mean());
     AddMeans("metric", overview.task.metrics, overview.metrics, lines);
     AddMeans("log", overview.task.logs, overview.logs, lines);
+    for (const NamedValue& each : overview.learner) {
+      lines.Add("learner", "{}: {:.6g} in the last episode", each.name, each.value);
+    }
     lines.Add("time", "{} simulated in {}", DurationText(overview.simulated_seconds),
               DurationText(overview.wall_seconds));
   }
@@ -205,6 +209,8 @@ Json OverviewJson(const RunOverview& overview) {
   for (const auto& [end, count] : overview.ends) {
     ends.push_back({{"kind", end.first}, {"reason", end.second}, {"count", count}});
   }
+  Json learner = Json::object();
+  for (const NamedValue& each : overview.learner) learner[each.name] = each.value;
   Json json = {{"task", overview.task.task},
                {"task_file", overview.task.task_file},
                {"task_hash", overview.task.task_hash},
@@ -224,6 +230,7 @@ Json OverviewJson(const RunOverview& overview) {
                {"mean_of_last_20", overview.returns.mean()},
                {"metrics", MeansByName(overview.task.metrics, overview.metrics)},
                {"logs", MeansByName(overview.task.logs, overview.logs)},
+               {"learner", learner},
                {"ends", ends},
                {"versions", Versions(overview)},
                {"shadows", Shadows(overview)},

@@ -37,6 +37,7 @@ struct RunOverview {
   std::vector<double> metrics;  // of this task, each one's mean over the last episodes
   std::vector<double> logs;
   std::map<std::pair<std::string, std::string>, int64_t> ends;  // by kind and reason
+  std::vector<NamedValue> learner;                              // of the last episode
   std::vector<TaskSpan> versions;
   std::vector<ShadowOverview> shadows;
   std::vector<ChangeRecord> changes;

@@ -7,7 +7,6 @@
 #include "runtime/control/build_task.h"
 #include "runtime/module/context.h"
 #include "runtime/module/suggestion.h"
-#include "runtime/run/module_types.h"
 #include "runtime/simulation/profile.h"
 #include "runtime/trainer/agent_layers.h"
 #include "runtime/trainer/call_error.h"
@@ -70,12 +69,6 @@ std::shared_ptr<const Plugin> Load(const std::filesystem::path& file) {
 
 }  // namespace
 
-ModuleTypes TypesFor(const Agent& agent) {
-  ModuleTypes types;
-  RegisterModuleTypes(types);
-  return WithComposites(std::move(types), agent);
-}
-
 CLI::Option* AddProfileOption(CLI::App& command, std::string& profile) {
   std::vector<std::string> profiles;
   for (const Profile& each : kProfiles) profiles.emplace_back(each.name);
@@ -109,7 +102,8 @@ BuiltTask::BuiltTask(const std::filesystem::path& task) {
   if (BuildTask(task, built)) plugin_ = built;
 }
 
-TaskSetup::TaskSetup(const TaskOptions& options, const std::filesystem::path& file, uint64_t seed)
+TaskSetup::TaskSetup(const TaskOptions& options, const std::filesystem::path& file, uint64_t seed,
+                     const ModuleTypes& program_types)
     : plugin_file(file),
       plugin(Load(file)),
       robot_file(
@@ -117,7 +111,7 @@ TaskSetup::TaskSetup(const TaskOptions& options, const std::filesystem::path& fi
       robot(robot::ReadRobot(robot_file)),
       agent(LayersOf(options, plugin->table(), robot_file).Merge()),
       context{&robot, plugin, seed},
-      types(TypesFor(agent)),
+      types(WithComposites(program_types, agent)),
       network(BuildNetwork(agent, types, context)) {
   agent = Resolved(agent, network);
 }

@@ -13,6 +13,7 @@
 #include "runtime/control/scratch_folder.h"
 #include "runtime/module/context.h"
 #include "runtime/module/network.h"
+#include "runtime/run/module_types.h"
 #include "runtime/task/plugin.h"
 
 namespace runtime {
@@ -30,9 +31,6 @@ struct TaskOptions {
   void AddTo(CLI::App& command);
 };
 
-// What modules can be made of, also the agent's own composites.
-ModuleTypes TypesFor(const Agent& agent);
-
 // The plugin of a task, built for as long as this object lives if it is not a plugin already.
 class BuiltTask {
  public:
@@ -48,8 +46,10 @@ class BuiltTask {
 };
 
 struct TaskSetup {
-  // Throws UserError or CallError for whatever does not exist or does not fit.
-  TaskSetup(const TaskOptions& options, const std::filesystem::path& plugin_file, uint64_t seed);
+  // `program_types`: what the agent's modules can be made of, besides its own composites. Throws
+  // UserError or CallError for whatever does not exist or does not fit.
+  TaskSetup(const TaskOptions& options, const std::filesystem::path& plugin_file, uint64_t seed,
+            const ModuleTypes& program_types = ProgramModuleTypes());
   TaskSetup(const TaskSetup&) = delete;
   TaskSetup& operator=(const TaskSetup&) = delete;
 
@@ -59,7 +59,7 @@ struct TaskSetup {
   robot::RobotDescription robot;
   Agent agent;  // resolved
   Context context;
-  ModuleTypes types;
+  ModuleTypes types;  // also the agent's own composites
   Network network;
 };
 

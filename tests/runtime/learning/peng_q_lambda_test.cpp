@@ -171,7 +171,7 @@ TEST_F(PengQLambdaTest, TheReasonOfAnEndOutlivesItsTask) {
 TEST_F(PengQLambdaTest, ActionsBeforeTheTracesAreClearedGetNoCredit) {
   world_.start_of_episode();
   world_.PlayAction(0);
-  learner_.ClearTraces();
+  learner_.ForgetCredit();
   EXPECT_FALSE(learner_.episode_over());
   world_.PlayAction(10);
   EXPECT_NEAR(theta(), 3, 1e-14);

@@ -103,6 +103,18 @@ TEST_F(NetworkTest, ModuleOfAnotherClassIsRefused) {
   EXPECT_THROW(network_.FindAs<Sink>("environment"), UserError);
 }
 
+TEST_F(NetworkTest, ModulesAreFoundByWhatTheyAre) {
+  EXPECT_EQ(&network_.FindOnly<Sink>(), &sink());
+  Module& second = network_.Add(std::make_unique<Sink>("second"));
+  EXPECT_THAT(network_.FindAll<Sink>(), testing::ElementsAre(&sink(), &second));
+  EXPECT_EQ(MessageOf([&] { network_.FindOnly<Sink>(); }),
+            "the agent has two sinks, `task` and `second`: keep one");
+  network_.Remove("task");
+  network_.Remove("second");
+  EXPECT_EQ(MessageOf([&] { network_.FindOnly<Sink>(); }),
+            "the agent has no sink: one of its modules, outside of composites, must be one");
+}
+
 TEST_F(NetworkTest, TextListsModulesAndConnections) {
   network_.Connect("environment.reward", "task.reward");
   network_.Connect("environment.*", "task.*");

@@ -34,6 +34,8 @@ class Source : public Module {
 // Writes down what it is called with, and then does what the test wants.
 class Sink : public Module {
  public:
+  static constexpr const char* kRole = "sink";
+
   explicit Sink(std::string name) : Module(std::move(name)) {}
 
   void OnReward(double value) {

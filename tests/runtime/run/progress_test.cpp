@@ -94,7 +94,16 @@ TEST(EpisodeJson, NamesTermsMetricsAndLogs) {
   EXPECT_EQ(json["actions"], 80);
   EXPECT_EQ(json["faults"], 2);
   EXPECT_EQ(json["cpu_seconds"], 4.25);
+  EXPECT_EQ(json["learner"], nlohmann::json::object());
   EXPECT_FALSE(json.contains("shadows"));
+}
+
+TEST(EpisodeJson, TellsWhatTheLearnerShows) {
+  EpisodeRecord episode = SampleEpisode(7);
+  episode.learner = {{"rate", 0.25}, {"loss", std::nan("")}};
+  const auto json = nlohmann::json::parse(EpisodeJson(episode, SampleRun()).dump());
+  EXPECT_EQ(json["learner"]["rate"], 0.25);
+  EXPECT_TRUE(json["learner"]["loss"].is_null());
 }
 
 TEST(EpisodeJson, TellsWhatShadowsSay) {

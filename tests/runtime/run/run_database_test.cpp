@@ -177,6 +177,37 @@ TEST_F(RunDatabaseTest, GivesBackEpisodesBitForBit) {
   EXPECT_EQ(read[1].active.logs[1], 7);
 }
 
+TEST_F(RunDatabaseTest, GivesBackWhatTheLearnerHasShown) {
+  RunDatabase database = RunDatabase::Create(folder(), SampleRun());
+  EXPECT_TRUE(database.ReadLearnerCurves().empty());
+  database.SetLearnerCurves({{"rate", "", "", "alpha"}, {"loss", "m", "", ""}});
+  EpisodeRecord first = SampleEpisode(1);
+  first.learner = {{"loss", 0.1}, {"rate", 5e-324}};
+  EpisodeRecord second = SampleEpisode(2);
+  second.learner = {{"rate", std::numeric_limits<double>::quiet_NaN()}, {"unheard_of", 1}};
+  database.AddEpisode(first, {}, {});
+  database.AddEpisode(second, {}, {});
+  // Another version of the learner goes on with the run.
+  database.SetLearnerCurves({{"loss", "mm", "", "less is better"}, {"entropy", "", "", ""}});
+  EpisodeRecord third = SampleEpisode(3);
+  third.learner = {{"entropy", 3}};
+  database.AddEpisode(third, {}, {});
+
+  const RunDatabase reader = RunDatabase::OpenToRead(folder());
+  const std::vector<CurveRecord> curves = reader.ReadLearnerCurves();
+  ASSERT_EQ(curves.size(), 3u);
+  EXPECT_EQ(curves[0].name, "rate");
+  EXPECT_EQ(curves[0].doc, "alpha");
+  EXPECT_EQ(curves[1].name, "loss");
+  EXPECT_EQ(curves[1].unit, "mm");
+  EXPECT_EQ(curves[2].name, "entropy");
+  const std::vector<EpisodeRecord> read = reader.ReadEpisodes();
+  EXPECT_EQ(read[0].learner, (std::vector<NamedValue>{{"rate", 5e-324}, {"loss", 0.1}}));
+  ASSERT_EQ(read[1].learner.size(), 1u);
+  EXPECT_TRUE(std::isnan(read[1].learner[0].value));
+  EXPECT_EQ(read[2].learner, third.learner);
+}
+
 TEST_F(RunDatabaseTest, KeepsTheLastCheckpointAndAllRecordings) {
   RunDatabase database = RunDatabase::Create(folder(), SampleRun());
   const std::string poses("\0\1\2 poses", 9);
@@ -196,14 +227,17 @@ TEST_F(RunDatabaseTest, KeepsTheLastCheckpointAndAllRecordings) {
 
 TEST_F(RunDatabaseTest, DeletesLaterEpisodesWithAllThatBelongsToThem) {
   RunDatabase database = RunDatabase::Create(folder(), SampleRun());
+  database.SetLearnerCurves({{"rate", "", "", ""}});
   for (int number = 1; number <= 3; ++number) {
-    database.AddEpisode(SampleEpisode(number), Recording{1, 0.02, false, "p"}, {});
+    EpisodeRecord episode = SampleEpisode(number);
+    episode.learner = {{"rate", 0.5}};
+    database.AddEpisode(episode, Recording{1, 0.02, false, "p"}, {});
   }
   database.DeleteEpisodesAfter(1);
   EXPECT_EQ(database.ReadEpisodes().size(), 1u);
   SqliteDatabase raw(file(), SqliteAccess::kRead);
   for (const char* table : {"episode", "evaluation", "evaluation_term", "evaluation_metric",
-                            "evaluation_log", "recording"}) {
+                            "evaluation_log", "learner_value", "recording"}) {
     const std::string column = table == std::string("episode") ? "number" : "episode";
     EXPECT_EQ(raw.QueryInteger("SELECT max(" + column + ") FROM " + table, "count"), 1) << table;
   }

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "runtime/learning/peng_q_lambda.h"
 #include "tests/runtime/run/error_of.h"
 #include "tests/runtime/task/fake_modules.h"
 #include "tests/runtime/task/test_plugins.h"

@@ -44,12 +44,28 @@ TEST_F(ShowTest, TellsChangesVersionsAndShadows) {
   EXPECT_EQ(json["changes"][1]["step"], 40);
 }
 
+TEST_F(ShowTest, TellsWhatTheLearnerShowedLast) {
+  {
+    RunDatabase database = RunDatabase::Create(RunFolder("run"), SampleRun());
+    database.SetLearnerCurves({{"rate", "", "", ""}});
+    for (int64_t number = 1; number <= 2; ++number) {
+      EpisodeRecord episode = SampleEpisode(number);
+      episode.learner = {{"rate", 0.5 / static_cast<double>(number)}};
+      database.AddEpisode(episode, {}, {});
+    }
+  }
+  EXPECT_THAT(Trainer({"show", RunFolder("run")}).output,
+              HasSubstr("learner    rate: 0.25 in the last episode\n"));
+  const auto json = nlohmann::json::parse(Trainer({"show", RunFolder("run"), "--json"}).output);
+  EXPECT_EQ(json["learner"], (nlohmann::json{{"rate", 0.25}}));
+}
+
 TEST_F(ShowTest, SaysNothingOfThemWhereThereAreNone) {
   RunDatabase::Create(RunFolder("run"), SampleRun()).AddEpisode(SampleEpisode(1), {}, {});
   const std::string output = Trainer({"show", RunFolder("run")}).output;
-  EXPECT_THAT(output,
-              AllOf(HasSubstr("task       crawling (tasks/crawling.task)\n"),
-                    Not(HasSubstr("version")), Not(HasSubstr("shadow")), Not(HasSubstr("change"))));
+  EXPECT_THAT(output, AllOf(HasSubstr("task       crawling (tasks/crawling.task)\n"),
+                            Not(HasSubstr("version")), Not(HasSubstr("shadow")),
+                            Not(HasSubstr("change")), Not(HasSubstr("learner "))));
 }
 
 }  // namespace
