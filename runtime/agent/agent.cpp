@@ -119,6 +119,7 @@ std::string SourcePlace::ToText() const {
 }
 
 Agent Changed(Agent agent, const Agent& changes) {
+  if (changes.is_whole) agent = Agent();
   for (const ModuleSetting& change : changes.modules) {
     const bool is_known = FindByName(agent.modules, change.name) != nullptr;
     if (!is_known && change.type.empty()) ThrowUnknownModule(agent, change);
@@ -127,6 +128,7 @@ Agent Changed(Agent agent, const Agent& changes) {
 }
 
 Agent Joined(Agent agent, const Agent& changes) {
+  agent.is_whole = agent.is_whole || changes.is_whole;
   for (const ModuleSetting& change : changes.modules) {
     ModuleSetting* known = FindByName(agent.modules, change.name);
     if (known == nullptr) {

@@ -6,16 +6,17 @@
 //   type = "PengQLambda"
 //   temperature = 5
 //
-// `include = ["base.toml"]` begins with what other files say. A composite is a type of module that
+// `include = ["base.toml"]` begins with what other files say. `whole = true` says that the file is
+// no change of another agent but an agent by itself. A composite is a type of module that
 // is itself made of modules; it exports some of their ports and parameters:
 //
-//   [composites.Mind]
-//   connections = [["features.features", "learner.features"]]
-//   ports = {state = "features.state", reward = "learner.reward"}
-//   parameters = {temperature = "learner.temperature"}
+//   [composites.DcobOverNet]
+//   connections = [["net.net", "motion.net"]]
+//   ports = {state = "motion.state", execute = "motion.execute"}
+//   parameters = {net = "net.net"}
 //
-//   [composites.Mind.modules.learner]
-//   type = "PengQLambda"
+//   [composites.DcobOverNet.modules.net]
+//   type = "NgNet"
 //
 // Everything keeps the place where it was written, for messages that appear when it is used.
 #pragma once
@@ -61,6 +62,7 @@ struct ConnectionSetting {
 struct CompositeSetting;
 
 struct Agent {
+  bool is_whole = false;               // no change of another agent
   std::vector<ModuleSetting> modules;  // in the order of their creation
   std::vector<ConnectionSetting> connections;
   std::vector<CompositeSetting> composites;  // each may use those before it
@@ -90,8 +92,8 @@ Agent ParseAgent(std::string_view text, const std::string& name);
 
 // `agent` with the changes of another file: parameters replace those of the same name, modules with
 // a type of their own are added or replace the one of their name with all its parameters,
-// connections and composites are added; a composite replaces one of its name. Throws UserError for
-// a change of a module that there is not.
+// connections and composites are added; a composite replaces one of its name. A whole agent takes
+// the place of `agent`. Throws UserError for a change of a module that there is not.
 Agent Changed(Agent agent, const Agent& changes);
 // The same for two files that may both be changes of a third: what changes a module of neither is
 // kept.

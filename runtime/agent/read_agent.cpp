@@ -20,10 +20,13 @@ class AgentReader {
     Agent agent;
     for (const auto& [key, node] : root) {
       if (key == "include") continue;  // has been read
-      if (key == "composites") {
+      if (key == "whole") {
+        agent.is_whole = ReadFlag(node, "`whole`");
+      } else if (key == "composites") {
         agent.composites = ReadComposites(TableAt(node, "`composites`"));
       } else if (!ReadPart(key, node, agent)) {
-        const std::vector<std::string> keys = {"modules", "connections", "composites", "include"};
+        const std::vector<std::string> keys = {"modules", "connections", "composites", "include",
+                                               "whole"};
         Fail(key.source(),
              fmt::format("an agent has no `{}`{}", key.str(), Suggestion(key.str(), keys)));
       }
@@ -172,6 +175,11 @@ class AgentReader {
   std::string ReadText(const toml::node& node, const std::string& what) const {
     if (const auto* text = node.as_string()) return text->get();
     Fail(node.source(), what + " is no text in quotes");
+  }
+
+  bool ReadFlag(const toml::node& node, const std::string& what) const {
+    if (const auto* flag = node.as_boolean()) return flag->get();
+    Fail(node.source(), what + " is neither true nor false");
   }
 
   std::vector<ConnectionSetting> ReadConnections(const toml::node& node) const {

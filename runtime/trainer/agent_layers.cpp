@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
+#include <utility>
 
+#include "runtime/simulation/robot_environment.h"
 #include "runtime/trainer/call_error.h"
 
 namespace runtime {
@@ -16,9 +19,32 @@ std::string TomlValue(const std::string& value) {
   return value.empty() || (is_word && !is_plain) ? fmt::format("'{}'", value) : value;
 }
 
+// The module that simulates the robot. `origin`: who needs it.
+const ModuleSetting& EnvironmentOf(const Agent& agent, const std::string& origin) {
+  const auto environment =
+      std::ranges::find(agent.modules, std::string(RobotEnvironment::kType), &ModuleSetting::type);
+  if (environment != agent.modules.end()) return *environment;
+  throw UserError(fmt::format("{}: the agent has no module of the type `{}` to set it in", origin,
+                              RobotEnvironment::kType));
+}
+
+bool Sets(const ModuleSetting& module, const std::string& parameter) {
+  return std::ranges::find(module.parameters, parameter, &ParameterSetting::name) !=
+         module.parameters.end();
+}
+
+// `agent` with a parameter of its environment. `origin`: where it comes from, as messages name it.
+Agent WithEnvironment(const Agent& agent, const std::string& parameter, const std::string& value,
+                      const std::string& origin) {
+  const SourcePlace place{origin};
+  Agent change;
+  change.modules = {{EnvironmentOf(agent, origin).name, "", place, {{parameter, value, place}}}};
+  return Changed(agent, change);
+}
+
 }  // namespace
 
-Agent ParseSetting(const std::string& setting, const std::string& origin) {
+Agent ParseSetting(const std::string& setting) {
   const size_t equals = setting.find('=');
   const size_t dot = setting.find('.');
   if (equals == std::string::npos || dot == std::string::npos || dot == 0 || dot + 1 >= equals) {
@@ -30,7 +56,7 @@ Agent ParseSetting(const std::string& setting, const std::string& origin) {
     Agent change = ParseAgent(fmt::format("modules.{} = {}", setting.substr(0, equals),
                                           TomlValue(setting.substr(equals + 1))),
                               "--set");
-    const SourcePlace place{origin.empty() ? "--set " + setting : origin};
+    const SourcePlace place{"--set " + setting};
     for (ModuleSetting& module : change.modules) {
       module.place = place;
       for (ParameterSetting& parameter : module.parameters) parameter.place = place;
@@ -44,17 +70,16 @@ Agent ParseSetting(const std::string& setting, const std::string& origin) {
 
 Agent AgentLayers::Merge() const {
   Agent agent = ReadAgent(robot_file.parent_path() / "agent.toml");
-  if (!start_pose.empty()) {
-    agent = Changed(std::move(agent),
-                    ParseSetting("environment.start_pose=" + start_pose, "start pose of the task"));
-  }
   std::filesystem::path task_agent = task_file;
   task_agent.replace_extension(".agent.toml");
   if (std::filesystem::exists(task_agent)) agent = Changed(std::move(agent), ReadAgent(task_agent));
   if (!file.empty()) agent = Changed(std::move(agent), ReadAgent(file));
+  const std::string origin = "start pose of the task";
+  if (!start_pose.empty() && !Sets(EnvironmentOf(agent, origin), "start_pose")) {
+    agent = WithEnvironment(agent, "start_pose", start_pose, origin);
+  }
   if (!profile.empty()) {
-    agent = Changed(std::move(agent),
-                    ParseSetting("environment.profile=" + profile, "--profile " + profile));
+    agent = WithEnvironment(agent, "profile", profile, "--profile " + profile);
   }
   for (const std::string& setting : settings) {
     agent = Changed(std::move(agent), ParseSetting(setting));

@@ -10,11 +10,10 @@
 namespace runtime {
 
 // One change from the command line, "learner.temperature=2", as a change of the agent. The value is
-// written as in TOML; quotes around a text may be left out. `origin`: where it comes from, as
-// messages name it; "": the option `--set`. Throws CallError.
-Agent ParseSetting(const std::string& setting, const std::string& origin = "");
+// written as in TOML; quotes around a text may be left out. Throws CallError.
+Agent ParseSetting(const std::string& setting);
 
-// In this order, later ones win: robot's agent.toml, start pose of the task ("": none), agent file
+// In this order, later ones win: start pose of the task ("": none), robot's agent.toml, agent file
 // of the task (NAME.agent.toml beside NAME.task, if it is there), `file` ("": none), `profile` ("":
 // none), `settings`.
 struct AgentLayers {

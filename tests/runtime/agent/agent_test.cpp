@@ -131,6 +131,16 @@ TEST(Agent, ChangeOfTheTypeDropsTheOldTypesParameters) {
   EXPECT_TRUE(agent.modules[1].parameters.empty());
 }
 
+TEST(Agent, AWholeAgentIsNoChangeOfAnother) {
+  const Agent whole = ParseAgent("whole = true\n[modules.alone]\ntype = 'Environment'\n", "mine");
+  const Agent agent = Changed(ParseAgent(kAgent, "agent.toml"), whole);
+  EXPECT_THAT(NamesOf(agent.modules), ElementsAre("alone"));
+  EXPECT_TRUE(agent.connections.empty());
+  const Agent joined = Joined(whole, ParseAgent("[modules.more]\ntype = 'Learner'\n", "more"));
+  const Agent both = Changed(ParseAgent(kAgent, "agent.toml"), joined);
+  EXPECT_THAT(NamesOf(both.modules), ElementsAre("alone", "more"));
+}
+
 TEST(Agent, ChangeThatNamesTheSameTypeKeepsTheParameters) {
   const Agent changes =
       ParseAgent("[modules.learner]\ntype = 'Learner'\ntemperature = 9\n", "task");

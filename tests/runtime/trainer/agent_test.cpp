@@ -1,3 +1,4 @@
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "tests/runtime/trainer/trainer_test.h"
@@ -33,6 +34,19 @@ TEST_F(AgentShowTest, DrawsTheNetwork) {
   EXPECT_THAT(Show({"--format", "text"}).output, HasSubstr("  reward -> learner.reward  (real)\n"));
   const auto json = nlohmann::json::parse(Show({"--json"}).output);
   EXPECT_EQ(json["modules"].size(), 6u);
+}
+
+TEST_F(AgentShowTest, AWholeAgentTakesThePlaceOfTheRobots) {
+  const std::string file = (folder() / "mine.toml").string();
+  const std::string world = "whole = true\n[modules.world]\ntype = \"RobotEnvironment\"\n";
+  std::ofstream(file) << world;
+  const std::string shown = Show({"--agent", file, "--profile", "fast"}).output;
+  EXPECT_THAT(shown, StartsWith("connections = [\n]\n\n[modules.world] "));
+  EXPECT_THAT(shown, ContainsRegex("profile = \"fast\" +# --profile fast\n"));
+  EXPECT_THAT(shown, ContainsRegex("start_pose = \"standing\" +# start pose of the task\n"));
+  std::ofstream(file) << world << "start_pose = \"\"\n";
+  EXPECT_THAT(Show({"--agent", file}).output,
+              ContainsRegex("start_pose = \"\" +# .*mine.toml:4:1\n"));
 }
 
 TEST_F(AgentShowTest, MistakeInASettingNamesTheSetting) {

@@ -222,6 +222,29 @@ TEST_F(TrainTest, RefusesAnAgentWithTwoTaskModules) {
   EXPECT_THAT(result.errors, HasSubstr("two task modules, `task` and `second`"));
 }
 
+TEST_F(TrainTest, RefusesAnAgentThatCannotLearnBeforeItMakesTheFolder) {
+  const std::string agent = (folder() / "agent.toml").string();
+  const auto refusal = [&](const std::string& text) {
+    std::ofstream(agent) << text;
+    const ProgramResult result = Trainer(Training("run", 1, {"--agent", agent}));
+    EXPECT_EQ(result.exit_status, 1);
+    EXPECT_FALSE(std::filesystem::exists(RunFolder("run")));
+    return result.errors;
+  };
+  EXPECT_THAT(refusal("[modules.second]\ntype = \"PengQLambda\"\n"),
+              HasSubstr("the agent has two learners, `learner` and `second`: keep one"));
+  EXPECT_THAT(refusal("[modules.second]\ntype = \"RobotEnvironment\"\n"),
+              HasSubstr("the agent has two environments, `environment` and `second`: keep one"));
+  const std::string world = "whole = true\n[modules.world]\ntype = \"RobotEnvironment\"\n";
+  const std::string task = "[modules.task]\ntype = \"UniversalTask\"\n";
+  EXPECT_THAT(refusal(world + task), HasSubstr("the agent has no learner: "));
+  EXPECT_THAT(refusal(world + task + "[modules.mind]\ntype = \"PengQLambda\"\n"),
+              HasSubstr("no task pays the learner: connect the `reward` of a task module to "
+                        "`mind.reward`"));
+  EXPECT_THAT(refusal("whole = true\n" + task),
+              HasSubstr("the agent has no module of the type `RobotEnvironment`"));
+}
+
 TEST_F(TrainTest, RefusesAFolderThatHoldsARun) {
   Train("run", 1, {"--quiet"});
   const Trace before = TraceOf("run");
