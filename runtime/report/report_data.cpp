@@ -10,6 +10,7 @@
 #include "runtime/module/user_error.h"
 #include "runtime/report/agent_modules.h"
 #include "runtime/report/base64.h"
+#include "runtime/report/learner_curves.h"
 #include "runtime/report/page.h"
 #include "runtime/report/report_changes.h"
 #include "runtime/report/report_recordings.h"
@@ -108,6 +109,7 @@ json CollectReportData(const std::filesystem::path& run_dir) {
   data["terms"] = TermCurves(run, episodes);
   data["metrics"] = MetricCurves(run, episodes);
   data["logs"] = LogCurves(run, episodes);
+  data["learner"] = LearnerCurves(database.ReadLearnerCurves(), episodes);
   AddEnds(episodes, data);
   AddTotals(episodes, data);
   AddChanges(run, episodes, database.ReadChanges(), data);

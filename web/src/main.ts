@@ -6,6 +6,7 @@ import "./style/page.css";
 import "./style/charts.css";
 import "./style/replay.css";
 
+import { showLearner } from "./charts/learner_charts.ts";
 import { LearningCurve } from "./charts/learning_curve.ts";
 import { TermCurves } from "./charts/term_curves.ts";
 import { ValueCharts } from "./charts/value_charts.ts";
@@ -42,6 +43,8 @@ function showCharts(report: Report, replay: (recording: Recording) => void): Lea
   );
   const metrics = new ValueCharts(report, report.metrics, byId("metrics", HTMLElement), window);
   const logs = new ValueCharts(report, report.logs, byId("logs", HTMLElement), window);
+  showLearner(report, byId("learner", HTMLElement));
+  byId("learner-section", HTMLElement).hidden = report.learner.length === 0;
   byId("terms-section", HTMLElement).hidden = report.terms.length === 0;
   byId("metrics-section", HTMLElement).hidden = report.metrics.length === 0;
   byId("logs-section", HTMLElement).hidden = report.logs.length === 0;

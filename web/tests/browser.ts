@@ -73,6 +73,8 @@ const showsTheRun: Check = async (page) => {
   assert.equal(await page.locator("#term-legend button").count(), 3);
   assert.equal(await page.locator("#metrics canvas").count(), 2);
   assert.equal(await page.locator("#logs canvas").count(), 1);
+  assert.equal(await page.locator("#learner canvas").count(), 1);
+  assert.match(await textOf(page, "#learner output"), /^episode .*: \d/);
   assert.match(await textOf(page, "#logs h3"), /^speed \[m\/s\]$/);
   assert.match(await textOf(page, "#sources details[open]"), /task crawling for humanoid/);
   assert.equal(await page.locator("#sources details").count(), 2);

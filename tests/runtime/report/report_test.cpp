@@ -92,6 +92,24 @@ TEST_F(WriteReportTest, TellsTheValuesOfEachEpisode) {
   EXPECT_EQ(data["violations"], 3);
 }
 
+TEST_F(WriteReportTest, TellsWhatTheLearnerHasShown) {
+  RunDatabase database = Create();
+  database.SetLearnerCurves({{"rate", "", "", "alpha"}, {"loss", "m", "", ""}});
+  EpisodeRecord first = Episode(1, 0);
+  first.learner = {{"rate", 0.5}};
+  database.AddEpisode(first, std::nullopt, std::nullopt);
+  EpisodeRecord second = Episode(2, 0);
+  second.learner = {{"loss", 2}, {"rate", 0.25}};
+  database.AddEpisode(second, std::nullopt, std::nullopt);
+  const json learner = Data()["learner"];
+  ASSERT_THAT(learner, SizeIs(2));
+  EXPECT_EQ(learner[0]["name"], "rate");
+  EXPECT_EQ(learner[0]["doc"], "alpha");
+  EXPECT_THAT(Floats(learner[0]["values"]), ElementsAre(0.5f, 0.25f));
+  EXPECT_EQ(learner[1]["unit"], "m");
+  EXPECT_THAT(Floats(learner[1]["values"]), ElementsAre(testing::NanSensitiveFloatEq(kNan), 2.0f));
+}
+
 TEST_F(WriteReportTest, CurvesOfTheSameNameInSeveralTasksAreOne) {
   WriteTunedRun(folder());
   const json data = Data();

@@ -67,6 +67,7 @@ EpisodeRecord SampleEpisode(int64_t number, int64_t episodes, std::mt19937& rand
   episode.actions = episode.steps / 30;
   episode.active.metrics = {speed * episode.simulated_seconds, falls};
   episode.active.logs = {speed};
+  episode.learner = {{"temperature", 5 * std::exp(-0.004 * static_cast<double>(number))}};
   return episode;
 }
 
@@ -112,6 +113,7 @@ Recording SampleRecording(double duration, double speed) {
 
 void WriteSampleRun(const std::filesystem::path& folder, const SampleSize& size) {
   RunDatabase database = RunDatabase::Create(folder, SampleRunRecord());
+  database.SetLearnerCurves({{"temperature", "", "", "of the selection"}});
   std::mt19937 random(1);
   double best = -1e300;
   for (int64_t number = 1; number <= size.episodes; ++number) {

@@ -4,8 +4,9 @@ import type { Curve, Report } from "../data/report_data.ts";
 import { runningMean } from "../data/statistics.ts";
 import { onlyUnder } from "../data/versions.ts";
 import { formatCount, formatNumber } from "../data/words.ts";
-import { element, onThemeChange } from "../page/dom.ts";
+import { onThemeChange } from "../page/dom.ts";
 import { EpisodeChart } from "./episode_chart.ts";
+import { addValueCard } from "./value_card.ts";
 
 const kReductionWords: Record<string, string> = {
   last: "at the end of the episode",
@@ -17,7 +18,7 @@ const kReductionWords: Record<string, string> = {
 
 class ValueChart {
   private readonly chart: EpisodeChart;
-  private readonly value = element("output", { class: "value" });
+  private readonly value: HTMLElement;
   private mean: Float32Array;
 
   constructor(
@@ -27,13 +28,10 @@ class ValueChart {
     window: number,
   ) {
     this.mean = this.meanOf(window);
-    const unit = curve.unit ? ` [${curve.unit}]` : "";
     const words = [kReductionWords[curve.reduction] ?? curve.reduction, curve.doc];
-    const heading = element("h3", {}, `${curve.name}${unit}`);
-    const note = element("p", { class: "note" }, words.filter(Boolean).join(" — "));
-    const chart = element("div", { class: "chart" });
-    host.append(element("article", {}, element("header", {}, heading, this.value), note, chart));
-    this.chart = new EpisodeChart(chart, {
+    const card = addValueCard(host, curve, words.filter(Boolean).join(" — "));
+    this.value = card.value;
+    this.chart = new EpisodeChart(card.chart, {
       episode: report.episode,
       series: [
         { values: curve.values, color: "--point", kind: "points" },

@@ -27,6 +27,14 @@ export interface Curve {
   values: Float32Array; // one for each episode; NaN where there is none
 }
 
+/** What the learner shows of itself. */
+export interface LearnerCurve {
+  name: string;
+  unit: string;
+  doc: string;
+  values: Float32Array; // one for each episode; NaN where there is none
+}
+
 /** A task that was loaded. */
 export interface Task {
   module: string;
@@ -100,11 +108,15 @@ export interface Report {
   terms: Curve[];
   metrics: Curve[];
   logs: Curve[];
+  learner: LearnerCurve[];
   recordings: Recording[]; // in the order of their episodes
   notes: string[]; // what was left out, in sentences
 }
 
 interface EncodedCurve extends Omit<Curve, "values"> {
+  values: string;
+}
+interface EncodedLearnerCurve extends Omit<LearnerCurve, "values"> {
   values: string;
 }
 interface EncodedShadow extends Omit<Shadow, "values"> {
@@ -115,13 +127,14 @@ interface EncodedRecording extends Omit<Recording, "poses"> {
 }
 interface EncodedReport extends Omit<
   Report,
-  "episode" | "returns" | "terms" | "metrics" | "logs" | "shadows" | "recordings"
+  "episode" | "returns" | "terms" | "metrics" | "logs" | "learner" | "shadows" | "recordings"
 > {
   episode: string;
   returns: string;
   terms: EncodedCurve[];
   metrics: EncodedCurve[];
   logs: EncodedCurve[];
+  learner: EncodedLearnerCurve[];
   shadows: EncodedShadow[];
   recordings: EncodedRecording[];
 }
@@ -143,6 +156,7 @@ export function decodeReport(text: string): Report {
     terms: encoded.terms.map(decodeValues),
     metrics: encoded.metrics.map(decodeValues),
     logs: encoded.logs.map(decodeValues),
+    learner: encoded.learner.map(decodeValues),
     shadows: encoded.shadows.map(decodeValues),
     recordings: encoded.recordings.map((recording) => ({
       ...recording,
