@@ -10,7 +10,7 @@
 namespace runtime {
 namespace {
 
-constexpr int kSchemaVersion = 4;
+constexpr int kSchemaVersion = 3;
 constexpr int kApplicationId = 0x74736b63;  // "tskc"
 
 constexpr const char* kOpening = "open the run";
@@ -117,6 +117,7 @@ RunDatabase RunDatabase::Open(const std::filesystem::path& folder) {
   if (Exists(folder)) impl->lock = TakeLock(folder);
   impl->database = OpenChecked(folder, SqliteAccess::kWrite);
   PrepareForWriting(*impl->database);
+  impl->database->Execute(kRunSchema, kOpening);
   impl->write.emplace(*impl->database);
   return RunDatabase(std::move(impl));
 }

@@ -115,8 +115,15 @@ void ReadValues(const SqliteDatabase& database, const char* query,
   }
 }
 
+bool HasLearnerCurves(const SqliteDatabase& database) {
+  return SqliteStatement(database, "SELECT 1 FROM sqlite_master WHERE name = 'learner_curve'",
+                         "read the run")
+      .Step();
+}
+
 // What the learner has shown of the `episodes`, which are ascending.
 void ReadLearner(const SqliteDatabase& database, std::vector<EpisodeRecord>& episodes) {
+  if (!HasLearnerCurves(database)) return;
   SqliteStatement row(
       database,
       "SELECT episode, name, value FROM learner_value JOIN learner_curve ON curve = "
@@ -188,6 +195,7 @@ std::vector<EpisodeRecord> RunDatabase::ReadEpisodes() const {
 
 std::vector<CurveRecord> RunDatabase::ReadLearnerCurves() const {
   std::vector<CurveRecord> curves;
+  if (!HasLearnerCurves(*impl_->database)) return curves;
   SqliteStatement row(*impl_->database, "SELECT name, unit, doc FROM learner_curve ORDER BY id",
                       "read the learner's curves");
   while (row.Step()) curves.push_back({row.Text(0), row.Text(1), "", row.Text(2)});

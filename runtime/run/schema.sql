@@ -1,16 +1,18 @@
 -- One run of the trainer: the file run.db in the run's folder. SI units. PRAGMA user_version holds
 -- the version of this schema, PRAGMA application_id marks the file as ours (run_database.cpp).
+-- All of this is done again when a run is gone on with, so that one from before a table was added
+-- gets it.
 
 -- What the run is: robot, robot_description, agent, profile, seed, episodes_planned, record_every,
 -- checkpoint_seconds, version, started_at, finished_at, state (running, interrupted or finished),
 -- body (body_json.h).
-CREATE TABLE run (
+CREATE TABLE IF NOT EXISTS run (
   key TEXT PRIMARY KEY,
   value TEXT NOT NULL
 );
 
 -- The plugins that were loaded, in the order of loading: 1 is the task that the run began with.
-CREATE TABLE task (
+CREATE TABLE IF NOT EXISTS task (
   id INTEGER PRIMARY KEY,
   module TEXT NOT NULL,     -- name of the task module
   name TEXT NOT NULL,
@@ -21,7 +23,7 @@ CREATE TABLE task (
 );
 
 -- The texts that a task is made of: its own first, then those it imports and extends.
-CREATE TABLE source (
+CREATE TABLE IF NOT EXISTS source (
   task INTEGER NOT NULL REFERENCES task,
   id INTEGER NOT NULL,
   file TEXT NOT NULL,
@@ -30,7 +32,7 @@ CREATE TABLE source (
 ) WITHOUT ROWID;
 
 -- The named parts of a task's reward, in the order of its plugin.
-CREATE TABLE term (
+CREATE TABLE IF NOT EXISTS term (
   task INTEGER NOT NULL REFERENCES task,
   id INTEGER NOT NULL,
   name TEXT NOT NULL,
@@ -38,7 +40,7 @@ CREATE TABLE term (
   PRIMARY KEY (task, id)
 ) WITHOUT ROWID;
 
-CREATE TABLE metric (
+CREATE TABLE IF NOT EXISTS metric (
   task INTEGER NOT NULL REFERENCES task,
   id INTEGER NOT NULL,
   name TEXT NOT NULL,
@@ -48,7 +50,7 @@ CREATE TABLE metric (
   PRIMARY KEY (task, id)
 ) WITHOUT ROWID;
 
-CREATE TABLE log (
+CREATE TABLE IF NOT EXISTS log (
   task INTEGER NOT NULL REFERENCES task,
   id INTEGER NOT NULL,
   name TEXT NOT NULL,
@@ -59,7 +61,7 @@ CREATE TABLE log (
 ) WITHOUT ROWID;
 
 -- Numbered from 1.
-CREATE TABLE episode (
+CREATE TABLE IF NOT EXISTS episode (
   number INTEGER PRIMARY KEY,
   steps INTEGER NOT NULL,   -- control steps
   actions INTEGER NOT NULL,
@@ -70,7 +72,7 @@ CREATE TABLE episode (
 
 -- What each task that was there at the episode's end says of it. A value that is not a number is
 -- NULL.
-CREATE TABLE evaluation (
+CREATE TABLE IF NOT EXISTS evaluation (
   episode INTEGER NOT NULL REFERENCES episode ON DELETE CASCADE,
   task INTEGER NOT NULL REFERENCES task,
   is_active INTEGER NOT NULL,  -- 1: its reward reached the learner; 0: a shadow
@@ -82,7 +84,7 @@ CREATE TABLE evaluation (
   PRIMARY KEY (episode, task)
 ) WITHOUT ROWID;
 
-CREATE TABLE evaluation_term (
+CREATE TABLE IF NOT EXISTS evaluation_term (
   episode INTEGER NOT NULL,
   task INTEGER NOT NULL,
   id INTEGER NOT NULL,         -- of the task's term
@@ -91,7 +93,7 @@ CREATE TABLE evaluation_term (
   FOREIGN KEY (episode, task) REFERENCES evaluation ON DELETE CASCADE
 ) WITHOUT ROWID;
 
-CREATE TABLE evaluation_metric (
+CREATE TABLE IF NOT EXISTS evaluation_metric (
   episode INTEGER NOT NULL,
   task INTEGER NOT NULL,
   id INTEGER NOT NULL,         -- of the task's metric
@@ -100,7 +102,7 @@ CREATE TABLE evaluation_metric (
   FOREIGN KEY (episode, task) REFERENCES evaluation ON DELETE CASCADE
 ) WITHOUT ROWID;
 
-CREATE TABLE evaluation_log (
+CREATE TABLE IF NOT EXISTS evaluation_log (
   episode INTEGER NOT NULL,
   task INTEGER NOT NULL,
   id INTEGER NOT NULL,         -- of the task's log
@@ -109,15 +111,16 @@ CREATE TABLE evaluation_log (
   FOREIGN KEY (episode, task) REFERENCES evaluation ON DELETE CASCADE
 ) WITHOUT ROWID;
 
--- What the learner shows of each episode, such as its learning rate.
-CREATE TABLE learner_curve (
+-- What the learner shows of each episode, such as its learning rate. A run that was last trained by
+-- an older version has neither of the two tables.
+CREATE TABLE IF NOT EXISTS learner_curve (
   id INTEGER PRIMARY KEY,      -- in the order in which it shows them
   name TEXT NOT NULL UNIQUE,
   unit TEXT NOT NULL,
   doc TEXT NOT NULL
 );
 
-CREATE TABLE learner_value (
+CREATE TABLE IF NOT EXISTS learner_value (
   episode INTEGER NOT NULL REFERENCES episode ON DELETE CASCADE,
   curve INTEGER NOT NULL REFERENCES learner_curve,
   value REAL,                  -- NULL where there was none
@@ -126,7 +129,7 @@ CREATE TABLE learner_value (
 
 -- What clients did to the run, in the order in which it took effect: the journal that is repeated
 -- when the run goes on from a checkpoint. Stays when episodes are deleted for that.
-CREATE TABLE change (
+CREATE TABLE IF NOT EXISTS change (
   id INTEGER PRIMARY KEY,
   episode INTEGER NOT NULL,    -- in which it took effect; the next one, if between two episodes
   step INTEGER NOT NULL,       -- control steps done in that episode before it
@@ -138,7 +141,7 @@ CREATE TABLE change (
 
 -- `poses`: zstd of little-endian float32 [frames][links][7]: x y z qw qx qy qz of each link's frame
 -- at its centre, world frame.
-CREATE TABLE recording (
+CREATE TABLE IF NOT EXISTS recording (
   episode INTEGER PRIMARY KEY REFERENCES episode ON DELETE CASCADE,
   is_best INTEGER NOT NULL,       -- 1: the highest return up to then
   frames INTEGER NOT NULL,
@@ -147,7 +150,7 @@ CREATE TABLE recording (
 );
 
 -- All that is needed to go on after `episode`: zstd of the modules' state (checkpoint.h).
-CREATE TABLE checkpoint (
+CREATE TABLE IF NOT EXISTS checkpoint (
   id INTEGER PRIMARY KEY CHECK (id = 1),
   episode INTEGER NOT NULL,
   state BLOB NOT NULL

@@ -260,6 +260,23 @@ TEST_F(PengQLambdaTest, SchedulesFollowTheFinishedEpisodes) {
   EXPECT_NEAR(learner_.temperature(), 0.13882209085, 1e-11);
 }
 
+TEST_F(PengQLambdaTest, ShowsWhatTheLastEpisodeWasLearnedWith) {
+  const std::vector<LearnerCurve>& curves = learner_.curves();
+  ASSERT_EQ(curves.size(), 2u);
+  EXPECT_EQ(curves[0].name, "learning_rate");
+  EXPECT_EQ(curves[1].name, "temperature");
+  for (int episode = 0; episode < 3; ++episode) {
+    const double rate = learner_.learning_rate();
+    const double temperature = learner_.temperature();
+    world_.start_of_episode();
+    world_.end_of_episode(kTimeIsUp);
+    world_.end_of_action();
+    EXPECT_EQ(*curves[0].value, rate);
+    EXPECT_EQ(*curves[1].value, temperature);
+    EXPECT_LT(learner_.learning_rate(), rate);  // in the next one
+  }
+}
+
 TEST(PengQLambda, EqualSeedsChooseEqualActions) {
   const auto actions = [](uint64_t seed) {
     Context context = HumanoidContext();

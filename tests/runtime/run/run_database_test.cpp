@@ -208,6 +208,22 @@ TEST_F(RunDatabaseTest, GivesBackWhatTheLearnerHasShown) {
   EXPECT_EQ(read[2].learner, third.learner);
 }
 
+TEST_F(RunDatabaseTest, GoesOnWithARunFromBeforeLearnersShowedAnything) {
+  RunDatabase::Create(folder(), SampleRun()).AddEpisode(SampleEpisode(1), {}, {});
+  SqliteDatabase(file(), SqliteAccess::kWrite)
+      .Execute("DROP TABLE learner_value; DROP TABLE learner_curve", "be an old one");
+  EXPECT_EQ(RunDatabase::OpenToRead(folder()).ReadEpisodes().size(), 1u);
+  EXPECT_TRUE(RunDatabase::OpenToRead(folder()).ReadLearnerCurves().empty());
+  RunDatabase database = RunDatabase::Open(folder());
+  database.SetLearnerCurves({{"rate", "", "", ""}});
+  EpisodeRecord second = SampleEpisode(2);
+  second.learner = {{"rate", 0.5}};
+  database.AddEpisode(second, {}, {});
+  const std::vector<EpisodeRecord> read = RunDatabase::OpenToRead(folder()).ReadEpisodes();
+  EXPECT_TRUE(read.at(0).learner.empty());
+  EXPECT_EQ(read.at(1).learner, second.learner);
+}
+
 TEST_F(RunDatabaseTest, KeepsTheLastCheckpointAndAllRecordings) {
   RunDatabase database = RunDatabase::Create(folder(), SampleRun());
   const std::string poses("\0\1\2 poses", 9);
