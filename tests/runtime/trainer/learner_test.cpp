@@ -39,18 +39,18 @@ class LearnerTest : public testing::Test {
  protected:
   std::filesystem::path Run(const std::string& name) const { return folder_.path() / name; }
 
-  int Train(const std::string& name, int64_t episodes,
-            LiveRun::WhenDone when_done = LiveRun::WhenDone::kEnd) const {
+  int Train(const std::string& name, int64_t episodes) const {
     const TaskOptions task{.task = PluginFile("leaning"),
                            .profile = "fast",
                            .agent = AGENT,
                            .robot = "humanoid",
-                           .settings = {"policy.pace=0.02"}};
+                           .settings = {"policy.pace=0.005"}};
     const RunPlan plan{.episodes = episodes, .seed = 5, .record_every = 1, .checkpoint_seconds = 0};
-    return TrainOneRun(task, plan, Run(name), Session(when_done), types_);
+    return TrainOneRun(task, plan, Run(name), Session(), types_);
   }
-  int Resume(const std::string& name, int64_t episodes) const {
-    return ResumeOneRun(Run(name), episodes, Session(LiveRun::WhenDone::kEnd), types_);
+  int Resume(const std::string& name, int64_t episodes,
+             LiveRun::WhenDone when_done = LiveRun::WhenDone::kEnd) const {
+    return ResumeOneRun(Run(name), episodes, Session(when_done), types_);
   }
   PolicyEvaluation Evaluate(const std::string& name, int64_t episodes) const {
     const StopRequest stop;
@@ -87,7 +87,7 @@ class LearnerTest : public testing::Test {
   }
 
  private:
-  static SessionOptions Session(LiveRun::WhenDone when_done) {
+  static SessionOptions Session(LiveRun::WhenDone when_done = LiveRun::WhenDone::kEnd) {
     return {.output = {.json = false, .quiet = true}, .when_done = when_done};
   }
 
@@ -159,8 +159,9 @@ class ServedRun {
 };
 
 TEST_F(LearnerTest, KeepsWhatItLearnedWhenTheTaskIsSwappedUnlessItIsToldToForget) {
+  ASSERT_EQ(Train("run", 2), 0);
   {
-    const ServedRun run(Run("run"), [&] { return Train("run", 3, LiveRun::WhenDone::kWait); });
+    const ServedRun run(Run("run"), [&] { return Resume("run", 3, LiveRun::WhenDone::kWait); });
     const json swap = {{"name", "task"}, {"file", PluginFile("upright")}};
     EXPECT_EQ(run.Request("swap", swap)["task"], "upright");
     run.Request("resume", {{"episodes", 4}});
