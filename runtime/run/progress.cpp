@@ -1,8 +1,6 @@
 #include "runtime/run/progress.h"
 
 #include <fmt/format.h>
-#include <sys/ioctl.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,15 +10,6 @@ namespace {
 
 constexpr std::chrono::milliseconds kBetweenLiveLines{100};
 constexpr std::chrono::seconds kBetweenPlainLines{10};
-
-// A wrapped line could not be erased: cut it to the width of the terminal.
-std::string FitToTerminal(std::string line, int descriptor) {
-  winsize size{};
-  if (ioctl(descriptor, TIOCGWINSZ, &size) == 0 && size.ws_col > 1) {
-    line.resize(std::min(line.size(), static_cast<size_t>(size.ws_col) - 1));
-  }
-  return line;
-}
 
 // There is no best return while all episodes have diverged.
 std::string BestText(double best_return) {
@@ -56,13 +45,16 @@ std::string DurationText(double seconds) {
   return fmt::format("{}:{:02}", minutes, whole % 60);
 }
 
-std::string ProgressLine(const ProgressValues& values) {
-  return fmt::format(
-      "episode {}/{}  return {:.4g}  mean of {} {:.4g}  best {}  {:.1f}x real time  "
-      "{} elapsed, {} left",
-      values.episode, values.episodes_planned, values.last_return, ReturnStatistics::kMeanOver,
-      values.mean, BestText(values.best_return), values.simulated_seconds_per_second,
-      DurationText(values.elapsed), DurationText(values.remaining));
+std::string ProgressLine(const ProgressValues& values, size_t columns) {
+  return FittingLine(
+      {{fmt::format("episode {}/{}", values.episode, values.episodes_planned), 0},
+       {fmt::format("return {:.4g}", values.last_return), 4},
+       {fmt::format("mean of {} {:.4g}", ReturnStatistics::kMeanOver, values.mean), 2},
+       {fmt::format("best {}", BestText(values.best_return)), 3},
+       {fmt::format("{:.1f}x real time", values.simulated_seconds_per_second), 5},
+       {fmt::format("{} elapsed", DurationText(values.elapsed)), 6},
+       {fmt::format("{} left", DurationText(values.remaining)), 1}},
+      columns);
 }
 
 nlohmann::ordered_json EpisodeJson(const EpisodeRecord& episode, const RunRecord& run) {
@@ -87,16 +79,8 @@ nlohmann::ordered_json EpisodeJson(const EpisodeRecord& episode, const RunRecord
 
 Progress::Progress(ProgressStyle style, const RunRecord& run, std::FILE* output,
                    std::FILE* warnings)
-    : style_(style),
-      run_(run),
-      output_(output),
-      warnings_(warnings),
-      is_live_(style == ProgressStyle::kText && isatty(fileno(output)) != 0) {
+    : style_(style), run_(run), output_(output), warnings_(warnings), live_(output) {
   values_.episodes_planned = run.episodes_planned;
-}
-
-Progress::~Progress() {
-  if (line_is_shown_) fmt::print(output_, "\n");
 }
 
 void Progress::FinishEpisode(const EpisodeRecord& episode, const ReturnStatistics& statistics) {
@@ -118,7 +102,7 @@ void Progress::FinishEpisode(const EpisodeRecord& episode, const ReturnStatistic
   }
   if (style_ != ProgressStyle::kText) return;
   const auto between =
-      is_live_ ? Clock::duration(kBetweenLiveLines) : Clock::duration(kBetweenPlainLines);
+      live_.is_on_terminal() ? Clock::duration(kBetweenLiveLines) : kBetweenPlainLines;
   const bool is_first = episodes_here_ == 1;
   const bool is_last = values_.episode == values_.episodes_planned;
   if (!is_first && !is_last && now - last_line_ < between) return;
@@ -127,32 +111,22 @@ void Progress::FinishEpisode(const EpisodeRecord& episode, const ReturnStatistic
 }
 
 void Progress::Show() {
-  const std::string line = ProgressLine(values_);
-  if (is_live_) {
-    fmt::print(output_, "\r{}\x1b[K", FitToTerminal(line, fileno(output_)));
-    line_is_shown_ = true;
-  } else {
-    fmt::print(output_, "{}\n", line);
+  if (live_.is_on_terminal()) {
+    return live_.Show(ProgressLine(values_, live_.columns()) + "\n");
   }
+  fmt::print(output_, "{}\n", ProgressLine(values_));
   std::fflush(output_);
-}
-
-void Progress::EraseLiveLine() {
-  if (!line_is_shown_) return;
-  fmt::print(output_, "\r\x1b[K");
-  std::fflush(output_);
-  line_is_shown_ = false;
 }
 
 void Progress::Warn(const std::string& text) {
-  EraseLiveLine();
+  live_.Erase();
   fmt::print(warnings_, "{}\n", text);
   std::fflush(warnings_);
 }
 
 void Progress::Note(const std::string& text) {
   if (style_ != ProgressStyle::kText) return;
-  EraseLiveLine();
+  live_.Erase();
   fmt::print(output_, "{}\n", text);
   std::fflush(output_);
 }

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "runtime/run/live_text.h"
 #include "runtime/run/return_statistics.h"
 #include "runtime/run/run_records.h"
 
@@ -26,9 +27,10 @@ struct ProgressValues {
   double remaining = 0;  // [s]
 };
 
-// "episode 12/1000  return -3.25  mean of 20 -4.1  best 1.5  4.2x real time  0:05 elapsed, 6:40
-// left"
-std::string ProgressLine(const ProgressValues& values);
+// "episode 12/1000  return -3.25  mean of 20 -4.1  best 1.5  4.2x real time  0:05 elapsed  6:40
+// left". What does not fit into `columns` is left out, the elapsed time first, then the speed, the
+// return, the best, the mean, and the time left.
+std::string ProgressLine(const ProgressValues& values, size_t columns = kAnyWidth);
 
 // "0:05", "6:40", "1:02:03"
 std::string DurationText(double seconds);
@@ -44,7 +46,6 @@ class Progress {
 
   // Everything goes to `output`, warnings to `warnings`; neither is owned.
   Progress(ProgressStyle style, const RunRecord& run, std::FILE* output, std::FILE* warnings);
-  ~Progress();  // leaves the cursor below the live line
 
   // Call after `episode` was counted by `statistics`, which cover all episodes of the run up to
   // now.
@@ -55,14 +56,12 @@ class Progress {
 
  private:
   void Show();
-  void EraseLiveLine();
 
   ProgressStyle style_;
   const RunRecord& run_;
   std::FILE* output_;
   std::FILE* warnings_;
-  bool is_live_;
-  bool line_is_shown_ = false;
+  LiveText live_;
   ProgressValues values_;
   Clock::time_point start_ = Clock::now();
   Clock::time_point last_line_ = start_;

@@ -109,7 +109,7 @@ void Training::SaveBeforeStop(bool has_changed) {
 void Training::NoteStop(const StopRequest& stop) {
   if (stop.signal() == 0 || stop_is_noted_) return;
   stop_is_noted_ = true;
-  progress_.Warn("stopping after this episode (once more: at once, back to the last checkpoint)");
+  progress_.Warn(fmt::format("{} (saving) ... Ctrl-C again to stop at once", kStopNotice));
 }
 
 void Training::CaptureFrame() {

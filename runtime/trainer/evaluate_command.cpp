@@ -30,7 +30,12 @@ int EvaluateOne(const EvaluateOptions& options) {
   const StopRequest stop;
   std::optional<PolicyEvaluation> evaluation = FindEvaluation(options.folder, options.plan);
   if (!evaluation) evaluation = EvaluateRun(options.folder, options.plan, style, stop);
-  if (!evaluation) return kStoppedBySignal + stop.signal();
+  if (!evaluation) {
+    if (style == ProgressStyle::kText) {
+      fmt::print("stopped; nothing is kept of an evaluation that is not whole\n");
+    }
+    return kStoppedBySignal + stop.signal();
+  }
   if (style == ProgressStyle::kJson) PrintLine(ToJson(*evaluation));
   if (style == ProgressStyle::kText) {
     const std::string name = std::filesystem::weakly_canonical(options.folder).filename().string();
@@ -105,7 +110,7 @@ int EvaluateMany(const EvaluateOptions& options, const std::vector<std::filesyst
   Supervisor supervisor(RunsToEvaluate(options, runs), words, jobs, printer);
   if (style == ProgressStyle::kJson) PrintKnownAsJson(supervisor.runs(), plan);
   printer.Follow(supervisor.runs());
-  const StopRequest stop;
+  const StopRequest stop(StopRequest::Second::kIsNoted);
   const bool are_all_finished = supervisor.Run(stop);
   printer.Erase();
   if (style == ProgressStyle::kText) PrintAll(supervisor.runs(), plan);

@@ -62,8 +62,8 @@ class Performer {
     learner_.StopLearning();
   }
 
-  EpisodeRecord RunEpisode(int64_t number) {
-    return runtime::RunEpisode(number, {environment_, learner_, tasks_}, [](int64_t) {});
+  EpisodeRecord RunEpisode(int64_t number, const AfterStep& after_step) {
+    return runtime::RunEpisode(number, {environment_, learner_, tasks_}, after_step);
   }
 
  private:
@@ -79,8 +79,13 @@ std::vector<EpisodeRecord> RunEpisodes(Performer& performer, int64_t count, Prog
                                        const StopRequest& stop) {
   std::vector<EpisodeRecord> episodes;
   ReturnStatistics statistics;
+  bool stop_is_noted = false;
+  const auto note_stop = [&](int64_t) {
+    if (stop.signal() == 0 || std::exchange(stop_is_noted, true)) return;
+    progress.Warn(fmt::format("{} ... Ctrl-C again to stop at once", kStopNotice));
+  };
   for (int64_t number = 1; number <= count && stop.signal() == 0; ++number) {
-    episodes.push_back(performer.RunEpisode(number));
+    episodes.push_back(performer.RunEpisode(number, note_stop));
     statistics.Add(episodes.back());
     progress.FinishEpisode(episodes.back(), statistics);
   }

@@ -15,7 +15,9 @@
 #include <ctime>
 #include <fstream>
 #include <new>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "runtime/control/journal.h"
 #include "runtime/module/user_error.h"
@@ -214,6 +216,33 @@ bool CanGoOn(const End& end) {
   return true;
 }
 
+std::string EpisodesText(int64_t first, int64_t last) {
+  if (last < first) return "nothing";
+  return first == last ? fmt::format("episode {}", first)
+                       : fmt::format("episodes {} to {}", first, last);
+}
+
+// What is left of a run that was told to stop at once.
+void SayWhatIsKept(const std::filesystem::path& run) {
+  const RunDatabase database = RunDatabase::OpenToRead(run);
+  const std::optional<Checkpoint> checkpoint = database.ReadCheckpoint();
+  const std::vector<EpisodeRecord> episodes = database.ReadEpisodes();
+  const int64_t kept = checkpoint ? checkpoint->episode : 0;
+  const int64_t present = (episodes.empty() ? 0 : episodes.back().number) + 1;
+  fmt::print(stderr,
+             "stopped at once; kept: {}; lost: {}, which `trainer resume {}` runs again, bit for "
+             "bit\n",
+             EpisodesText(1, kept), EpisodesText(kept + 1, present),
+             run.lexically_proximate(std::filesystem::current_path()).string());
+}
+
+// Whether somebody wanted it: a first signal only ends it after the present episode.
+bool WasStoppedAtOnce(const End& end) {
+  if (!WIFSIGNALED(end.status)) return false;
+  const int signal = WTERMSIG(end.status);
+  return signal == SIGINT || signal == SIGTERM;
+}
+
 int StatusOf(const End& end) {
   if (WIFEXITED(end.status)) return WEXITSTATUS(end.status);
   const int signal = WTERMSIG(end.status);
@@ -237,6 +266,7 @@ int RunGuarded(const std::function<int()>& train,
     end = RunChild(is_child);
     if (is_child) return again(run);
   }
+  if (WasStoppedAtOnce(end) && shared_page->run[0] != '\0') SayWhatIsKept(shared_page->run);
   return StatusOf(end);
 }
 

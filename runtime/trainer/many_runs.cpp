@@ -85,7 +85,7 @@ int TrainRuns(const std::filesystem::path& folder, const std::vector<std::filesy
   RunTablePrinter printer(output.style(), jobs, stdout, stderr);
   Supervisor supervisor(RunsToTrain(folder, runs), WordsToTrain, jobs, printer);
   printer.Follow(supervisor.runs());
-  const StopRequest stop;
+  const StopRequest stop(StopRequest::Second::kIsNoted);
   const bool are_all_finished = supervisor.Run(stop);
   printer.Finish();
   if (are_all_finished) return kSuccess;

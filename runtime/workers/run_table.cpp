@@ -1,13 +1,13 @@
 #include "runtime/workers/run_table.h"
 
 #include <fmt/format.h>
-#include <sys/ioctl.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 namespace runtime {
 namespace {
@@ -39,12 +39,6 @@ std::string TimeLeft(const RunProgress& run) {
                       static_cast<double>(EpisodesLeft(run)));
 }
 
-// Lines of the terminal; many where there is none.
-size_t TerminalHeight(int descriptor) {
-  winsize size{};
-  return ioctl(descriptor, TIOCGWINSZ, &size) == 0 && size.ws_row > 0 ? size.ws_row : 1000;
-}
-
 // What a user wants to see of runs that are too many for the screen.
 std::vector<RunProgress> OnlyActive(const std::vector<RunProgress>& runs) {
   std::vector<RunProgress> active;
@@ -52,6 +46,52 @@ std::vector<RunProgress> OnlyActive(const std::vector<RunProgress>& runs) {
     return run.state == RunProgressState::kRunning || run.state == RunProgressState::kFailed;
   });
   return active;
+}
+
+struct Column {
+  std::string head;
+  int rank = 0;      // as of a LineField
+  size_t width = 0;  // at least
+  std::function<std::string(const RunProgress&)> text;
+};
+
+constexpr size_t kLeastName = 8;
+constexpr std::string_view kBetween = "  ";
+
+// Behind the names; wide enough for what stands in them.
+std::vector<Column> ColumnsOf(const std::vector<RunProgress>& runs) {
+  const auto state = [](const RunProgress& run) { return fmt::format("{:<8}", NameOf(run.state)); };
+  const auto episodes = [](const RunProgress& run) {
+    return fmt::format("{}/{}", run.episodes, run.episodes_planned);
+  };
+  const auto last = [](const RunProgress& run) { return ReturnText(run, run.last_return); };
+  const auto best = [](const RunProgress& run) { return ReturnText(run, run.best_return); };
+  std::vector<Column> columns = {{"state   ", 2, 8, state},
+                                 {"episodes", 1, 11, episodes},
+                                 {"last", 5, 9, last},
+                                 {"best", 4, 9, best},
+                                 {"left", 3, 8, TimeLeft}};
+  for (Column& column : columns) {
+    for (const RunProgress& run : runs) {
+      column.width = std::max(column.width, column.text(run).size());
+    }
+  }
+  return columns;
+}
+
+// The longest name, or what the episodes leave of the line.
+size_t NameWidth(const std::vector<RunProgress>& runs, const std::vector<Column>& all,
+                 size_t columns) {
+  size_t longest = kLeastName;
+  for (const RunProgress& run : runs) longest = std::max(longest, run.name.size());
+  const size_t others = kBetween.size() + std::ranges::min_element(all, {}, &Column::rank)->width;
+  return std::min(longest, std::max(columns, others + kLeastName) - others);
+}
+
+// Names differ at their ends.
+std::string FittingName(const std::string& name, size_t columns) {
+  if (name.size() <= columns) return name;
+  return "…" + name.substr(name.size() - columns + 1);
 }
 
 }  // namespace
@@ -72,29 +112,34 @@ std::string_view NameOf(RunProgressState state) {
   return "failed";
 }
 
-std::string RunTable(const std::vector<RunProgress>& runs) {
-  size_t width = 8;
-  for (const RunProgress& run : runs) width = std::max(width, run.name.size());
-  std::string text = fmt::format("{:<{}}  {:<8}  {:>11}  {:>9}  {:>9}  {:>8}\n", "run", width,
-                                 "state", "episodes", "last", "best", "left");
+std::string RunTable(const std::vector<RunProgress>& runs, size_t columns) {
+  const std::vector<Column> all = ColumnsOf(runs);
+  const size_t name_width = NameWidth(runs, all, columns);
+  const auto line = [&](const std::string& name, const auto& text_of) {
+    std::vector<LineField> fields = {
+        {fmt::format("{:<{}}", FittingName(name, name_width), name_width), 0}};
+    for (const Column& column : all) {
+      fields.push_back({fmt::format("{:>{}}", text_of(column), column.width), column.rank});
+    }
+    std::string text = FittingLine(fields, columns, kBetween);
+    text.erase(text.find_last_not_of(' ') + 1);
+    return text + "\n";
+  };
+  std::string text = line("run", [](const Column& column) { return column.head; });
   for (const RunProgress& run : runs) {
-    std::string line = fmt::format(
-        "{:<{}}  {:<8}  {:>11}  {:>9}  {:>9}  {:>8}", run.name, width, NameOf(run.state),
-        fmt::format("{}/{}", run.episodes, run.episodes_planned), ReturnText(run, run.last_return),
-        ReturnText(run, run.best_return), TimeLeft(run));
-    line.erase(line.find_last_not_of(' ') + 1);
-    text += line + "\n";
+    text += line(run.name, [&](const Column& column) { return column.text(run); });
   }
   return text;
 }
 
-std::string RunSummary(const std::vector<RunProgress>& runs, int jobs) {
-  std::string text;
+std::string RunSummary(const std::vector<RunProgress>& runs, int jobs, size_t columns) {
+  std::string states;
   for (const auto state :
        {RunProgressState::kRunning, RunProgressState::kFinished, RunProgressState::kWaiting,
         RunProgressState::kStopped, RunProgressState::kFailed}) {
     const auto count = std::ranges::count(runs, state, &RunProgress::state);
-    if (count > 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, NameOf(state));
+    if (count == 0) continue;
+    states += fmt::format("{}{} {}", states.empty() ? "" : ", ", count, NameOf(state));
   }
   int64_t done = 0;
   int64_t planned = 0;
@@ -104,21 +149,16 @@ std::string RunSummary(const std::vector<RunProgress>& runs, int jobs) {
     planned += run.episodes_planned;
     left += EpisodesLeft(run);
   }
-  text += fmt::format("   {}/{} episodes", done, planned);
-  const double seconds = SecondsPerEpisode(runs);
-  if (seconds > 0 && left > 0) {
-    text += fmt::format("   {} left", DurationText(seconds * static_cast<double>(left) / jobs));
-  }
-  return text;
+  const double seconds = SecondsPerEpisode(runs) * static_cast<double>(left) / jobs;
+  return FittingLine({{states, 2},
+                      {fmt::format("{}/{} episodes", done, planned), 0},
+                      {seconds > 0 ? fmt::format("{} left", DurationText(seconds)) : "", 1}},
+                     columns, "   ");
 }
 
 RunTablePrinter::RunTablePrinter(ProgressStyle style, int jobs, std::FILE* output,
                                  std::FILE* warnings)
-    : style_(style),
-      jobs_(jobs),
-      output_(output),
-      warnings_(warnings),
-      is_live_(style == ProgressStyle::kText && isatty(fileno(output)) != 0) {}
+    : style_(style), jobs_(jobs), output_(output), warnings_(warnings), live_(output) {}
 
 void RunTablePrinter::Follow(const std::vector<RunProgress>& runs) {
   runs_ = &runs;
@@ -128,7 +168,8 @@ void RunTablePrinter::Follow(const std::vector<RunProgress>& runs) {
 void RunTablePrinter::Finish() {
   if (style_ != ProgressStyle::kText) return;
   Erase();
-  fmt::print(output_, "{}{}\n", RunTable(*runs_), RunSummary(*runs_, jobs_));
+  fmt::print(output_, "{}{}\n", RunTable(*runs_, live_.columns()),
+             RunSummary(*runs_, jobs_, live_.columns()));
   std::fflush(output_);
 }
 
@@ -149,29 +190,39 @@ void RunTablePrinter::OnMessage(const RunProgress& run, std::string_view text) {
   Refresh(true);
 }
 
+void RunTablePrinter::OnStopping(bool at_once) {
+  Erase();
+  fmt::print(warnings_, "{}\n",
+             at_once ? "stopping at once"
+                     : "stopping after the present episodes (saving) ... "
+                       "Ctrl-C again to stop at once");
+  std::fflush(warnings_);
+  Refresh(true);
+}
+
 void RunTablePrinter::Refresh(bool at_once) {
   if (style_ != ProgressStyle::kText) return;
   const auto now = std::chrono::steady_clock::now();
-  const auto between = is_live_ ? std::chrono::milliseconds(200) : std::chrono::seconds(30);
-  if (now - last_ < between && !(at_once && is_live_)) return;
+  const bool is_live = live_.is_on_terminal();
+  const auto between = is_live ? std::chrono::milliseconds(200) : std::chrono::seconds(30);
+  if (now - last_ < between && !(at_once && is_live)) return;
   last_ = now;
-  if (!is_live_) {
-    fmt::print(output_, "{}\n", RunSummary(*runs_, jobs_));
-  } else {
-    Erase();
-    constexpr size_t kBesidesRuns = 3;  // the head, the summary and the cursor's line
-    const bool all_fit = runs_->size() + kBesidesRuns <= TerminalHeight(fileno(output_));
-    const std::string table =
-        RunTable(all_fit ? *runs_ : OnlyActive(*runs_)) + RunSummary(*runs_, jobs_) + "\n";
-    fmt::print(output_, "{}", table);
-    lines_shown_ = static_cast<int>(std::ranges::count(table, '\n'));
-  }
+  if (is_live) return live_.Show(FittingTable());
+  fmt::print(output_, "{}\n", RunSummary(*runs_, jobs_));
   std::fflush(output_);
 }
 
-void RunTablePrinter::Erase() {
-  if (lines_shown_ > 0) fmt::print(output_, "\x1b[{}A\r\x1b[J", lines_shown_);
-  lines_shown_ = 0;
+// Where not all runs have room, those at work, as many as have.
+std::string RunTablePrinter::FittingTable() const {
+  constexpr size_t kBesidesRuns = 3;  // the head, the summary and the cursor's line
+  const size_t rows = std::max(live_.rows(), kBesidesRuns) - kBesidesRuns;
+  const size_t columns = live_.columns();
+  std::vector<RunProgress> shown = runs_->size() > rows ? OnlyActive(*runs_) : *runs_;
+  if (shown.size() > rows)
+    shown.erase(shown.begin() + static_cast<std::ptrdiff_t>(rows), shown.end());
+  return RunTable(shown, columns) + RunSummary(*runs_, jobs_, columns) + "\n";
 }
+
+void RunTablePrinter::Erase() { live_.Erase(); }
 
 }  // namespace runtime

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "runtime/run/live_text.h"
 #include "runtime/run/progress.h"
 #include "runtime/workers/supervisor.h"
 
@@ -19,11 +20,14 @@ std::string_view NameOf(RunProgressState state);
 //
 //   run      state      episodes      last      best     left
 //   seed1    running    340/1000     12.25     27.61    10:12
-std::string RunTable(const std::vector<RunProgress>& runs);
+//
+// Where they do not fit into `columns`, whole columns are left out, the last return first, and at
+// last the beginnings of long names.
+std::string RunTable(const std::vector<RunProgress>& runs, size_t columns = kAnyWidth);
 
-// "2 running, 1 finished, 12 waiting   1340/15000 episodes   3:12:40 left". `jobs`: how many run at
-// a time, for the time left.
-std::string RunSummary(const std::vector<RunProgress>& runs, int jobs);
+// "2 running, 1 finished, 12 waiting   1340/15000 episodes   3:12:40 left", or what of it fits into
+// `columns`. `jobs`: how many run at a time, for the time left.
+std::string RunSummary(const std::vector<RunProgress>& runs, int jobs, size_t columns = kAnyWidth);
 
 // Shows the table on a terminal, always up to date; elsewhere one line for each run that ends and
 // one for all every half minute. With JSON, each worker's lines with the name of the run.
@@ -40,17 +44,18 @@ class RunTablePrinter : public SupervisorListener {
 
   void OnLine(const RunProgress& run, std::string_view json) override;
   void OnMessage(const RunProgress& run, std::string_view text) override;
+  void OnStopping(bool at_once) override;
 
  private:
   void Refresh(bool at_once);
+  std::string FittingTable() const;
 
   const ProgressStyle style_;
   const int jobs_;
   std::FILE* output_;
   std::FILE* warnings_;
-  const bool is_live_;
+  LiveText live_;
   const std::vector<RunProgress>* runs_ = nullptr;
-  int lines_shown_ = 0;
   std::chrono::steady_clock::time_point last_ = {};
 };
 

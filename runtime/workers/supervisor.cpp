@@ -71,8 +71,8 @@ bool Supervisor::Run(const StopRequest& stop) {
   StartWorkers();
   while (!running_.empty()) {
     Wait();
-    if (stop.signal() != 0 && !is_stopping_) StopWorkers(stop.signal());
-    if (!is_stopping_) StartWorkers();
+    StopWorkers(stop);
+    if (!is_stopping()) StartWorkers();
   }
   return std::ranges::all_of(
       runs_, [](const RunProgress& run) { return run.state == RunProgressState::kFinished; });
@@ -111,6 +111,7 @@ void Supervisor::ReadFrom(Job& job, short output_events, short error_events) {
   }
   if (error_events != 0) {
     job.worker.errors().Read([&](std::string_view line) {
+      if (line.starts_with(kStopNotice)) return;  // the listener was told of all at once
       job.run.failure = line;
       listener_.OnMessage(job.run, line);
     });
@@ -140,7 +141,7 @@ void Supervisor::OnEnd(Job& job) {
     run.state = RunProgressState::kFinished;
     return;
   }
-  if (is_stopping_) {
+  if (is_stopping()) {
     run.state = RunProgressState::kStopped;
     return;
   }
@@ -160,9 +161,12 @@ void Supervisor::OnEnd(Job& job) {
                                   WhyItEnded(status)));
 }
 
-void Supervisor::StopWorkers(int signal) {
-  is_stopping_ = true;
-  for (const auto& job : running_) job->worker.Send(signal);
+void Supervisor::StopWorkers(const StopRequest& stop) {
+  const int wanted = stop.is_urgent() ? 2 : (stop.signal() != 0 ? 1 : 0);
+  if (signals_sent_ >= wanted) return;
+  ++signals_sent_;  // one at a time: two that arrive together are one
+  listener_.OnStopping(signals_sent_ == 2);
+  for (const auto& job : running_) job->worker.Send(stop.signal());
 }
 
 }  // namespace runtime

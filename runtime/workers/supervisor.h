@@ -45,6 +45,8 @@ class SupervisorListener {
   virtual void OnLine(const RunProgress& run, std::string_view json) = 0;
   // What a worker prints on standard error, and what became of it.
   virtual void OnMessage(const RunProgress& run, std::string_view text) = 0;
+  // The workers were asked to end after their present episodes, or `at_once`.
+  virtual void OnStopping(bool at_once) = 0;
 };
 
 // The words after `trainer` with which a worker takes up a run. It prints a line of JSON for each
@@ -64,7 +66,8 @@ class Supervisor {
   ~Supervisor();
 
   // Until all runs are finished or given up, or a stop is requested: then the workers end after
-  // their present episode, and everything can be gone on with. Returns whether all are finished.
+  // their present episode, or at once where it is urgent, and everything can be gone on with.
+  // Returns whether all are finished.
   bool Run(const StopRequest& stop);
 
   const std::vector<RunProgress>& runs() const { return runs_; }
@@ -78,14 +81,15 @@ class Supervisor {
   void OnLine(Job& job, std::string_view line);
   static void CountEpisode(const nlohmann::json& episode, RunProgress& run);
   void OnEnd(Job& job);
-  void StopWorkers(int signal);
+  void StopWorkers(const StopRequest& stop);
+  bool is_stopping() const { return signals_sent_ > 0; }
 
   std::vector<RunProgress> runs_;
   const WorkerWords words_;
   const size_t jobs_;
   SupervisorListener& listener_;
   std::vector<std::unique_ptr<Job>> running_;
-  bool is_stopping_ = false;
+  int signals_sent_ = 0;  // to each worker
 };
 
 }  // namespace runtime

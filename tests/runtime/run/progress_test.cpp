@@ -55,7 +55,23 @@ TEST(ProgressLine, SaysEverythingInOneLine) {
   values.remaining = 400;
   EXPECT_EQ(ProgressLine(values),
             "episode 12/1000  return -3.25  mean of 20 -4.1  best 1.5  4.2x real time  "
-            "0:05 elapsed, 6:40 left");
+            "0:05 elapsed  6:40 left");
+}
+
+TEST(ProgressLine, NeverCutsANumber) {
+  ProgressValues values;
+  values.episode = 120;
+  values.episodes_planned = 1000;
+  values.last_return = 37.58;
+  values.mean = 36.11;
+  values.best_return = 37.58;
+  values.simulated_seconds_per_second = 4.23;
+  values.remaining = 400;
+  EXPECT_EQ(ProgressLine(values, 79),
+            "episode 120/1000  return 37.58  mean of 20 36.11  best 37.58  6:40 left");
+  EXPECT_EQ(ProgressLine(values, 59), "episode 120/1000  mean of 20 36.11  best 37.58  6:40 left");
+  EXPECT_EQ(ProgressLine(values, 39), "episode 120/1000  best 37.58  6:40 left");
+  EXPECT_EQ(ProgressLine(values, 16), "episode 120/1000");
 }
 
 TEST(ProgressLine, KnowsNoBestWhileEverythingDiverges) {
