@@ -15,7 +15,9 @@
 #include "runtime/report/report_changes.h"
 #include "runtime/report/report_recordings.h"
 #include "runtime/report/task_curves.h"
+#include "runtime/run/estimate.h"
 #include "runtime/run/iso_time.h"
+#include "runtime/run/policy_evaluation.h"
 #include "runtime/run/run_database.h"
 
 namespace runtime {
@@ -85,6 +87,21 @@ void AddTotals(const std::vector<EpisodeRecord>& episodes, json& data) {
   data["violations"] = violations;
 }
 
+// What cannot be read is left out with a note.
+void AddEvaluations(const std::filesystem::path& run_dir, json& data) {
+  std::vector<std::string> notes;
+  json& evaluations = data["evaluations"] = json::array();
+  for (const PolicyEvaluation& evaluation : ReadEvaluations(run_dir, notes)) {
+    evaluations.push_back({{"profile", evaluation.profile},
+                           {"checkpoint_episode", evaluation.checkpoint_episode},
+                           {"return", ToJson(EstimateMean(evaluation.returns))},
+                           {"learned_return", evaluation.learned_return},
+                           {"share", evaluation.share()},
+                           {"ends", evaluation.ends}});
+  }
+  for (std::string& note : notes) data["notes"].push_back(std::move(note));
+}
+
 }  // namespace
 
 json CollectReportData(const std::filesystem::path& run_dir) {
@@ -114,6 +131,7 @@ json CollectReportData(const std::filesystem::path& run_dir) {
   AddTotals(episodes, data);
   AddChanges(run, episodes, database.ReadChanges(), data);
   AddRecordings(run_dir, database, run.body, episodes, data);
+  AddEvaluations(run_dir, data);
   return data;
 }
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "runtime/run/policy_evaluation.h"
 #include "runtime/run/run_database.h"
-#include "runtime/study/policy_evaluation.h"
 
 namespace runtime {
 

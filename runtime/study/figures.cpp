@@ -11,12 +11,6 @@ using Json = nlohmann::ordered_json;
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 constexpr double kSecondsInAMinute = 60;
 
-// What is not a number becomes null.
-Json ToJson(const Estimate& estimate) {
-  return {{"count", estimate.count}, {"mean", estimate.mean},   {"low", estimate.low},
-          {"high", estimate.high},   {"least", estimate.least}, {"greatest", estimate.greatest}};
-}
-
 double ValueOf(const std::map<std::string, double>& values, const std::string& name) {
   const auto found = values.find(name);
   return found == values.end() ? kNothing : found->second;

@@ -8,6 +8,7 @@ namespace runtime {
 namespace {
 
 constexpr double kMost = 0.8;
+constexpr double kClear = 3;  // standard errors
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
 class Mean {
@@ -26,6 +27,18 @@ class Mean {
   double sum_ = 0;
   int count_ = 0;
 };
+
+// By how much the means of two windows differ where nothing was learned, as a standard deviation.
+// Half of the squared difference between two returns in a row is the variance of one, whatever is
+// learned meanwhile: that happens over many episodes.
+double ErrorOfProgress(std::span<const EpisodeRecord> episodes, int64_t window) {
+  Mean squares;
+  for (size_t i = 1; i < episodes.size(); ++i) {
+    const double step = episodes[i].active.episode_return - episodes[i - 1].active.episode_return;
+    squares.Add(step * step);
+  }
+  return std::sqrt(squares.value() / static_cast<double>(window));
+}
 
 template <class Record>
 void AddByName(const std::vector<Record>& records, const std::vector<double>& values,
@@ -66,7 +79,7 @@ std::optional<MostLearned> FindMostLearned(std::span<const EpisodeRecord> episod
   const auto begin = static_cast<size_t>(window - 1);
   const double first = averages[begin];
   const double last = averages.back();
-  if (!(last > first)) return std::nullopt;
+  if (!(last - first > kClear * ErrorOfProgress(episodes, window))) return std::nullopt;
   double cpu_seconds = 0;
   for (size_t i = 0; i < averages.size(); ++i) {
     cpu_seconds += episodes[i].cpu_seconds;

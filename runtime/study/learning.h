@@ -28,7 +28,8 @@ struct MostLearned {
 
 // Where the moving average of the returns had come 80 % of the way from its first full window to
 // the last one, for the first time. Nothing for a run shorter than two windows, and for one that
-// got no better.
+// did not get better by more than chance: by three standard errors of the difference between two
+// such averages, of returns that vary as much as each does from the one before it.
 std::optional<MostLearned> FindMostLearned(std::span<const EpisodeRecord> episodes, int64_t window);
 
 // Means over the last `window` episodes by name, of the active tasks' terms and metrics. What was

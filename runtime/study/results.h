@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "runtime/run/estimate.h"
 #include "runtime/study/behavior_groups.h"
-#include "runtime/study/estimate.h"
 #include "runtime/study/experiments.h"
 #include "runtime/study/learning.h"
 

@@ -7,9 +7,9 @@
 #include <string>
 
 #include "runtime/run/module_types.h"
+#include "runtime/run/policy_evaluation.h"
 #include "runtime/run/progress.h"
 #include "runtime/run/stop_request.h"
-#include "runtime/study/policy_evaluation.h"
 
 namespace runtime {
 

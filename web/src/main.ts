@@ -14,6 +14,7 @@ import { decodeReport, type Recording, type Report } from "./data/report_data.ts
 import { kWindows, usualWindow } from "./data/statistics.ts";
 import { formatCount, formatNumber } from "./data/words.ts";
 import { byId, element, hasWebGl, prefersReducedMotion } from "./page/dom.ts";
+import { showEvaluations } from "./page/evaluations.ts";
 import { showHistory } from "./page/history.ts";
 import { showKeyFigures, showMasthead } from "./page/masthead.ts";
 import { showProvenance, showSources } from "./page/provenance.ts";
@@ -96,6 +97,7 @@ function main(): void {
   showMasthead(report);
   showKeyFigures(report);
   showHistory(report);
+  showEvaluations(report);
   showSources(report);
   showProvenance(report);
   const chosen = byId("recording", HTMLSelectElement);

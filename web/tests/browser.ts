@@ -66,6 +66,7 @@ const secondsOf = async (page: Page): Promise<number> =>
   Number.parseFloat(await textOf(page, "#clock"));
 
 const showsTheRun: Check = async (page) => {
+  assert.ok(await page.locator("#evaluations-section").isHidden());
   assert.equal(await textOf(page, "h1"), "crawling");
   assert.match(await textOf(page, "#agent-words"), /Q\(λ\)/);
   assert.ok((await page.locator("#figures .figure").count()) === 4);
@@ -145,12 +146,33 @@ const showsChangesAndShadows: Check = async (page) => {
   assert.ok(await label.isHidden());
   await marks.nth(2).hover();
   assert.ok(await label.isVisible());
-  assert.match((await label.textContent()) ?? "", /swap task: careful\.task.*\n.*task\.gain/);
+  assert.match((await label.textContent()) ?? "", /swap task: .*careful.*\n.*task\.gain/);
   assert.equal(await page.locator("#history tbody tr").count(), 4 + 2);
   assert.match(await textOf(page, "#curve-key"), /shadow careful/);
   await page.locator("#curve").focus();
   await page.keyboard.press("ArrowLeft");
   assert.match(await textOf(page, "#curve-readout"), /careful /);
+};
+
+const cutsNoTable: Check = async (page) => {
+  const hidden = await page
+    .locator("#history .scroll, #evaluations .scroll")
+    .evaluateAll((tables) => tables.map((table) => table.scrollWidth - table.clientWidth));
+  assert.deepEqual(hidden, [0, 0, 0]);
+};
+
+/** "−40 000 000" is longer than the room that charts leave of themselves. */
+const cutsNoNumberOnAnAxis: Check = async (page) => {
+  const plot = page.locator("#metrics article", { hasText: "work [J]" }).locator(".u-over");
+  const room = await plot.evaluate((element) => (element as HTMLElement).offsetLeft);
+  assert.ok(room > 60, `${room} px`);
+};
+
+const showsWhatRemains: Check = async (page) => {
+  assert.match(
+    await textOf(page, "#evaluations tbody"),
+    /paper-tree80 %10\.007\.516 … 12\.4812\.504001 failure, 2 truncated/,
+  );
 };
 
 const showsAStudy: Check = async (page) => {
@@ -285,9 +307,14 @@ await inBrowser(kSoftwareGl, async (browser) => {
   await checkFullPage(browser);
   await onPage(browser, firstPage, {}, saysThatNothingIsRecorded);
   await onPage(browser, tunedPage, {}, async (page) => {
-    await showsChangesAndShadows(page);
+    for (const check of [showsChangesAndShadows, showsWhatRemains, cutsNoTable]) await check(page);
+    await cutsNoNumberOnAnAxis(page);
     await page.locator("#curve .change").nth(2).hover();
     await screenshot("tuned")(page);
+    await fitsItsWidth(page);
+  });
+  await onPage(browser, tunedPage, { viewport: { width: 390, height: 844 } }, async (page) => {
+    await screenshot("tuned-narrow")(page);
     await fitsItsWidth(page);
   });
   await checkStudyPage(browser);

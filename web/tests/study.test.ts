@@ -1,9 +1,10 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { decodeStudy, type Estimate, type Experiment, type Group } from "../src/study/data.ts";
+import { type Estimate, interval, mean, range } from "../src/data/estimate.ts";
+import { decodeStudy, type Experiment, type Group } from "../src/study/data.ts";
 import { moved, preferCommand, quoted } from "../src/study/preference_words.ts";
-import { colorOf, count, interval, mean, range, shareOf } from "../src/study/words.ts";
+import { colorOf, count, shareOf } from "../src/study/words.ts";
 
 const one = "AACAPw=="; // 1
 const known: Estimate = { count: 3, mean: 2, low: -1, high: 5, least: 1, greatest: 3 };

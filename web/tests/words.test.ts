@@ -9,6 +9,7 @@ import {
   formatLength,
   formatNumber,
   formatRatio,
+  formatTick,
   formatTime,
 } from "../src/data/words.ts";
 
@@ -20,6 +21,13 @@ test("numbers have about four digits and a real minus", () => {
   assert.equal(formatNumber(-4e-9), "\u22124.00e\u22129");
   assert.equal(formatNumber(NaN), "–");
   assert.equal(formatNumber(undefined), "–");
+});
+
+test("numbers on an axis lose zeros that say nothing, but none of an exponent", () => {
+  const ticks = [0, -0.5, 2.5, -12000].map(formatTick);
+  assert.deepEqual(ticks, ["0", "\u22120.5", "2.5", "\u221212\u202f000"]);
+  const tiny = [1e-10, -1.5e-10, 2e20].map(formatTick);
+  assert.deepEqual(tiny, ["1e\u221210", "\u22121.5e\u221210", "2e+20"]);
 });
 
 test("lengths have millimetres and no negative zero", () => {

@@ -159,6 +159,29 @@ TEST_F(WriteReportTest, TellsTheChangesInTheOrderInWhichTheyTookEffect) {
   EXPECT_EQ(changes[3]["text"], "set task.gain = 2");
 }
 
+TEST_F(WriteReportTest, TellsWhatRemainsInOtherProfiles) {
+  WriteTunedRun(folder());
+  const json data = Data();
+  ASSERT_THAT(data["evaluations"], SizeIs(1));
+  const json& evaluation = data["evaluations"][0];
+  EXPECT_EQ(evaluation["profile"], "paper-tree");
+  EXPECT_EQ(evaluation["checkpoint_episode"], 400);
+  EXPECT_EQ(evaluation["return"]["count"], 3);
+  EXPECT_EQ(evaluation["return"]["mean"], 10);
+  EXPECT_NEAR(evaluation["return"]["high"].get<double>(), 10 + 4.3027 / std::sqrt(3), 1e-3);
+  EXPECT_EQ(evaluation["learned_return"], 12.5);
+  EXPECT_DOUBLE_EQ(evaluation["share"], 0.8);
+  EXPECT_EQ(evaluation["ends"], (json{{"failure", 1}, {"truncated", 2}}));
+}
+
+TEST_F(WriteReportTest, ADamagedEvaluationCostsOnlyItself) {
+  WriteTunedRun(folder());
+  std::ofstream(folder() / "evaluation-fast.json") << "{";
+  const json data = Data();
+  EXPECT_THAT(data["evaluations"], SizeIs(1));
+  EXPECT_THAT(data["notes"], ElementsAre(HasSubstr("evaluation-fast.json")));
+}
+
 TEST_F(WriteReportTest, CountsTheEndsByKindAndReason) {
   RunDatabase database = Create();
   EpisodeRecord fall = Episode(2, 0);

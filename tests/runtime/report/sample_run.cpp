@@ -9,6 +9,7 @@
 
 #include "runtime/run/body_json.h"
 #include "runtime/run/compression.h"
+#include "runtime/run/policy_evaluation.h"
 #include "runtime/run/recorder.h"
 #include "tests/runtime/report/moving_humanoid.h"
 
@@ -139,7 +140,7 @@ TaskRecord CarefulTask(std::string module) {
   task.task_file = "tasks/careful.task";
   task.task_hash = "c0ffee5b7a1e";
   task.terms = {{"forward", "speed along the body's heading"}, {"fall", ""}, {"effort", "torque"}};
-  task.metrics.push_back({"rest", "s", "sum", "time without a step"});
+  task.metrics.push_back({"work", "J", "sum", "of all joints"});
   task.logs.clear();
   task.sources.resize(1);
   return task;
@@ -151,7 +152,7 @@ Evaluation CarefulEvaluation(int64_t task, const Evaluation& first) {
   careful.task = task;
   careful.terms = {first.terms[0], 2 * first.terms[2], -0.25 * std::abs(first.terms[1])};
   careful.episode_return = careful.terms[0] + careful.terms[1] + careful.terms[2];
-  careful.metrics.push_back(2.5);
+  careful.metrics.push_back(1e7 * first.terms[1] - 2.5e7);  // so many digits take room
   careful.logs.clear();
   return careful;
 }
@@ -171,7 +172,7 @@ void WriteTunedRun(const std::filesystem::path& folder) {
         ChangeRecord{0, 180, 1250, "2026-01-02T03:09:10Z", "set", "set learner.temperature = 0.5",
                      "{}"},
         ChangeRecord{0, 251, 0, "2026-01-02T03:14:15Z", "swap",
-                     "swap task: careful.task (c0ffee5b)", "{}"},
+                     "swap task: examples/live/careful-with-a-longer-name.task (c0ffee5b)", "{}"},
         ChangeRecord{0, 251, 0, "2026-01-02T03:14:16Z", "set", "set task.gain = 2", "{}"}}) {
     database.AddChange(change);
   }
@@ -185,6 +186,18 @@ void WriteTunedRun(const std::filesystem::path& folder) {
     database.AddEpisode(episode, recording, std::nullopt);
   }
   database.SetState(RunState::kFinished);
+  PolicyEvaluation evaluation{.profile = "paper-tree",
+                              .learned_profile = run.profile,
+                              .version = run.version,
+                              .checkpoint_episode = kEpisodes,
+                              .checkpoint = "0123456789abcdef",
+                              .returns = {9, 10, 11},
+                              .mean_return = 10,
+                              .learned_return = 12.5,
+                              .ends = {{"failure", 1}, {"truncated", 2}},
+                              .metrics = {},
+                              .learned_metrics = {}};
+  WriteEvaluation(folder, evaluation);
 }
 
 }  // namespace runtime

@@ -27,7 +27,8 @@ struct SampleSize {
 void WriteSampleRun(const std::filesystem::path& folder, const SampleSize& size);
 
 // A run of 400 episodes that was tuned while it learned: a shadow, `careful`, from episode 101 on,
-// whose task took the place of the active one before episode 251, and two changes of parameters.
+// whose task took the place of the active one before episode 251, two changes of parameters, and an
+// evaluation in the profile paper-tree.
 void WriteTunedRun(const std::filesystem::path& folder);
 
 }  // namespace runtime

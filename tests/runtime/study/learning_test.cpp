@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <random>
 
 #include "tests/runtime/run/sample_run.h"
 
@@ -47,9 +48,36 @@ TEST(FindMostLearned, IsWhereFourFifthsOfTheWayAreDone) {
 }
 
 TEST(FindMostLearned, GoesFromTheFirstMeanNotFromZero) {
-  const auto found = FindMostLearned(EpisodesWith({-40, -40, -9, -9, 0, 0}), 1);
+  const auto found = FindMostLearned(EpisodesWith({-40, -40, -30, -20, -9, -9, 0, 0}), 1);
   ASSERT_TRUE(found.has_value());
-  EXPECT_EQ(found->episode, 5);  // -9 is less than -8
+  EXPECT_EQ(found->episode, 7);  // -9 is less than -8
+}
+
+// A hundred runs whose returns are chance alone; half of them end higher than they began.
+TEST(FindMostLearned, IsNowhereWhereNothingWasLearned) {
+  std::mt19937 random(1);
+  int found = 0;
+  for (int run = 0; run < 100; ++run) {
+    std::vector<double> returns;
+    for (int episode = 0; episode < 100; ++episode) {
+      returns.push_back(static_cast<double>(random() % 1000));
+    }
+    if (FindMostLearned(EpisodesWith(returns), 5).has_value()) ++found;
+  }
+  EXPECT_LE(found, 1);
+}
+
+// The same chance, on top of something that is learned.
+TEST(FindMostLearned, SeesWhatWasLearnedBehindTheNoise) {
+  std::mt19937 random(1);
+  std::vector<double> returns;
+  for (int episode = 0; episode < 400; ++episode) {
+    returns.push_back(static_cast<double>(random() % 1000) + (episode < 200 ? 0 : 1000));
+  }
+  const auto found = FindMostLearned(EpisodesWith(returns), 20);
+  ASSERT_TRUE(found.has_value());
+  EXPECT_GT(found->episode, 200);
+  EXPECT_LE(found->episode, 220);
 }
 
 TEST(FindMostLearned, IsNowhereInARunThatGotNoBetterOrIsShort) {

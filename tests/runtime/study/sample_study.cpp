@@ -4,8 +4,8 @@
 #include <fstream>
 #include <optional>
 
+#include "runtime/run/policy_evaluation.h"
 #include "runtime/run/run_database.h"
-#include "runtime/study/policy_evaluation.h"
 #include "tests/runtime/report/sample_run.h"
 
 namespace runtime {

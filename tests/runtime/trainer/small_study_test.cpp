@@ -68,11 +68,15 @@ double MeanUpTo(const std::vector<double>& values, size_t last) {
 }
 
 // The first episode whose mean has come 80 % of the way from the first mean to the last; null where
-// that is no way up.
+// that is no clear way up: of less than three standard errors.
 json EpisodesToMost(const std::vector<double>& returns) {
   const double first = MeanUpTo(returns, kWindow - 1);
   const double last = MeanUpTo(returns, returns.size() - 1);
-  if (last <= first) return nullptr;
+  std::vector<double> squares;
+  for (size_t i = 1; i < returns.size(); ++i) {
+    squares.push_back(std::pow(returns[i] - returns[i - 1], 2));
+  }
+  if (last - first <= 3 * std::sqrt(Mean(squares) / kWindow)) return nullptr;
   for (size_t i = kWindow - 1;; ++i) {
     if (MeanUpTo(returns, i) >= first + 0.8 * (last - first)) return i + 1;
   }

@@ -2,7 +2,7 @@
 
 import uPlot from "uplot";
 
-import { formatCount, formatNumber } from "../data/words.ts";
+import { formatCount, formatTick } from "../data/words.ts";
 import { themeColor } from "../page/dom.ts";
 import { drawPoints } from "./points.ts";
 import type { ChartSeries } from "./series.ts";
@@ -28,21 +28,49 @@ const kEpisodeSteps = Array.from({ length: 21 }, (_, i) => {
   return digit * 10 ** Math.floor(i / 3);
 });
 
+const kLeastWidth = 56; // the charts of a page stand in line where their numbers are short
+const kGap = 6;
+
+/** As wide as the longest of the axis's numbers: one that is cut is another number. */
+function widthOfValues(plot: uPlot, values: string[] | null, index: number): number {
+  const font = plot.axes[index]?.font as unknown as [string]; // in the pixels of the canvas
+  plot.ctx.font = font[0];
+  const widths = (values ?? []).map((value) => plot.ctx.measureText(value).width);
+  const longest = Math.max(0, ...widths) / window.devicePixelRatio;
+  return Math.max(kLeastWidth, Math.ceil(longest) + kGap + 2);
+}
+
 function axis(side: number, format: (value: number) => string): uPlot.Axis {
   const isBottom = side === 2;
   return {
     side,
     stroke: () => themeColor("--ink-soft"),
     font: kFont,
-    size: isBottom ? 28 : 56,
+    size: isBottom ? 28 : widthOfValues,
     ...(isBottom ? { label: "episode", labelSize: 18, labelGap: 0, labelFont: kFont } : {}),
-    gap: 6,
+    gap: kGap,
     space: isBottom ? 70 : 36,
     ...(isBottom ? { incrs: kEpisodeSteps } : {}),
     grid: { stroke: () => themeColor("--grid"), width: 1 },
     ticks: { show: false },
     values: (_, splits) => splits.map((value) => (value === null ? "" : format(value))),
   };
+}
+
+/** `gaps`, and one more before each of `starts` where values stand on both sides; in their order. */
+function withBreaks(
+  plot: uPlot,
+  index: number,
+  starts: number[],
+  gaps: uPlot.Series.Gaps,
+): uPlot.Series.Gaps {
+  const [episodes, values] = [plot.data[0], plot.data[index] ?? []];
+  const has = (i: number): boolean => (values[i] ?? null) !== null;
+  const x = (i: number): number => plot.valToPos(episodes[i] as number, "x", true);
+  const breaks = starts
+    .filter((start) => has(start - 1) && has(start))
+    .map((start): uPlot.Series.Gap => [x(start - 1), x(start)]);
+  return [...gaps, ...breaks].sort((a, b) => a[0] - b[0]);
 }
 
 function plotSeries(series: ChartSeries): uPlot.Series {
@@ -53,6 +81,7 @@ function plotSeries(series: ChartSeries): uPlot.Series {
     points: { show: false },
     auto: !series.isOutside,
     spanGaps: !series.hasGaps,
+    gaps: (plot, index, _first, _last, gaps) => withBreaks(plot, index, series.starts ?? [], gaps),
     ...(isLine ? {} : { paths: () => null }), // drawn by drawPoints
   };
 }
@@ -86,7 +115,7 @@ function plotOptions(options: ChartOptions, width: number): uPlot.Options {
     padding: [10, 24, 0, 0],
     legend: { show: false },
     scales: { x: { time: false, range: rangeOf(options.episode) } },
-    axes: [axis(2, formatCount), axis(3, formatNumberOnAxis)],
+    axes: [axis(2, formatCount), axis(3, formatTick)],
     series: [{}, ...options.series.map(plotSeries)],
     ...(options.band ? { bands: [plotBand(options.band)] } : {}),
     cursor: {
@@ -102,9 +131,6 @@ function plotOptions(options: ChartOptions, width: number): uPlot.Options {
     },
   };
 }
-
-const formatNumberOnAxis = (value: number): string =>
-  Number.isInteger(value) ? formatCount(value) : formatNumber(value).replace(/0+$/, "");
 
 export class EpisodeChart {
   private readonly plot: uPlot;

@@ -31,11 +31,12 @@ export class LearningCurve {
     this.changes = new ChangeMarks(report.changes);
     this.makeMarks();
     this.fillKey();
+    const starts = versionStarts(report);
     this.chart = new EpisodeChart(parts.chart, {
       episode: report.episode,
       series: [
         { values: report.returns, color: "--point", kind: "points" },
-        { values: this.mean, color: "--accent", kind: "line" },
+        { values: this.mean, color: "--accent", kind: "line", hasGaps: true, starts },
         ...this.shadowMeans.map((values, i) => ({
           values,
           color: shadowColor(i),

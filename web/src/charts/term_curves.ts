@@ -28,6 +28,7 @@ export class TermCurves {
         color: colorName(i),
         kind: "line",
         hasGaps: true,
+        starts: versionStarts(report),
       })),
       height: 260,
       label: "Running mean of each reward term's sum per episode.",

@@ -1,6 +1,7 @@
 // What the page shows: the JSON that runtime/report/report_data.cpp writes into the page, decoded.
 
 import { decodeFloats } from "./base64.ts";
+import type { Estimate } from "./estimate.ts";
 
 /** A link of the robot; lengths in metres, `axis` 0, 1, 2 = x, y, z of the link's own frame. */
 export interface BodyLink {
@@ -67,6 +68,16 @@ export interface Change {
   text: string;
 }
 
+/** What the run had learned after an episode, acting in a profile without learning. */
+export interface Evaluation {
+  profile: string;
+  checkpoint_episode: number;
+  return: Estimate; // over the episodes of the evaluation
+  learned_return: number | null;
+  share: number | null; // of the learned return
+  ends: Record<string, number>; // how many episodes ended so
+}
+
 /** `poses` holds [frame][link][7]: x, y, z [m], then the quaternion w, x, y, z. */
 export interface Recording {
   episode: number;
@@ -93,6 +104,7 @@ export interface Report {
   versions: Version[]; // in the order of the episodes
   shadows: Shadow[];
   changes: Change[];
+  evaluations: Evaluation[];
   agentText: string;
   modules: Record<string, AgentModule>;
   body: BodyLink[];

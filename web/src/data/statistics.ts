@@ -4,7 +4,9 @@ type Values = ArrayLike<number>;
 
 /**
  * For each value the mean of the last `window` values up to it (of those there are). It begins anew
- * at each index of `starts`.
+ * at each index of `starts`, and with the first value where others are missing before it: there not
+ * with a single one, which would be chance, but NaN until half of the window is full, or half of
+ * what there is up to the next start.
  */
 export function runningMean(values: Values, window: number, starts: number[] = []): Float32Array {
   const means = new Float32Array(values.length);
@@ -16,12 +18,18 @@ export function runningMean(values: Values, window: number, starts: number[] = [
     sum += sign * value;
     count += sign;
   };
+  const allStarts = [...starts, Array.prototype.findIndex.call(values, Number.isFinite)];
   let first = 0;
+  let least = 1;
   for (let i = 0; i < values.length; ++i) {
-    if (starts.includes(i)) [first, sum, count] = [i, 0, 0];
+    if (i > 0 && allStarts.includes(i)) {
+      const next = starts.find((start) => start > i) ?? values.length;
+      [first, sum, count] = [i, 0, 0];
+      least = Math.ceil(Math.min(window, next - i) / 2);
+    }
     add(i, 1);
     if (i - window >= first) add(i - window, -1);
-    means[i] = count > 0 ? sum / count : NaN;
+    means[i] = count > 0 && i - first + 1 >= least ? sum / count : NaN;
   }
   return means;
 }

@@ -16,6 +16,12 @@ export function formatNumber(value: number | undefined): string {
   return group(size.toFixed(decimals), value < 0);
 }
 
+/** A round number on an axis, without digits that say nothing: "0.5", "12 000", "1e−9". */
+export function formatTick(value: number): string {
+  if (Number.isInteger(value) && Math.abs(value) < 1e7) return formatCount(value);
+  return formatNumber(value).replace(/(\.\d*?)0+(?=e|$)/, "$1").replace(/\.(?=e|$)/, "");
+}
+
 /** A length [m] to the millimetre. */
 export const formatLength = (value: number): string =>
   (Math.round(value * 1000) / 1000 + 0).toFixed(3).replace("-", kMinus);

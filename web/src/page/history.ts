@@ -2,7 +2,7 @@
 
 import type { Change, Report } from "../data/report_data.ts";
 import { formatCount, formatDate } from "../data/words.ts";
-import { byId } from "./dom.ts";
+import { byId, element } from "./dom.ts";
 import { row, table } from "./table.ts";
 
 function changeRow({ episode, step, text, at }: Change): HTMLElement {
@@ -14,7 +14,7 @@ function versionRows(report: Report): HTMLElement[] {
   return report.versions.map(({ task, first, last }) => {
     const { name = "", file = "", hash = "" } = report.tasks[task] ?? {};
     const episodes = `${formatCount(first)} – ${formatCount(last)}`;
-    return row([episodes, name, file, hash.slice(0, 8)]);
+    return row([episodes, name, file, element("code", {}, hash.slice(0, 8))]);
   });
 }
 
@@ -25,9 +25,13 @@ export function showHistory(report: Report): void {
   if (section.hidden) return;
   const host = byId("history", HTMLElement);
   if (report.changes.length > 0) {
-    host.append(table(["Episode", "Change", "When"], report.changes.map(changeRow)));
+    const changes = table(["Episode", "Change", "When"], report.changes.map(changeRow));
+    changes.classList.add("changes-table");
+    host.append(changes);
   }
   if (report.versions.length > 1) {
-    host.append(table(["Episodes", "Active task", "File", "Hash"], versionRows(report)));
+    const versions = table(["Episodes", "Active task", "File", "Hash"], versionRows(report));
+    versions.classList.add("versions-table");
+    host.append(versions);
   }
 }

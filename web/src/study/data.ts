@@ -1,18 +1,9 @@
 // What the page of a study shows: the JSON that runtime/study/study_report.cpp writes, decoded.
 
 import { decodeFloats } from "../data/base64.ts";
+import type { Estimate } from "../data/estimate.ts";
 import type { AgentModule, BodyLink } from "../data/report_data.ts";
 import type { Replay } from "../replay/motion.ts";
-
-/** A mean over runs with its confidence interval of 95 %; null where there are too few runs. */
-export interface Estimate {
-  count: number;
-  mean: number | null;
-  low: number | null;
-  high: number | null;
-  least: number | null;
-  greatest: number | null;
-}
 
 export interface Metric {
   name: string;

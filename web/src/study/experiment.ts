@@ -1,15 +1,17 @@
 // One experiment: its curves, what came out of its runs, and the groups in which they ended.
 
+import { type Estimate, interval, mean } from "../data/estimate.ts";
 import { docOfTask } from "../data/task_source.ts";
 import { agentInWords, formatCount, formatNumber } from "../data/words.ts";
 import { element } from "../page/dom.ts";
 import { figure } from "../page/figure.ts";
+import { remainsBar, wholePercent } from "../page/remains.ts";
 import { row, table } from "../page/table.ts";
 import { Curves } from "./curves.ts";
-import type { Estimate, Evaluation, Experiment, Group, StudyRun, Term } from "./data.ts";
+import type { Evaluation, Experiment, Group, StudyRun, Term } from "./data.ts";
 import { GroupCards } from "./groups.ts";
 import { showPreferences } from "./preferences.ts";
-import { colorOf, count, interval, mean, runs } from "./words.ts";
+import { colorOf, count, runs } from "./words.ts";
 
 const kStates: Record<string, string> = { interrupted: "stopped" };
 
@@ -62,20 +64,12 @@ function termRow({ name, doc, value, share }: Term): HTMLTableRowElement {
   return row([title, bar, percent, mean(value)]);
 }
 
-function wholePercent(share: number | null): string {
-  return share === null ? "–" : `${Math.round(100 * share)} %`;
-}
-
 /** A profile, what the runs' policies bring in there, and a bar for what remains of the learned return. */
 function evaluationRow(evaluation: Evaluation, learnedIn: string): HTMLTableRowElement {
   const { profile, return: there, share, median_share } = evaluation;
-  const bar = element("span", { class: "remains-bar" });
-  const part = element("span");
-  part.style.width = `${100 * Math.min(Math.max(share ?? 0, 0), 1)}%`;
-  bar.append(part);
   return row([
     profile === learnedIn ? `${profile}, its own` : profile,
-    bar,
+    remainsBar(share),
     wholePercent(share),
     wholePercent(median_share),
     element("span", { title: `${runs(there.count)}, 95 %: ${interval(there)}` }, mean(there)),

@@ -1,9 +1,10 @@
 // The groups of behaviors in which the runs ended, a card each.
 
+import { mean, range } from "../data/estimate.ts";
 import { formatTime } from "../data/words.ts";
 import { element } from "../page/dom.ts";
 import type { Experiment, Group, Strip } from "./data.ts";
-import { colorOf, mean, range, shareOf } from "./words.ts";
+import { colorOf, shareOf } from "./words.ts";
 
 export interface GroupActions {
   emphasise(runs: number[]): void; // lets the curves of these runs stand out; all, if none

@@ -7,13 +7,14 @@ import "../style/charts.css";
 import "../style/replay.css";
 import "../style/study.css";
 
+import { interval, mean } from "../data/estimate.ts";
 import { formatCount, formatDate, formatDuration } from "../data/words.ts";
 import { byId, element } from "../page/dom.ts";
 import { row, table } from "../page/table.ts";
 import { decodeStudy, type Experiment, type Study } from "./data.ts";
 import { idOf, showExperiment } from "./experiment.ts";
 import { ReplayDialog } from "./replay_dialog.ts";
-import { count, interval, mean } from "./words.ts";
+import { count } from "./words.ts";
 
 function showMasthead({ folder, experiments, madeAt }: Study): void {
   byId("study-name", HTMLElement).textContent = folder;

@@ -1,25 +1,8 @@
-// Estimates and groups as text.
+// Runs and groups as text.
 
-import { formatCount, formatNumber } from "../data/words.ts";
-import type { Estimate, Group } from "./data.ts";
-
-type Format = (value: number | undefined) => string;
-
-const orNothing = (value: number | null): number | undefined => value ?? undefined;
-
-/** "12.3", or "–" where there is no value. */
-export const mean = (estimate: Estimate, format: Format = formatNumber): string =>
-  format(orNothing(estimate.mean));
-
-/** "10.1 … 14.5"; empty where there are too few runs for an interval. */
-export function interval({ low, high }: Estimate, format: Format = formatNumber): string {
-  return low === null || high === null ? "" : `${format(low)} … ${format(high)}`;
-}
-
-/** The least and the greatest value; empty of one run. */
-export function range({ count, least, greatest }: Estimate, format: Format = formatNumber): string {
-  return count < 2 ? "" : `${format(orNothing(least))} … ${format(orNothing(greatest))}`;
-}
+import type { Format } from "../data/estimate.ts";
+import { formatCount } from "../data/words.ts";
+import type { Group } from "./data.ts";
 
 /** What "–" stands for where a whole number is missing. */
 export const count: Format = (value) => (value === undefined ? "–" : formatCount(value));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <vector>
 
@@ -14,6 +15,9 @@ struct Estimate {
   double least = 0;  // of the values
   double greatest = 0;
 };
+
+// Under the names of the members; what is not a number becomes null.
+nlohmann::ordered_json ToJson(const Estimate& estimate);
 
 // Values that are not numbers are left out.
 Estimate EstimateMean(std::span<const double> values);

@@ -1,4 +1,4 @@
-#include "runtime/study/estimate.h"
+#include "runtime/run/estimate.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,10 @@
-#include "runtime/study/estimate.h"
+#include "runtime/run/estimate.h"
 
 #include <algorithm>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 
 namespace runtime {
 namespace {
@@ -20,6 +21,11 @@ double HalfWidth(const std::vector<double>& values, double mean) {
 }
 
 }  // namespace
+
+nlohmann::ordered_json ToJson(const Estimate& estimate) {
+  return {{"count", estimate.count}, {"mean", estimate.mean},   {"low", estimate.low},
+          {"high", estimate.high},   {"least", estimate.least}, {"greatest", estimate.greatest}};
+}
 
 Estimate EstimateMean(std::span<const double> values) {
   std::vector<double> known;

@@ -1,4 +1,4 @@
-#include "runtime/study/policy_evaluation.h"
+#include "runtime/run/policy_evaluation.h"
 
 #include <gmock/gmock.h>
 
