@@ -161,7 +161,7 @@ const cutsNoTable: Check = async (page) => {
   assert.deepEqual(hidden, [0, 0, 0]);
 };
 
-/** "−40 000 000" is longer than the room that charts leave of themselves. */
+/** "−4 000 000" is longer than the room that charts leave of themselves. */
 const cutsNoNumberOnAnAxis: Check = async (page) => {
   const plot = page.locator("#metrics article", { hasText: "work [J]" }).locator(".u-over");
   const room = await plot.evaluate((element) => (element as HTMLElement).offsetLeft);
