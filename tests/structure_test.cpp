@@ -17,6 +17,7 @@ using Folders = std::set<std::string>;
 const std::map<std::string, Folders> kMayInclude = {
     {"plugins/abi", {}},
     {"plugins/text", {}},
+    {"plugins/command_line", {"plugins/text"}},
     {"plugins/seal", {}},
     {"plugins/watch", {}},
     {"plugins/cache", {}},
@@ -48,8 +49,8 @@ const std::map<std::string, Folders> kMayInclude = {
     {"compiler/driver",
      {"compiler/analyze", "compiler/bounds", "compiler/build", "compiler/check",
       "compiler/document", "compiler/emit", "compiler/format", "compiler/language_server",
-      "compiler/report", "compiler/source", "compiler/syntax", "compiler/testing", "plugins/robot",
-      "plugins/text", "plugins/watch"}},
+      "compiler/report", "compiler/source", "compiler/syntax", "compiler/testing",
+      "plugins/command_line", "plugins/robot", "plugins/text", "plugins/watch"}},
 
     {"runtime/module", {"plugins/robot", "plugins/text"}},
     {"runtime/task", {"plugins/robot", "plugins/seal", "runtime/module"}},
@@ -72,7 +73,7 @@ const std::map<std::string, Folders> kMayInclude = {
     {"runtime/client", {"runtime/control", "runtime/module", "runtime/server"}},
     {"runtime/workers", {"runtime/module", "runtime/run"}},
     {"runtime/trainer",
-     {"plugins/robot", "plugins/text", "plugins/watch", "runtime/agent", "runtime/behavior",
+     {"plugins/command_line", "plugins/robot", "plugins/watch", "runtime/agent", "runtime/behavior",
       "runtime/client", "runtime/control", "runtime/module", "runtime/picture",
       "runtime/preference", "runtime/report", "runtime/run", "runtime/server", "runtime/simulation",
       "runtime/study", "runtime/task", "runtime/workers"}},

@@ -1,18 +1,16 @@
 #include "compiler/driver/command_line.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 
 #include "compiler/build/internal_error.h"
 #include "compiler/driver/crash_report.h"
 #include "compiler/driver/print_error.h"
 #include "compiler/driver/session.h"
 #include "compiler/driver/verb.h"
+#include "plugins/command_line/wrong_call.h"
 #include "plugins/robot/robot_description.h"
-#include "plugins/text/nearest_name.h"
 
 namespace compiler {
 namespace {
@@ -27,21 +25,6 @@ constexpr const char* kFooter =
     "Exit status: 0 fine, 1 the task has errors, 2 the call is wrong, 3 an error in taskc.";
 
 constexpr const char* kVersion = "taskc " TASKC_VERSION;
-
-// What is wrong with the call, in one line.
-std::string Explain(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv) {
-  if (app.get_subcommands().empty() && (argc < 2 || argv[1][0] != '-')) {
-    std::vector<std::string> names;
-    for (const Verb& verb : kVerbs) names.push_back(verb.name);
-    if (argc < 2) return fmt::format("expected a command: {}", fmt::join(names, ", "));
-    auto nearest = text::NearestName(argv[1], names);
-    return fmt::format("there is no command `{}`{}", argv[1],
-                       nearest ? fmt::format("; did you mean `taskc {}`?", *nearest) : "");
-  }
-  std::string message = error.what();
-  std::replace(message.begin(), message.end(), '\n', ' ');
-  return message;
-}
 
 // "Examples:" and the verb's, indented.
 std::string Examples(const Verb& verb) {
@@ -102,7 +85,7 @@ ExitStatus RunCommandLine(int argc, char** argv) {
     app.exit(wish);
     return ExitStatus::kOk;
   } catch (const CLI::ParseError& error) {
-    PrintError(fmt::format("{} (see `taskc --help`)", Explain(app, error, argc, argv)));
+    PrintError(fmt::format("{} (see `taskc --help`)", command_line::WhatIsWrong(app, error)));
     return ExitStatus::kWrongCall;
   }
 

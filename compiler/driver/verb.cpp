@@ -1,7 +1,6 @@
 #include "compiler/driver/verb.h"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
+#include "plugins/command_line/choice.h"
 
 namespace compiler {
 
@@ -84,13 +83,6 @@ void AddRobots(CLI::App& app, Session& session) {
       ->type_name("DIR");
 }
 
-CLI::Option* AddChoice(CLI::App& app, const std::string& option, std::string& value,
-                       const std::vector<std::string>& words, const std::string& description) {
-  return app.add_option(option, value, description)
-      ->type_name(fmt::format("{}", fmt::join(words, "|")))
-      ->check(CLI::IsMember(words).description(""));
-}
-
 void AddReport(CLI::App& app, Session& session) {
   CLI::Option* json = app.add_flag_callback(
       "--json", [&] { session.format = "json"; }, "report as JSON, for other programs");
@@ -98,9 +90,10 @@ void AddReport(CLI::App& app, Session& session) {
          "--sarif", [&] { session.format = "sarif"; }, "report as SARIF 2.1.0")
       ->excludes(json);
   // What scripts may still say: not in the help.
-  AddChoice(app, "--format", session.format, {"text", "json", "sarif"}, "")->group("");
-  AddChoice(app, "--color", session.color, {"auto", "always", "never"},
-            "colours; auto: on a terminal, where NO_COLOR is not set");
+  command_line::AddChoice(app, "--format", session.format, {"text", "json", "sarif"}, "")
+      ->group("");
+  command_line::AddChoice(app, "--color", session.color, {"auto", "always", "never"},
+                          "colours; auto: on a terminal, where NO_COLOR is not set");
 }
 
 }  // namespace compiler

@@ -53,9 +53,6 @@ void AddTasks(CLI::App& app, std::vector<std::string>& tasks);
 void AddOutput(CLI::App& app, std::filesystem::path& output, const std::string& what,
                const std::string& description);
 void AddRobots(CLI::App& app, Session& session);
-// An option whose value is one of a few words.
-CLI::Option* AddChoice(CLI::App& app, const std::string& option, std::string& value,
-                       const std::vector<std::string>& words, const std::string& description);
 // In which form, and in which colours, what is wrong is reported.
 void AddReport(CLI::App& app, Session& session);
 

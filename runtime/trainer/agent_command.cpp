@@ -51,8 +51,8 @@ void AddAgentCommand(CLI::App& app, int& status) {
       "where it comes from; or its modules and connections, as text, JSON or Graphviz.");
   options->task.AddTo(*show);
   CLI::Option* format = show->add_option("--format", options->format, "toml, text or dot")
-                            ->transform(CLI::CheckedTransformer(formats))
-                            ->type_name("FORMAT");
+                            ->transform(CLI::CheckedTransformer(formats).description(""))
+                            ->type_name("toml|text|dot");
   show->add_flag_callback(
           "--json", [options] { options->format = AgentFormat::kJson; }, "print JSON")
       ->excludes(format);

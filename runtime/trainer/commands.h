@@ -20,5 +20,6 @@ void AddEvaluateCommand(CLI::App& app, int& status);
 void AddReportCommand(CLI::App& app, int& status);
 void AddSnapshotsCommand(CLI::App& app, int& status);
 void AddPreferCommand(CLI::App& app, int& status);
+void AddCompletionCommand(CLI::App& app, int& status);
 
 }  // namespace runtime

@@ -2,32 +2,13 @@
 #include <fmt/format.h>
 
 #include <csignal>
-#include <optional>
 
-#include "plugins/text/nearest_name.h"
+#include "plugins/command_line/wrong_call.h"
 #include "runtime/trainer/call_error.h"
 #include "runtime/trainer/commands.h"
 
 namespace runtime {
 namespace {
-
-// What was probably meant, where a word looks like one of the commands that may stand there.
-std::string SuggestedCommand(const CLI::App& app, int argc, char** argv) {
-  const CLI::App* chosen = &app;
-  std::string line = app.get_name();
-  int position = 1;
-  for (; !chosen->get_subcommands().empty(); ++position) {
-    chosen = chosen->get_subcommands().front();
-    line += " " + chosen->get_name();
-  }
-  if (position >= argc) return "";
-  std::vector<std::string> commands;
-  for (const CLI::App* command : chosen->get_subcommands([](const CLI::App*) { return true; })) {
-    commands.push_back(command->get_name());
-  }
-  const std::optional<std::string> nearest = text::NearestName(argv[position], commands);
-  return nearest ? fmt::format("; did you mean `{} {}`?", line, *nearest) : "";
-}
 
 int RunTrainer(int argc, char** argv) {
   CLI::App app("Trains a simulated robot in a task that was written in the task language.",
@@ -48,6 +29,7 @@ int RunTrainer(int argc, char** argv) {
   AddSnapshotsCommand(app, status);
   AddPreferCommand(app, status);
   AddAgentCommand(app, status);
+  AddCompletionCommand(app, status);
   app.set_version_flag("--version", "trainer " TASKC_VERSION, "print the version and leave");
   for (CLI::App* command : app.get_subcommands({})) {
     command->set_version_flag("--version", "trainer " TASKC_VERSION, "print the version and leave");
@@ -56,8 +38,8 @@ int RunTrainer(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
-    fmt::print(stderr, "trainer: error: {}{} (see `trainer --help`)\n", error.what(),
-               SuggestedCommand(app, argc, argv));
+    fmt::print(stderr, "trainer: error: {} (see `trainer --help`)\n",
+               command_line::WhatIsWrong(app, error));
     return kWrongCall;
   }
   return status;

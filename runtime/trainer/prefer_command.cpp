@@ -174,9 +174,12 @@ void AddPreferCommand(CLI::App& app, int& status) {
                    "by which a gain is expected to change at most, in two cases out of three")
       ->check(CLI::Range(1.01, 1000.))
       ->capture_default_str();
-  CLI::Option* output = command->add_option("-o,--output", options->output,
-                                            "write the new gains as a task: FILE.task");
+  CLI::Option* output =
+      command
+          ->add_option("-o,--output", options->output, "write the new gains as a task: FILE.task")
+          ->type_name("FILE");
   command->add_option("--task", options->task, "which it extends; otherwise that of the runs")
+      ->type_name("FILE")
       ->needs(output);
   command->add_flag("--force", options->is_forced, "write over a task that is there")
       ->needs(output);

@@ -57,14 +57,17 @@ void AddReportCommand(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand(
       "report", "Writes the report of a run, or of all runs of a folder, as one HTML file.");
   command->add_option("DIR", options->folder, "folder of the run, or of many")->required();
-  CLI::Option* output = command->add_option("-o,--output", options->output,
-                                            "file to write; otherwise report.html in DIR");
+  CLI::Option* output = command
+                            ->add_option("-o,--output", options->output,
+                                         "file to write; otherwise report.html in DIR")
+                            ->type_name("FILE");
   CLI::Option* document =
       command
           ->add_option("--document", options->document,
                        "write Markdown with pictures into this folder instead: for a repository")
           ->excludes(output);
   command->add_flag("--json", options->json, "print the figures as JSON instead")
+          ->type_name("DIR")
       ->excludes(output)
       ->excludes(document);
   command->callback([options, &status] {

@@ -38,8 +38,10 @@ void AddServeCommand(CLI::App& app, int& status) {
       "Trains like `train`, or like `resume` in a run's folder, and waits when it is done.");
   options->task.AddTo(*command);
   options->plan.AddTo(*command);
-  command->add_option("--out", options->out,
-                      "folder of a new run; otherwise runs/TASK-PROFILE-seedSEED");
+  command
+      ->add_option("--out", options->out,
+                   "folder of a new run; otherwise runs/TASK-PROFILE-seedSEED")
+      ->type_name("DIR");
   options->session.AddTo(*command);
   command->footer("`trainer ctl` talks to it.");
   command->callback([options, &status] { status = Serve(*options); });

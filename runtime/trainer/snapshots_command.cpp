@@ -112,7 +112,9 @@ void AddSnapshotsCommand(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand(
       "snapshots", "Draws a recorded episode as a strip of pictures, and prints their times.");
   command->add_option("RUN", options->folder, "folder of the run")->required();
-  command->add_option("-o,--output", options->output, "PNG file to write")->required();
+  command->add_option("-o,--output", options->output, "PNG file to write")
+      ->required()
+      ->type_name("FILE");
   command
       ->add_option("--episode", options->episode,
                    "number of a recorded episode; otherwise the last of these")

@@ -86,7 +86,8 @@ void AddStudyCommand(CLI::App& app, int& status) {
   CLI::App* command = app.add_subcommand(
       "study", "Trains many tasks with many seeds; called again, it goes on and adds what is new.");
   command->add_option("FILE", options->file, "the study, a TOML file")->required();
-  command->add_option("--out", options->out, "folder of the runs; otherwise runs/FILE");
+  command->add_option("--out", options->out, "folder of the runs; otherwise runs/FILE")
+      ->type_name("DIR");
   AddJobsOption(*command, options->jobs, "train");
   options->output.AddTo(*command);
   command->callback([options, &status] { status = Study(*options); });

@@ -67,9 +67,11 @@ void AddTrainCommand(CLI::App& app, int& status) {
       ->check(CLI::Range(int64_t{1}, int64_t{10'000}))
       ->capture_default_str();
   AddJobsOption(*command, options->jobs, "train");
-  command->add_option("--out", options->out,
-                      "folder of the run; otherwise runs/TASK-PROFILE-seedSEED. Of many runs the "
-                      "folder of their folders; otherwise runs/TASK-PROFILE");
+  command
+      ->add_option("--out", options->out,
+                   "folder of the run; otherwise runs/TASK-PROFILE-seedSEED. Of many runs the "
+                   "folder of their folders; otherwise runs/TASK-PROFILE")
+      ->type_name("DIR");
   options->session.AddTo(*command);
   command->callback([options, &status] { status = Train(*options); });
 }

@@ -56,7 +56,8 @@ TEST(CommandLine, RefusesWhatItDoesNotUnderstand) {
   ExpectRefusal(taskc.Run("biuld x.task"), "no command `biuld`; did you mean `taskc build`?");
   ExpectRefusal(taskc.Run("build"), "FILE.task");
   ExpectRefusal(taskc.Run("build a.task b.task"), "b.task");
-  ExpectRefusal(taskc.Run("check --fast a.task"), "--fast");
+  ExpectRefusal(taskc.Run("check --fast a.task"), "`taskc check` has no option `--fast`");
+  ExpectRefusal(taskc.Run("check --fromat json a.task"), "did you mean `--format`?");
   ExpectRefusal(taskc.Run("build a.task -o"), "output");
 }
 

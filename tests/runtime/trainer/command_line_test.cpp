@@ -55,7 +55,20 @@ TEST_F(CommandLineTest, RefusesWrongCalls) {
   }
 }
 
+TEST_F(CommandLineTest, NamesTheNearestOption) {
+  for (const char* option : {"--epsiodes", "--epsiodes=5"}) {
+    const ProgramResult result = Trainer({"train", TaskFile("leaning"), option, "5"});
+    EXPECT_EQ(result.exit_status, 2);
+    EXPECT_THAT(
+        result.errors,
+        HasSubstr("`trainer train` has no option `--epsiodes`; did you mean `--episodes`?"));
+  }
+  EXPECT_THAT(Trainer({"ctl", "--rum", "x", "status"}).errors, HasSubstr("did you mean `--run`?"));
+}
+
 TEST_F(CommandLineTest, NamesTheNearestCommandAndTask) {
+  EXPECT_THAT(Trainer({"trian", "x.task", "--episodes", "5"}).errors,
+              HasSubstr("there is no command `trian`; did you mean `trainer train`?"));
   EXPECT_THAT(Trainer({"trian"}).errors, HasSubstr("did you mean `trainer train`?"));
   EXPECT_THAT(Trainer({"train", TaskFile("leanign")}).errors, HasSubstr("`leaning.task`"));
   const std::filesystem::path without_ending =
