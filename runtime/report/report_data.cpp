@@ -19,6 +19,7 @@
 #include "runtime/run/iso_time.h"
 #include "runtime/run/policy_evaluation.h"
 #include "runtime/run/run_database.h"
+#include "runtime/run/run_settings.h"
 
 namespace runtime {
 namespace {
@@ -117,6 +118,8 @@ json CollectReportData(const std::filesystem::path& run_dir) {
   const TaskRecord& task = TaskWithId(run, episodes.back().active.task);
   data["title"] = task.task + " – learning run";
   data["run"] = RunTexts(database, task);
+  data["settings"] = SettingsJson(run);
+  data["command"] = TrainCommand(run);
   data["agentText"] = run.agent;
   data["modules"] = AgentModules(run.agent);
   data["madeAt"] = IsoTimeNow();

@@ -39,6 +39,7 @@ class RunDatabase {
   std::vector<CurveRecord> ReadLearnerCurves() const;   // in the order in which it shows them
   std::vector<ChangeRecord> ReadChanges() const;        // in the order in which they were added
   std::optional<Checkpoint> ReadCheckpoint() const;
+  int64_t ReadCheckpointEpisode() const;  // from which a run goes on; 0 if there is no checkpoint
   std::optional<Recording> ReadRecording(int64_t episode) const;
   int64_t ReadLastRecordedEpisode() const;            // 0 if there is none
   std::vector<int64_t> ReadRecordedEpisodes() const;  // ascending

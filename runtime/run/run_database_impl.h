@@ -16,9 +16,10 @@ struct TextKey {
   std::string RunRecord::*member;
 };
 inline constexpr TextKey kTexts[] = {
-    {"robot", &RunRecord::robot}, {"robot_description", &RunRecord::robot_description},
-    {"agent", &RunRecord::agent}, {"profile", &RunRecord::profile},
-    {"body", &RunRecord::body},   {"version", &RunRecord::version},
+    {"robot", &RunRecord::robot},       {"robot_description", &RunRecord::robot_description},
+    {"agent", &RunRecord::agent},       {"profile", &RunRecord::profile},
+    {"body", &RunRecord::body},         {"version", &RunRecord::version},
+    {"settings", &RunRecord::settings}, {"call", &RunRecord::call},
 };
 
 // The statements that run once per episode.

@@ -221,6 +221,11 @@ std::optional<Checkpoint> RunDatabase::ReadCheckpoint() const {
   return Checkpoint{query.Integer(0), query.Blob(1)};
 }
 
+int64_t RunDatabase::ReadCheckpointEpisode() const {
+  return impl_->database->QueryInteger("SELECT max(episode) FROM checkpoint",
+                                       "read the checkpoint");
+}
+
 int64_t RunDatabase::ReadLastRecordedEpisode() const {
   return impl_->database->QueryInteger("SELECT max(episode) FROM recording", "read the recordings");
 }

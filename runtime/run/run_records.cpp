@@ -40,4 +40,11 @@ std::string VersionText(const TaskRecord& task) {
   return fmt::format("{} ({:.8})", task.task, task.task_hash);
 }
 
+bool IsSameVersion(const TaskRecord& a, const TaskRecord& b) {
+  if (a.plugin == b.plugin) return true;
+  // A plugin that was written by hand may have no hash.
+  return !a.task_hash.empty() && a.task_hash == b.task_hash && a.task == b.task &&
+         a.compiler == b.compiler;
+}
+
 }  // namespace runtime

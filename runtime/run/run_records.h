@@ -55,8 +55,10 @@ struct RunRecord {
   std::string robot_description;  // text of the robot's file
   std::string agent;              // resolved agent file, TOML
   std::string profile;
-  std::string version;  // of the trainer
-  std::string body;     // links' names and shapes, JSON
+  std::string version;   // of the trainer
+  std::string body;      // links' names and shapes, JSON
+  std::string settings;  // what the user set in the agent and the task, JSON (run_settings.h)
+  std::string call;      // of `trainer train`, without what stands here besides, JSON
   uint64_t seed = 0;
   int64_t episodes_planned = 0;
   int64_t record_every = 0;       // 0: only the best episodes and the last
@@ -68,6 +70,8 @@ struct RunRecord {
 const TaskRecord& TaskWithId(const RunRecord& run, int64_t id);
 // "crawling (a1b2c3d4)"
 std::string VersionText(const TaskRecord& task);
+// Whether the two are of one text. Their files may differ: the text's own path is part of them.
+bool IsSameVersion(const TaskRecord& a, const TaskRecord& b);
 
 // What one task says of one episode.
 struct Evaluation {

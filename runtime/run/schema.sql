@@ -5,7 +5,7 @@
 
 -- What the run is: robot, robot_description, agent, profile, seed, episodes_planned, record_every,
 -- checkpoint_seconds, version, started_at, finished_at, state (running, interrupted or finished),
--- body (body_json.h).
+-- body (body_json.h), settings and call (run_settings.h).
 CREATE TABLE IF NOT EXISTS run (
   key TEXT PRIMARY KEY,
   value TEXT NOT NULL

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "runtime/run/run_settings.h"
+
 namespace runtime {
 namespace {
 
@@ -103,6 +105,16 @@ Json RunJson(const RunResult& result) {
       {"group", result.group ? Json(*result.group) : Json()}};
 }
 
+// For all runs where their seeds are counted up, as `--runs` does; otherwise for the first run.
+std::string CommandOf(const StudyExperiment& experiment) {
+  const RunRecord& first = experiment.record();
+  uint64_t seed = first.seed;
+  for (const StudyRun& run : experiment.runs) {
+    if (run.record.seed != seed++) return TrainCommand(first);
+  }
+  return TrainCommand(first, static_cast<int64_t>(experiment.runs.size()));
+}
+
 Json SentencesOf(const BehaviorGroup& group, const ExperimentResult& result,
                  const Sentences& sentences) {
   Json json = Json::array();
@@ -146,6 +158,8 @@ Json Figures(const ExperimentResult& result, const Sentences& sentences) {
           {"robot", experiment.record().robot},
           {"profile", experiment.record().profile},
           {"version", experiment.record().version},
+          {"settings", SettingsJson(experiment.record())},
+          {"command", CommandOf(experiment)},
           {"mean_over", result.window},
           {"is_settled", settled.front().run->is_finished()},
           {"final_return", ToJson(EstimateOver(settled, FinalReturn))},

@@ -95,6 +95,18 @@ std::string Provenance(const Json& experiment) {
       experiment["mean_over"].dump());
 }
 
+// What was set, and how the runs are made again.
+std::string Settings(const Json& experiment) {
+  std::string text;
+  for (const Json& setting : experiment["settings"]) {
+    text += fmt::format("{}`{} = {}`", text.empty() ? "\nSettings: " : ", ",
+                        setting["name"].get<std::string>(), setting["value"].get<std::string>());
+  }
+  if (!text.empty()) text += ".\n";
+  const std::string command = experiment["command"];
+  return command.empty() ? text : text + fmt::format("\n    {}\n", command);
+}
+
 std::string KeyFigures(const Json& experiment) {
   std::string text = Head({"", "mean", "95 %", "least … greatest"});
   const auto add = [&](const std::string& name, const Json& estimate) {
@@ -213,8 +225,8 @@ class Document {
         "## {}\n\n{}\n"
         "![Learning curves: each run in the colour of its group, their mean and its 95 % interval]"
         "({})\n\n{}\n{}\n{}",
-        name, Provenance(experiment), plot, KeyFigures(experiment), Terms(experiment),
-        Evaluations(experiment));
+        name, Provenance(experiment) + Settings(experiment), plot, KeyFigures(experiment),
+        Terms(experiment), Evaluations(experiment));
     for (size_t group = 0; group < result.groups.size(); ++group) {
       text += GroupText(experiment["groups"][group], experiment) + "\n";
       text += Strip(result, group, fmt::format("{}-{}.png", name, GroupName(group))) + "\n";

@@ -12,6 +12,8 @@
 namespace runtime {
 namespace {
 
+constexpr const char* kSetOption = "--set";
+
 // Texts that start like a word need no quotes on the command line.
 std::string TomlValue(const std::string& value) {
   const bool is_word = !value.empty() && std::isalpha(static_cast<unsigned char>(value[0])) != 0;
@@ -42,6 +44,19 @@ Agent WithEnvironment(const Agent& agent, const std::string& parameter, const st
   return Changed(agent, change);
 }
 
+const ParameterSetting* FindParameter(const Agent& agent, const std::string& module,
+                                      const std::string& name) {
+  const auto owner = std::ranges::find(agent.modules, module, &ModuleSetting::name);
+  if (owner == agent.modules.end()) return nullptr;
+  const auto found = std::ranges::find(owner->parameters, name, &ParameterSetting::name);
+  return found == owner->parameters.end() ? nullptr : &*found;
+}
+
+// "--set", or the place in a file.
+std::string OriginOf(const SourcePlace& place) {
+  return place.line == 0 ? kSetOption : place.ToText();
+}
+
 }  // namespace
 
 Agent ParseSetting(const std::string& setting) {
@@ -55,8 +70,8 @@ Agent ParseSetting(const std::string& setting) {
   try {
     Agent change = ParseAgent(fmt::format("modules.{} = {}", setting.substr(0, equals),
                                           TomlValue(setting.substr(equals + 1))),
-                              "--set");
-    const SourcePlace place{"--set " + setting};
+                              kSetOption);
+    const SourcePlace place{fmt::format("{} {}", kSetOption, setting)};
     for (ModuleSetting& module : change.modules) {
       module.place = place;
       for (ParameterSetting& parameter : module.parameters) parameter.place = place;
@@ -85,6 +100,23 @@ Agent AgentLayers::Merge() const {
     agent = Changed(std::move(agent), ParseSetting(setting));
   }
   return agent;
+}
+
+std::vector<Setting> AgentLayers::SettingsIn(const Agent& merged) const {
+  Agent changes = file.empty() ? Agent{} : ReadAgent(file);
+  for (const std::string& setting : settings) {
+    changes = Joined(std::move(changes), ParseSetting(setting));
+  }
+  std::vector<Setting> found;
+  for (const ModuleSetting& module : changes.modules) {
+    for (const ParameterSetting& parameter : module.parameters) {
+      const ParameterSetting* value = FindParameter(merged, module.name, parameter.name);
+      if (value == nullptr || value->place.ToText() != parameter.place.ToText()) continue;
+      found.push_back(
+          {module.name + "." + parameter.name, ToText(value->value), OriginOf(parameter.place)});
+    }
+  }
+  return found;
 }
 
 }  // namespace runtime

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "runtime/agent/agent.h"
+#include "runtime/run/run_settings.h"
 
 namespace runtime {
 
@@ -25,6 +26,9 @@ struct AgentLayers {
   std::vector<std::string> settings;
 
   Agent Merge() const;
+  // What `file` and `settings` set, with the values of `merged`; not what another layer has set
+  // differently after them.
+  std::vector<Setting> SettingsIn(const Agent& merged) const;
 };
 
 }  // namespace runtime

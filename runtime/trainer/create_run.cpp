@@ -4,6 +4,7 @@
 
 #include "runtime/run/body_json.h"
 #include "runtime/run/run_files.h"
+#include "runtime/run/run_settings.h"
 #include "runtime/run/task_modules.h"
 #include "runtime/run/task_record.h"
 #include "runtime/simulation/robot_environment.h"
@@ -20,6 +21,21 @@ const std::string& TaskModuleOf(const Network& network) {
       "the agent has two task modules, `{}` and `{}`: keep one, and load others when it runs, "
       "with `trainer ctl load`",
       tasks[0]->name(), tasks[1]->name()));
+}
+
+// Words of `trainer train` for what no other part of the record says, or says otherwise.
+std::vector<std::string> CallOf(const TaskOptions& options, const RunPlan& plan) {
+  std::vector<std::string> words = {options.task.lexically_normal().string()};
+  const auto add = [&](const char* option, std::string value) {
+    words.insert(words.end(), {option, std::move(value)});
+  };
+  if (!options.robot.empty()) add("--robot", options.robot);
+  if (!options.agent.empty()) add("--agent", options.agent.lexically_normal().string());
+  for (const std::string& setting : options.settings) add("--set", setting);
+  if (plan.record_every != RunPlan{}.record_every) {
+    add("--record-every", std::to_string(plan.record_every));
+  }
+  return words;
 }
 
 }  // namespace
@@ -54,6 +70,8 @@ RunRecord RecordOf(const TaskSetup& setup, const RunPlan& plan) {
   run.robot_description = ReadText(setup.robot_file);
   run.body = BodyJson(setup.robot);
   run.agent = ToToml(setup.agent);
+  run.settings = SettingsText(setup.settings);
+  run.call = CallText(CallOf(setup.options, plan));
   run.profile = setup.network.FindOnly<RobotEnvironment>().profile();
   run.version = TASKC_VERSION;
   run.seed = plan.seed;

@@ -43,8 +43,7 @@ int TrainOneRun(const TaskOptions& options, const RunPlan& plan,
 }
 
 bool PlanEpisodes(std::optional<int64_t> episodes, RunDatabase& database, RunRecord& run) {
-  const std::optional<Checkpoint> checkpoint = database.ReadCheckpoint();
-  const int64_t done = checkpoint ? checkpoint->episode : 0;
+  const int64_t done = database.ReadCheckpointEpisode();
   if (episodes) {
     if (*episodes < done) {
       throw CallError(fmt::format(

@@ -9,6 +9,7 @@
 
 #include "runtime/run/progress.h"
 #include "runtime/run/run_database.h"
+#include "runtime/run/run_settings.h"
 
 namespace runtime {
 namespace {
@@ -96,6 +97,18 @@ void AddHistory(const RunOverview& overview, Lines& lines) {
   }
 }
 
+// What comes after the last checkpoint is lost where a trainer is killed.
+std::string WhatIsRepeated(const RunOverview& overview) {
+  const int64_t repeated = overview.episodes - overview.checkpoint_episode;
+  if (repeated <= 0 || overview.state != RunStateName(RunState::kInterrupted)) return "";
+  const std::string where =
+      overview.checkpoint_episode == 0
+          ? "there is no checkpoint yet"
+          : fmt::format("the last checkpoint is at {}", overview.checkpoint_episode);
+  return fmt::format(" recorded; {}: `resume` repeats {}", where,
+                     repeated == 1 ? "1 episode" : fmt::format("{} episodes", repeated));
+}
+
 Json MeansByName(const std::vector<CurveRecord>& curves, const std::vector<double>& means) {
   Json json = Json::object();
   for (size_t i = 0; i < curves.size(); ++i) json[curves[i].name] = means[i];
@@ -151,6 +164,7 @@ RunOverview ReadOverview(const std::filesystem::path& folder) {
   overview.task = episodes.empty() ? overview.run.tasks.front()
                                    : TaskWithId(overview.run, episodes.back().active.task);
   overview.episodes = static_cast<int64_t>(episodes.size());
+  overview.checkpoint_episode = database.ReadCheckpointEpisode();
   for (const EpisodeRecord& episode : episodes) {
     overview.returns.Add(episode);
     overview.simulated_seconds += episode.simulated_seconds;
@@ -176,7 +190,13 @@ std::string OverviewText(const RunOverview& overview) {
   lines.Add("seed", "{}", run.seed);
   lines.Add("state", "{}, since {}", overview.state,
             overview.finished_at.empty() ? overview.started_at : overview.finished_at);
-  lines.Add("episodes", "{} of {}", overview.episodes, run.episodes_planned);
+  for (const Setting& setting : SettingsOf(run)) {
+    lines.Add("setting", "{} = {} ({})", setting.name, setting.value, setting.origin);
+  }
+  const std::string command = TrainCommand(run);
+  if (!command.empty()) lines.Add("command", "{}", command);
+  lines.Add("episodes", "{} of {}{}", overview.episodes, run.episodes_planned,
+            WhatIsRepeated(overview));
   if (overview.episodes > 0) {
     if (overview.returns.best_episode() > 0) {
       lines.Add("best", "{:.6g} (episode {})", overview.returns.best(),
@@ -217,11 +237,14 @@ Json OverviewJson(const RunOverview& overview) {
                {"robot", run.robot},
                {"profile", run.profile},
                {"agent", run.agent},
+               {"settings", SettingsJson(run)},
+               {"command", TrainCommand(run)},
                {"seed", run.seed},
                {"state", overview.state},
                {"started_at", overview.started_at},
                {"finished_at", overview.finished_at},
                {"episodes", overview.episodes},
+               {"checkpoint_episode", overview.checkpoint_episode},
                {"episodes_planned", run.episodes_planned},
                {"simulated_seconds", overview.simulated_seconds},
                {"wall_seconds", overview.wall_seconds},

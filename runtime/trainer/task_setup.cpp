@@ -102,9 +102,10 @@ BuiltTask::BuiltTask(const std::filesystem::path& task) {
   if (BuildTask(task, built)) plugin_ = built;
 }
 
-TaskSetup::TaskSetup(const TaskOptions& options, const std::filesystem::path& file, uint64_t seed,
+TaskSetup::TaskSetup(const TaskOptions& wanted, const std::filesystem::path& file, uint64_t seed,
                      const ModuleTypes& program_types)
-    : plugin_file(file),
+    : options(wanted),
+      plugin_file(file),
       plugin(Load(file)),
       robot_file(
           robot::FindRobotFile(RobotName(options, plugin->table()), robot::DefaultRobotFolders())),
@@ -114,6 +115,7 @@ TaskSetup::TaskSetup(const TaskOptions& options, const std::filesystem::path& fi
       types(WithComposites(program_types, agent)),
       network(BuildNetwork(agent, types, context)) {
   agent = Resolved(agent, network);
+  settings = LayersOf(options, plugin->table(), robot_file).SettingsIn(agent);
 }
 
 }  // namespace runtime

@@ -14,6 +14,7 @@
 #include "runtime/module/context.h"
 #include "runtime/module/network.h"
 #include "runtime/run/module_types.h"
+#include "runtime/run/run_settings.h"
 #include "runtime/task/plugin.h"
 
 namespace runtime {
@@ -48,16 +49,18 @@ class BuiltTask {
 struct TaskSetup {
   // `program_types`: what the agent's modules can be made of, besides its own composites. Throws
   // UserError or CallError for whatever does not exist or does not fit.
-  TaskSetup(const TaskOptions& options, const std::filesystem::path& plugin_file, uint64_t seed,
+  TaskSetup(const TaskOptions& wanted, const std::filesystem::path& plugin_file, uint64_t seed,
             const ModuleTypes& program_types = ProgramModuleTypes());
   TaskSetup(const TaskSetup&) = delete;
   TaskSetup& operator=(const TaskSetup&) = delete;
 
+  TaskOptions options;
   std::filesystem::path plugin_file;
   std::shared_ptr<const Plugin> plugin;
   std::filesystem::path robot_file;
   robot::RobotDescription robot;
-  Agent agent;  // resolved
+  Agent agent;                    // resolved
+  std::vector<Setting> settings;  // what the user has set in it
   Context context;
   ModuleTypes types;  // also the agent's own composites
   Network network;

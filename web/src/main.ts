@@ -18,6 +18,7 @@ import { showEvaluations } from "./page/evaluations.ts";
 import { showHistory } from "./page/history.ts";
 import { showKeyFigures, showMasthead } from "./page/masthead.ts";
 import { showProvenance, showSources } from "./page/provenance.ts";
+import { settingsOf } from "./page/settings.ts";
 import { Viewer } from "./replay/viewer.ts";
 
 /** The charts; `replay` is called for a recording whose mark is chosen. */
@@ -95,6 +96,7 @@ function makeViewer(report: Report): Viewer | undefined {
 function main(): void {
   const report = decodeReport(byId("report-data", HTMLElement).textContent ?? "");
   showMasthead(report);
+  byId("settings", HTMLElement).append(...settingsOf(report));
   showKeyFigures(report);
   showHistory(report);
   showEvaluations(report);

@@ -69,6 +69,7 @@ const showsTheRun: Check = async (page) => {
   assert.ok(await page.locator("#evaluations-section").isHidden());
   assert.equal(await textOf(page, "h1"), "crawling");
   assert.match(await textOf(page, "#agent-words"), /Q\(λ\)/);
+  assert.match(await textOf(page, "#settings"), /^task\.fall_penalty = 8\.0trainer train tasks/);
   assert.ok((await page.locator("#figures .figure").count()) === 4);
   assert.equal(await page.locator("#curve canvas").count(), 1);
   assert.equal(await page.locator("#term-legend button").count(), 3);
@@ -177,6 +178,8 @@ const showsWhatRemains: Check = async (page) => {
 
 const showsAStudy: Check = async (page) => {
   assert.equal(await page.locator("#overview tbody tr").count(), 2);
+  assert.match(await textOf(page, "#overview"), /task\.fall_penalty = 8\.0/);
+  assert.match(await textOf(page, "#experiment-1 header"), /--seed 1 --runs 8/);
   assert.equal(await page.locator(".experiment .chart canvas").count(), 2);
   assert.equal(await page.locator("#experiment-1 .group").count(), 2);
   assert.match(await textOf(page, "#experiment-1 .group:nth-child(2)"), /Crawls fast\./);

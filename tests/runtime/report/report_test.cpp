@@ -204,6 +204,11 @@ TEST_F(WriteReportTest, TellsWhereTheRunComesFrom) {
   const json data = Data();
   EXPECT_EQ(data["run"]["task"], "crawling");
   EXPECT_EQ(data["run"]["seed"], "1");
+  EXPECT_EQ(data["settings"][0]["name"], "task.fall_penalty");
+  EXPECT_EQ(data["settings"][0]["value"], "8.0");
+  EXPECT_EQ(data["command"],
+            "trainer train tasks/crawling.task --set task.fall_penalty=8 --profile paper "
+            "--episodes 2000 --seed 1");
   EXPECT_EQ(data["run"]["state"], "running");
   ASSERT_THAT(data["tasks"], SizeIs(1));
   const json& sources = data["tasks"][0]["sources"];

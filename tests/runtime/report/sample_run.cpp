@@ -11,6 +11,7 @@
 #include "runtime/run/compression.h"
 #include "runtime/run/policy_evaluation.h"
 #include "runtime/run/recorder.h"
+#include "runtime/run/run_settings.h"
 #include "tests/runtime/report/moving_humanoid.h"
 
 namespace runtime {
@@ -97,6 +98,8 @@ RunRecord SampleRunRecord() {
   run.profile = "paper";
   run.version = "0.1.0";
   run.body = BodyJson(Humanoid());
+  run.settings = SettingsText({{"task.fall_penalty", "8.0", "--set"}});
+  run.call = CallText({"tasks/crawling.task", "--set", "task.fall_penalty=8"});
   run.seed = 1;
   run.episodes_planned = 2000;
   run.record_every = 100;

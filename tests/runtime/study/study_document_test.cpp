@@ -39,6 +39,7 @@ TEST_F(StudyDocumentTest, NamesWhatTheFiguresAreOf) {
   EXPECT_THAT(text, HasSubstr("Robot `humanoid`, task `crawling` ("));
   EXPECT_THAT(text, HasSubstr("profile `paper`, 40 episodes, seeds 1, 2, 3, 4, 5, 6, 7, 8;"));
   EXPECT_THAT(text, HasSubstr("means of the last 2 episodes"));
+  EXPECT_THAT(text, HasSubstr("Settings: `task.fall_penalty = 8.0`.\n\n    trainer train tasks/"));
 }
 
 TEST_F(StudyDocumentTest, TellsOfGroupsWithTheSentencesThatPeopleWrote) {

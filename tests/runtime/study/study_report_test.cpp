@@ -15,6 +15,7 @@ namespace {
 
 using nlohmann::json;
 using testing::ElementsAre;
+using testing::EndsWith;
 using testing::HasSubstr;
 using testing::SizeIs;
 using testing::StartsWith;
@@ -36,6 +37,8 @@ TEST_F(StudyReportTest, FiguresNameWhatCameOutOfEachExperiment) {
   EXPECT_EQ(crawling["name"], "crawling");
   EXPECT_EQ(crawling["task"], "crawling");
   EXPECT_EQ(crawling["profile"], "paper");
+  EXPECT_EQ(crawling["settings"][0]["name"], "task.fall_penalty");
+  EXPECT_THAT(crawling["command"].get<std::string>(), EndsWith(" --seed 1 --runs 8"));
   EXPECT_EQ(crawling["final_return"]["count"], 7);  // those that are finished
   EXPECT_EQ(crawling["is_settled"], true);
   EXPECT_EQ(crawling["cpu_minutes"]["greatest"], 1);  // 40 episodes of 1.5 s

@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 
+#include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "tests/runtime/run/sample_run.h"
 #include "tests/runtime/trainer/trainer_test.h"
@@ -58,6 +60,46 @@ TEST_F(ShowTest, TellsWhatTheLearnerShowedLast) {
               HasSubstr("learner    rate: 0.25 in the last episode\n"));
   const auto json = nlohmann::json::parse(Trainer({"show", RunFolder("run"), "--json"}).output);
   EXPECT_EQ(json["learner"], (nlohmann::json{{"rate", 0.25}}));
+}
+
+TEST_F(ShowTest, TellsWhatWasSetAndHowToMakeTheRunAgain) {
+  const std::string agent = (folder() / "warm.toml").string();
+  std::ofstream(agent) << "[modules.learner]\ntemperature = 3\ntrace_max = 1\n";
+  Train("run", 1,
+        {"--quiet", "--seed", "4", "--agent", agent, "--set", "task.limit=0.1", "--set",
+         "learner.temperature=2", "--record-every", "0"});
+  const std::string output = Trainer({"show", RunFolder("run")}).output;
+  EXPECT_THAT(output, AllOf(HasSubstr("setting    task.limit = 0.1 (--set)\n"),
+                            HasSubstr("setting    learner.temperature = 2.0 (--set)\n"),
+                            HasSubstr("setting    learner.trace_max = 1.0 (" + agent + ":3:1)\n"),
+                            Not(HasSubstr("3.0"))));
+  const auto json = nlohmann::json::parse(Trainer({"show", RunFolder("run"), "--json"}).output);
+  EXPECT_EQ(json["settings"].size(), 3u);
+  const std::string command = json["command"];
+  EXPECT_THAT(output, HasSubstr("command    " + command + "\n"));
+  ASSERT_THAT(command, testing::StartsWith("trainer train "));
+  std::istringstream stream(command.substr(8) + " --quiet --out " + RunFolder("again"));
+  std::vector<std::string> words;
+  for (std::string word; stream >> word;) words.push_back(word);
+  EXPECT_EQ(Trainer(words).exit_status, 0);
+  ExpectEqual(TraceOf("run"), TraceOf("again"));
+  EXPECT_EQ(RunDatabase::OpenToRead(RunFolder("again")).ReadRun().agent,
+            RunDatabase::OpenToRead(RunFolder("run")).ReadRun().agent);
+}
+
+TEST_F(ShowTest, SaysWhatResumeRepeats) {
+  {
+    RunDatabase database = RunDatabase::Create(RunFolder("run"), SampleRun());
+    for (int64_t number : {1, 2}) database.AddEpisode(SampleEpisode(number), {}, {});
+  }
+  EXPECT_THAT(Trainer({"show", RunFolder("run")}).output,
+              HasSubstr("episodes   2 of 1000 recorded; there is no checkpoint yet: `resume` "
+                        "repeats 2 episodes\n"));
+  RunDatabase::Open(RunFolder("run")).WriteCheckpoint({1, "state"});
+  EXPECT_THAT(Trainer({"show", RunFolder("run")}).output,
+              HasSubstr("the last checkpoint is at 1: `resume` repeats 1 episode\n"));
+  RunDatabase::Open(RunFolder("run")).WriteCheckpoint({2, "state"});
+  EXPECT_THAT(Trainer({"show", RunFolder("run")}).output, HasSubstr("episodes   2 of 1000\n"));
 }
 
 TEST_F(ShowTest, SaysNothingOfThemWhereThereAreNone) {

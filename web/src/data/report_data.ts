@@ -98,8 +98,17 @@ export interface Source {
   text: string;
 }
 
+/** What the user has set in the agent or the task of a run. */
+export interface Setting {
+  name: string; // "task.fall_penalty"
+  value: string;
+  origin: string; // "--set", or the place in a file
+}
+
 export interface Report {
   run: Record<string, string>;
+  settings: Setting[];
+  command: string; // that makes the run again; empty where it was not written down
   tasks: Task[];
   versions: Version[]; // in the order of the episodes
   shadows: Shadow[];

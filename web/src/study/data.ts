@@ -2,7 +2,7 @@
 
 import { decodeFloats } from "../data/base64.ts";
 import type { Estimate } from "../data/estimate.ts";
-import type { AgentModule, BodyLink } from "../data/report_data.ts";
+import type { AgentModule, BodyLink, Setting } from "../data/report_data.ts";
 import type { Replay } from "../replay/motion.ts";
 
 export interface Metric {
@@ -106,6 +106,8 @@ export interface Experiment {
   robot: string;
   profile: string;
   version: string;
+  settings: Setting[];
+  command: string; // that makes the runs again; empty where it was not written down
   mean_over: number; // episodes
   is_settled: boolean; // all but the runs' own figures are of finished runs; else of all so far
   final_return: Estimate;

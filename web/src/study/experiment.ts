@@ -6,6 +6,7 @@ import { agentInWords, formatCount, formatNumber } from "../data/words.ts";
 import { element } from "../page/dom.ts";
 import { figure } from "../page/figure.ts";
 import { remainsBar, wholePercent } from "../page/remains.ts";
+import { settingsOf } from "../page/settings.ts";
 import { row, table } from "../page/table.ts";
 import { Curves } from "./curves.ts";
 import type { Evaluation, Experiment, Group, StudyRun, Term } from "./data.ts";
@@ -28,6 +29,7 @@ function heading(experiment: Experiment): HTMLElement {
     element("h2", {}, name),
     element("p", {}, docOfTask(experiment.source) || task.replaceAll("_", " ")),
     element("p", { class: "note" }, words.filter(Boolean).join(" · ")),
+    ...settingsOf(experiment),
   );
 }
 

@@ -10,6 +10,7 @@ import "../style/study.css";
 import { interval, mean } from "../data/estimate.ts";
 import { formatCount, formatDate, formatDuration } from "../data/words.ts";
 import { byId, element } from "../page/dom.ts";
+import { settingWords } from "../page/settings.ts";
 import { row, table } from "../page/table.ts";
 import { decodeStudy, type Experiment, type Study } from "./data.ts";
 import { idOf, showExperiment } from "./experiment.ts";
@@ -41,7 +42,12 @@ function overviewRow(experiment: Experiment, index: number): HTMLTableRowElement
   const { runs, final_return, episodes_to_80_percent, cpu_minutes_to_80_percent } = experiment;
   const finished = runs.filter((run) => run.state === "finished").length;
   return row([
-    element("a", { href: `#${idOf(index)}` }, experiment.name),
+    element(
+      "span",
+      {},
+      element("a", { href: `#${idOf(index)}` }, experiment.name),
+      ...settingWords(experiment),
+    ),
     `${formatCount(finished)} of ${formatCount(runs.length)}`,
     (experiment.is_settled || final_return.count === 0 ? "" : "so far ") + mean(final_return),
     interval(final_return),
