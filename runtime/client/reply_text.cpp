@@ -13,38 +13,13 @@ namespace {
 using nlohmann::json;
 
 // Members in the order in which people want them; all others follow by the alphabet.
-constexpr std::string_view kOrder[] = {"run",
-                                       "robot",
-                                       "module",
-                                       "name",
-                                       "type",
-                                       "task",
-                                       "role",
-                                       "state",
-                                       "value",
-                                       "takes_effect",
-                                       "from",
-                                       "to",
-                                       "unit",
-                                       "minimum",
-                                       "maximum",
-                                       "first_episode",
-                                       "episode",
-                                       "episodes",
-                                       "step",
-                                       "time",
-                                       "speed",
-                                       "episodes_done",
-                                       "episodes_planned",
-                                       "last_return",
-                                       "mean_return",
-                                       "best_return",
-                                       "return",
-                                       "terms",
-                                       "hash",
-                                       "previous",
-                                       "doc",
-                                       "file"};
+constexpr std::string_view kOrder[] = {
+    "number",      "run",         "robot",       "module",  "name",          "type",
+    "task",        "role",        "state",       "value",   "takes_effect",  "from",
+    "to",          "unit",        "minimum",     "maximum", "first_episode", "episode",
+    "episodes",    "step",        "time",        "speed",   "episodes_done", "episodes_planned",
+    "last_return", "mean_return", "best_return", "return",  "terms",         "hash",
+    "previous",    "doc",         "file"};
 
 constexpr size_t kHashDigits = 8;  // enough for people to tell versions apart
 constexpr size_t kGap = 2;         // between two columns

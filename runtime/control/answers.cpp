@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "runtime/control/parameter_json.h"
+#include "runtime/control/versions.h"
 #include "runtime/module/graph.h"
 #include "runtime/module/suggestion.h"
 
@@ -29,11 +30,12 @@ nlohmann::json TaskModuleJson(const UniversalTask& task, const RunRecord& run) {
   const TaskRecord& record = TaskWithId(run, task.instance().id());
   nlohmann::json json = TaskJson(task.name(), record);
   json["file"] = record.task_file;
-  json["role"] = task.is_shadow() ? "shadow" : "active";
+  json["role"] = RoleName(task);
   json["previous"] = nullptr;
   if (task.previous() != nullptr) {
     json["previous"] = TaskJson(task.name(), TaskWithId(run, task.previous()->id()));
   }
+  json["versions"] = VersionsJson(run, task.name());
   json["params"] = AllParameters(task);
   json["return"] = task.episode_return();
   json["terms"] = TermsJson(task);
@@ -41,6 +43,8 @@ nlohmann::json TaskModuleJson(const UniversalTask& task, const RunRecord& run) {
 }
 
 }  // namespace
+
+const char* RoleName(const UniversalTask& task) { return task.is_shadow() ? "shadow" : "active"; }
 
 nlohmann::json TaskJson(const std::string& module, const TaskRecord& task) {
   return {{"module", module}, {"task", task.task}, {"hash", task.task_hash}};

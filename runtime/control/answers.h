@@ -13,6 +13,9 @@ namespace runtime {
 nlohmann::json ListJson(const LiveNetwork& network, const Schedules& schedules,
                         const RunRecord& run);
 
+// "active" or "shadow"
+const char* RoleName(const UniversalTask& task);
+
 // {"module", "task", "hash"}
 nlohmann::json TaskJson(const std::string& module, const TaskRecord& task);
 

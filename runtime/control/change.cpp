@@ -72,9 +72,14 @@ std::unique_ptr<TaskInstance> ChangeMaker::MakeInstance(int64_t task) const {
   return std::make_unique<TaskInstance>(std::move(plugin), task);
 }
 
+// The task that is there already stays, with its previous one: only what was learned from it may be
+// forgotten.
 void ChangeMaker::Swap(const Change& change) {
-  network_.Swap(change.text("name"), MakeInstance(change.task()));
-  SettleLearner(change, network_.FindTask(change.text("name")));
+  const UniversalTask& task = network_.FindTask(change.text("name"));
+  const bool is_there = task.instance().id() == change.task();
+  if (is_there && !change.flag("forget")) return;
+  if (!is_there) network_.Swap(task.name(), MakeInstance(change.task()));
+  SettleLearner(change, task);
 }
 
 // Back to the very task that was the previous one then: where a swap is left out, there may be

@@ -31,7 +31,12 @@ constexpr ArgumentSpec kLoad[] = {
     kTaskFile, {"name", kText, kOptional, "name of the new task module; otherwise the task's"}};
 constexpr ArgumentSpec kSwap[] = {kTaskModule, kTaskFile, kNow, kForget};
 constexpr ArgumentSpec kUnload[] = {kTaskModule};
-constexpr ArgumentSpec kRollback[] = {kTaskModule, kNow};
+constexpr ArgumentSpec kRollback[] = {
+    kTaskModule,
+    {"version", kText, kOptional,
+     "a version that the module has had: its number, or the beginning of its hash; otherwise the "
+     "one before"},
+    kNow};
 constexpr ArgumentSpec kPromote[] = {kTaskModule, kNow, kForget};
 constexpr ArgumentSpec kGet[] = {
     {"name", kText, kRequired, "`task.gain`, or `task` for all of a module"}};
@@ -64,7 +69,8 @@ constexpr CommandSpec kCommands[] = {
     {"graph", "the modules and how their ports are connected", kLooks, kGraph},
     {"load", "evaluates another task beside the active one, as its shadow", kChanges, kLoad},
     {"swap", "replaces the task of a task module", kChanges, kSwap},
-    {"rollback", "goes back to the task before the last swap", kChanges, kRollback},
+    {"rollback", "goes back to the task before the last swap, or to any before it", kChanges,
+     kRollback},
     {"unload", "removes a shadow", kChanges, kUnload},
     {"promote", "makes a shadow the active task, and the active one a shadow", kChanges, kPromote},
     {"set", "changes a parameter, at once or step by step over episodes", kChanges, kSet},

@@ -39,6 +39,9 @@ class Journal {
     return !due_.empty() && PositionOf(due_.front()) <= position;
   }
 
+  // What is still to be done, in its order.
+  const std::deque<ChangeRecord>& due() const { return due_; }
+
   // Writes down a change that takes effect now.
   ChangeRecord AddDone(const RunPosition& position, const std::string& kind,
                        const std::string& text, const std::string& data);

@@ -86,14 +86,18 @@ class LiveRun : public RequestHandler, public TrainingHooks {
   nlohmann::json StatusJson() const;
 
   nlohmann::json LoadOrSwap(const QueuedRequest& request);
+  // The reply to `data`, a swap or rollback, which is not done where it would change nothing.
+  nlohmann::json Exchange(nlohmann::json data, bool now);
+  // What the module will have where a change takes effect, `now` or as the next episode starts.
+  int64_t TaskToCome(const std::string& module, bool now) const;
   nlohmann::json Rollback(const nlohmann::json& arguments);
   nlohmann::json Promote(const nlohmann::json& arguments);
   nlohmann::json SetParameter(const nlohmann::json& arguments);
   nlohmann::json GoOn(const nlohmann::json& arguments);
   nlohmann::json StepOn(const nlohmann::json& arguments);
-  void CheckIsGood(const LoadedTask& task) const;
-  // The record of a plugin that was loaded for a module, which may be an older one.
-  const TaskRecord& RecordTask(const std::string& module, const LoadedTask& task);
+  void CheckIsGood(const TaskRecord& task) const;
+  // The record of a task, which may be an older one of the same version.
+  const TaskRecord& RecordTask(TaskRecord task);
   // Writes a change down, after doing it if it is to take effect here. Returns "now" or
   // "episode 13". Throws UserError where it cannot be done; then it is not written down.
   std::string Make(const Change& change, bool now);

@@ -7,7 +7,9 @@
 #include "runtime/control/answers.h"
 #include "runtime/control/live_run.h"
 #include "runtime/control/parameter_json.h"
+#include "runtime/control/versions.h"
 #include "runtime/module/suggestion.h"
+#include "runtime/run/run_files.h"
 #include "runtime/run/task_record.h"
 
 namespace runtime {
@@ -149,53 +151,88 @@ Json LiveRun::StatusJson() const {
           {"pid", getpid()}};
 }
 
-void LiveRun::CheckIsGood(const LoadedTask& task) const {
+void LiveRun::CheckIsGood(const TaskRecord& task) const {
   for (const TaskRecord& known : run_.record.tasks) {
-    if (known.plugin != task.kept || !journal_.bad_tasks().contains(known.id)) continue;
+    if (!IsSameVersion(known, task) || !journal_.bad_tasks().contains(known.id)) continue;
     throw UserError(
         fmt::format("`{}` has crashed in this run before: change it first", known.task));
   }
 }
 
-const TaskRecord& LiveRun::RecordTask(const std::string& module, const LoadedTask& task) {
+const TaskRecord& LiveRun::RecordTask(TaskRecord task) {
   for (const TaskRecord& known : run_.record.tasks) {
-    if (known.module == module && known.plugin == task.kept) return known;
+    if (known.module == task.module && IsSameVersion(known, task)) return known;
   }
-  TaskRecord record = DescribeTask(task.plugin->table(), module);
-  record.plugin = task.kept;
-  record.id = run_.database.AddTask(record);
-  return run_.record.tasks.emplace_back(std::move(record));
+  task.id = run_.database.AddTask(task);
+  return run_.record.tasks.emplace_back(std::move(task));
 }
 
 Json LiveRun::LoadOrSwap(const QueuedRequest& request) {
   const Json& arguments = request.request.arguments;
   const std::string& command = request.request.command;
-  const bool is_swap = command == "swap";
-  const std::string name = arguments.value("name", std::string(request.task.plugin->table().name));
-  CheckIsGood(request.task);
-  if (is_swap) {
-    network_.CheckSwap(name, *request.task.plugin);
+  const Plugin& plugin = *request.task.plugin;
+  const std::string name = arguments.value("name", std::string(plugin.table().name));
+  TaskRecord task = DescribeTask(plugin.table(), name);
+  task.plugin = request.task.kept;
+  CheckIsGood(task);
+  Json reply;
+  if (command == "swap") {
+    network_.CheckSwap(name, plugin);
+    Json data = {{"command", command}, {"name", name}, {"task", RecordTask(std::move(task)).id}};
+    if (arguments.value("forget", false)) data["forget"] = true;
+    reply = Exchange(std::move(data), arguments.value("now", false));
   } else {
-    network_.CheckLoad(name, *request.task.plugin);
+    network_.CheckLoad(name, plugin);
+    const TaskRecord& loaded = RecordTask(std::move(task));
+    reply = TaskJson(name, loaded);
+    Make(Change({{"command", command}, {"name", name}, {"task", loaded.id}}), true);
+    // It sleeps until then.
+    reply["takes_effect"] = fmt::format("episode {}", position_.next_whole_episode());
   }
-  const TaskRecord& task = RecordTask(name, request.task);
-  Json data = {{"command", command}, {"name", name}, {"task", task.id}};
-  if (arguments.value("forget", false)) data["forget"] = true;
-  Json reply = TaskJson(name, task);
-  // A shadow sleeps until the next episode anyway.
-  reply["takes_effect"] = Make(Change(data), !is_swap || arguments.value("now", false));
-  if (!is_swap) reply["takes_effect"] = fmt::format("episode {}", position_.next_whole_episode());
   if (!request.task.messages.empty()) reply["messages"] = request.task.messages;
+  return reply;
+}
+
+int64_t LiveRun::TaskToCome(const std::string& module, bool now) const {
+  int64_t task = network_.FindTask(module).instance().id();
+  if (now || position_.step == 0) return task;
+  const RunPosition next_start = {position_.episode + 1, 0};
+  for (const ChangeRecord& due : journal_.due()) {
+    if (RunPosition{due.episode, due.step} > next_start) break;
+    const Change change(Json::parse(due.data));
+    const bool is_of_module = change.task() != 0 && change.text("name") == module;
+    if (is_of_module && !journal_.IsInQuarantine(due)) task = change.task();
+  }
+  return task;
+}
+
+// A file that is saved unchanged would take the place of the version that `rollback` goes back to.
+Json LiveRun::Exchange(Json data, bool now) {
+  const Change change(std::move(data));
+  const std::string name = change.text("name");
+  const bool changes = change.flag("forget") || TaskToCome(name, now) != change.task();
+  Json reply = TaskJson(name, TaskWithId(run_.record, change.task()));
+  reply["role"] = RoleName(network_.FindTask(name));
+  reply["takes_effect"] = changes ? Make(change, now) : "already";
   return reply;
 }
 
 Json LiveRun::Rollback(const Json& arguments) {
   const std::string name = arguments.at("name").get<std::string>();
-  const TaskRecord& task = TaskWithId(run_.record, network_.FindTask(name).FindPrevious().id());
-  Json reply = TaskJson(name, task);
-  reply["takes_effect"] = Make(Change({{"command", "rollback"}, {"name", name}, {"task", task.id}}),
-                               arguments.value("now", false));
-  return reply;
+  int64_t task = 0;
+  if (arguments.contains("version")) {
+    const UniversalTask& module = network_.FindTask(name);
+    const TaskRecord& version =
+        FindVersion(run_.record, module.name(), arguments.at("version").get<std::string>());
+    CheckIsGood(version);
+    const Plugin plugin(FindKeptPlugin(run_.folder, version.plugin), version.task_file);
+    network_.CheckSwap(name, plugin);
+    task = version.id;
+  } else {
+    task = network_.FindTask(name).FindPrevious().id();
+  }
+  return Exchange({{"command", "rollback"}, {"name", name}, {"task", task}},
+                  arguments.value("now", false));
 }
 
 Json LiveRun::Promote(const Json& arguments) {

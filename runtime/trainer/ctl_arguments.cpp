@@ -101,6 +101,15 @@ void DeclareSet(CLI::App& command, const CommandSpec&, json& arguments) {
   });
 }
 
+// rollback NAME [VERSION] [--now]
+void DeclareRollback(CLI::App& command, const CommandSpec& spec, json& arguments) {
+  AddArgument(command, spec.arguments[0], arguments);
+  const auto set_version = [&arguments](const std::string& word) { arguments["version"] = word; };
+  command.add_option_function<std::string>("VERSION", set_version, spec.arguments[1].doc)
+      ->type_name("");
+  AddArgument(command, spec.arguments[2], arguments);
+}
+
 // step [COUNT] [--episodes]
 void DeclareStep(CLI::App& command, const CommandSpec& spec, json& arguments) {
   const auto set_count = [&arguments](int64_t count) { arguments["count"] = count; };
@@ -135,6 +144,7 @@ struct Special {
   void (*declare)(CLI::App& command, const CommandSpec& spec, json& arguments);
 };
 constexpr Special kSpecial[] = {{"load", DeclareLoad},
+                                {"rollback", DeclareRollback},
                                 {"set", DeclareSet},
                                 {"step", DeclareStep},
                                 {"module_add", DeclareModuleAdd}};

@@ -27,7 +27,7 @@ constexpr const char* kExamples =
     "  trainer ctl load careful.task as careful      # evaluated beside the active task\n"
     "  trainer ctl promote careful                   # the learner is paid by it from now on\n"
     "  trainer ctl swap task crawling.task --now     # another task, between two time steps\n"
-    "  trainer ctl rollback task\n"
+    "  trainer ctl rollback task                     # or to any version: rollback task a1b2c3d4\n"
     "  trainer ctl set task.fall_penalty 8\n"
     "  trainer ctl set learner.temperature = 2 to 0.1 over 200 episodes\n"
     "  trainer ctl watch crawling.task --now         # swaps whenever the file is saved\n"
@@ -100,7 +100,7 @@ void AddCtlCommand(CLI::App& app, int& status) {
   options->AddTo(*ctl);
   for (const CommandSpec& command : Commands()) AddCommand(*ctl, command, options, status);
   AddEvents(*ctl, options, status);
-  AddCtlWatch(*ctl, options, status);
+  AddCtlWatch(*ctl, options);
   ctl->footer(kExamples);  // last, because subcommands take over what there is
 }
 

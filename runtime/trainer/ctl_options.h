@@ -17,6 +17,6 @@ struct CtlOptions {
 };
 
 // trainer ctl watch
-void AddCtlWatch(CLI::App& ctl, const std::shared_ptr<CtlOptions>& options, int& status);
+void AddCtlWatch(CLI::App& ctl, const std::shared_ptr<CtlOptions>& options);
 
 }  // namespace runtime

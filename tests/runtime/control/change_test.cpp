@@ -85,6 +85,12 @@ TEST_F(ChangeMakerTest, ARollbackWithoutItsSwapIsASwap) {
   EXPECT_EQ(live_.active_task().previous()->id(), 1);
 }
 
+TEST_F(ChangeMakerTest, ASwapToTheSameTaskKeepsThePreviousOne) {
+  for (int i = 0; i < 2; ++i) Do({{"command", "swap"}, {"name", "task"}, {"task", 2}});
+  Do({{"command", "swap"}, {"name", "task"}, {"task", 2}, {"forget", true}});
+  EXPECT_EQ(live_.active_task().previous()->id(), 1);
+}
+
 TEST_F(ChangeMakerTest, AValueEndsTheScheduleOfItsParameter) {
   Do({{"command", "set"}, {"name", "mind.pace"}, {"from", 1}, {"to", 2}, {"episodes", 3}}, 7);
   EXPECT_EQ(schedules_.all().at("mind.pace").first_episode, 7);

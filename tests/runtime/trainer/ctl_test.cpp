@@ -57,6 +57,8 @@ TEST_F(CtlTest, CommandLinesBecomeRequests) {
       Question("swap", {{"name", "task"}, {"file", "/a.so"}, {"now", true}, {"forget", true}}));
   EXPECT_EQ(Asked({"rollback", "task", "--now"}),
             Question("rollback", {{"name", "task"}, {"now", true}}));
+  EXPECT_EQ(Asked({"rollback", "task", "a1b2c3d4"}),
+            Question("rollback", {{"name", "task"}, {"version", "a1b2c3d4"}}));
   EXPECT_EQ(Asked({"promote", "careful"}), Question("promote", {{"name", "careful"}}));
   EXPECT_EQ(Asked({"get", "task.gain"}), Question("get", {{"name", "task.gain"}}));
   EXPECT_EQ(Asked({"set", "task.gain", "-0.5"}),
@@ -195,21 +197,26 @@ TEST_F(CtlTest, WatchSwapsOnEverySave) {
   }
 }
 
-TEST_F(CtlTest, WatchGoesOnWhereTheTaskIsWrongOrTheTrainerIsAway) {
+TEST_F(CtlTest, WatchGoesOnWhereTheTaskIsWrongUntilTheTrainerEnds) {
   const std::filesystem::path task = folder() / "wrong.task";
   std::ofstream(task) << "task wrong";
   ChildProcess watch({TRAINER, "ctl", "watch", task.string(), "--run", folder().string()});
   ASSERT_TRUE(watch.WaitForLines(1));
-  server_.reset();
   std::ofstream(task) << "task still wrong";
-  ASSERT_TRUE(watch.WaitForLines(3));
-  SetUp();
-  std::ofstream(task) << "task wrong";
-  EXPECT_TRUE(watch.WaitForLines(4));
-  watch.Send(SIGTERM);
-  EXPECT_THAT(watch.Wait().output, AllOf(HasSubstr("wrong.task is not swapped:\n"),
-                                         HasSubstr("no trainer is at work on this run"),
-                                         HasSubstr("wrong.task takes effect: ")));
+  ASSERT_TRUE(watch.WaitForLines(2));
+  server_.reset();
+  const ProgramResult result = watch.Wait();
+  EXPECT_EQ(result.exit_status, 1);
+  EXPECT_THAT(result.output, HasSubstr("wrong.task takes effect: "));
+  EXPECT_THAT(result.errors, AllOf(HasSubstr("the trainer has ended"),
+                                   HasSubstr("trainer resume " + folder().string())));
+}
+
+TEST_F(CtlTest, WatchNeedsATrainer) {
+  server_.reset();
+  const ProgramResult result = Ctl({"watch", TaskFile("leaning")});
+  EXPECT_EQ(result.exit_status, 1);
+  EXPECT_THAT(result.errors, HasSubstr("no trainer is at work on this run"));
 }
 
 TEST_F(CtlTest, WatchNeedsAFile) {

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "runtime/run/run_files.h"
 #include "runtime/run/sqlite.h"
 #include "tests/runtime/trainer/trainer_test.h"
 
@@ -24,11 +25,18 @@ using testing::SizeIs;
 class LiveTest : public TrainerTest {
  protected:
   // A run in the folder `run` that stands still before the first step of an episode.
-  void Serve(int episodes, std::vector<std::string> more = {}) {
-    std::vector<std::string> words = {
-        TRAINER,          "serve",      TaskFile("leaning"),      "--profile",
-        "fast",           "--episodes", std::to_string(episodes), "--out",
-        RunFolder("run"), "--json"};
+  void Serve(int episodes, std::vector<std::string> more = {},
+             const std::string& task = TaskFile("leaning")) {
+    std::vector<std::string> words = {TRAINER,
+                                      "serve",
+                                      task,
+                                      "--profile",
+                                      "fast",
+                                      "--episodes",
+                                      std::to_string(episodes),
+                                      "--out",
+                                      RunFolder("run"),
+                                      "--json"};
     words.insert(words.end(), more.begin(), more.end());
     trainer_.emplace(words);
     ASSERT_TRUE(trainer_->WaitForLines(1));
@@ -190,6 +198,70 @@ TEST_F(LiveTest, WhatIsWrongChangesNothing) {
   EXPECT_THAT(Refusal({"module", "add", "NgNett", "net"}), HasSubstr("did you mean `NgNet`?"));
   EXPECT_THAT(Changes(), IsEmpty());
   EXPECT_EQ(Stop().exit_status, 0);
+}
+
+// The trainer was told of the file by another path than `watch` tells it.
+TEST_F(LiveTest, WatchSwapsOnlyWhatIsAnother) {
+  const std::filesystem::path file = folder() / "mine.task";
+  std::filesystem::copy_file(TaskFile("leaning"), file);
+  Serve(100, {}, (folder() / "." / "mine.task").string());
+  ChildProcess watch(
+      {TRAINER, "ctl", "watch", file.string(), "--forget", "--json", "--run", RunFolder("run")});
+  ASSERT_TRUE(watch.WaitForLines(1));
+  int lines = 1;
+  const auto save = [&](const std::string& text) {
+    std::ofstream(file) << text;
+    EXPECT_TRUE(watch.WaitForLines(++lines));
+  };
+  const std::string second = ReadText(TaskFile("upright"));
+  save(ReadText(TaskFile("leaning")));
+  EXPECT_THAT(Changes(), IsEmpty());
+  save(second);
+  EXPECT_THAT(Changes(), SizeIs(2));  // to swap, then to forget
+  save("task broken extends");
+  save(second);
+  EXPECT_THAT(Changes(), SizeIs(2));
+  EXPECT_EQ(Ask({"rollback", "task"})["task"], "leaning");
+  EXPECT_EQ(Ask({"rollback", "task", "2"})["task"], "upright");
+  EXPECT_EQ(Stop().exit_status, 0);
+}
+
+TEST_F(LiveTest, WatchTellsThatItsTaskIsAShadowAndThatTheTrainerHasEnded) {
+  const std::filesystem::path file = folder() / "mine.task";
+  std::filesystem::copy_file(TaskFile("leaning"), file);
+  Serve(100);
+  Ask({"load", TaskFile("upright"), "as", "other"});
+  Ask({"promote", "other"});
+  ChildProcess watch({TRAINER, "ctl", "watch", file.string(), "--run", RunFolder("run")});
+  ASSERT_TRUE(watch.WaitForLines(1));
+  std::ofstream(file, std::ios::app) << "\n";
+  ASSERT_TRUE(watch.WaitForLines(2));
+  std::ofstream(file, std::ios::app);
+  ASSERT_TRUE(watch.WaitForLines(3));
+  Stop();
+  const ProgramResult result = watch.Wait();
+  EXPECT_EQ(result.exit_status, 1);
+  EXPECT_THAT(result.errors, HasSubstr("the trainer has ended"));
+  EXPECT_THAT(result.output,
+              AllOf(HasSubstr("mine.task takes effect: now, as a shadow: the learner is paid by "
+                              "another task until `task` is promoted ("),
+                    HasSubstr("mine.task is there already: nothing to swap, as a shadow: ")));
+}
+
+TEST_F(LiveTest, WatchOutlivesACrashOfTheTrainer) {
+  const std::filesystem::path file = folder() / "mine.task";
+  std::filesystem::copy_file(TaskFile("leaning"), file);
+  Serve(100, {"--checkpoint-every", "0"});
+  ChildProcess watch({TRAINER, "ctl", "watch", file.string(), "--run", RunFolder("run")});
+  ASSERT_TRUE(watch.WaitForLines(1));
+  Ask({"swap", "task", Plugin("crashes"), "--now"});
+  Ctl({"resume"});
+  ASSERT_TRUE(trainer_->WaitForError("`crashes` has failed"));
+  WaitForState("running");
+  std::ofstream(file, std::ios::app) << "// another\n";
+  EXPECT_TRUE(watch.WaitForLines(2));
+  Stop();
+  EXPECT_THAT(watch.Wait().output, HasSubstr("mine.task takes effect: episode "));
 }
 
 TEST_F(LiveTest, AShadowIsEvaluatedOnTheSameSteps) {

@@ -1,0 +1,58 @@
+#include "runtime/trainer/trainer_end.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <array>
+#include <chrono>
+#include <thread>
+
+#include "runtime/client/client.h"
+#include "runtime/module/user_error.h"
+#include "runtime/run/run_database.h"
+
+namespace runtime {
+namespace {
+
+constexpr std::chrono::milliseconds kBetweenLooks{100};
+constexpr int kLooks = 100;  // 10 s: a trainer that starts again restores its checkpoint first
+
+// What a trainer notes when it ends by itself; after a crash the run counts as running.
+bool HasEndedByItself(const std::filesystem::path& run) {
+  return RunDatabase::OpenToRead(run).ReadValue("state") != RunStateName(RunState::kRunning);
+}
+
+bool ComesBack(const std::filesystem::path& run) {
+  for (int look = 0; look < kLooks && !HasEndedByItself(run); ++look) {
+    if (HasTrainer(run)) return true;
+    std::this_thread::sleep_for(kBetweenLooks);
+  }
+  return false;
+}
+
+void WaitForEnd(const std::filesystem::path& run) {
+  try {
+    do {
+      FollowEvents(run, [](const nlohmann::json&) {});
+    } while (ComesBack(run));
+  } catch (const std::exception&) {
+    // No trainer, or no run: then it has ended.
+  }
+}
+
+}  // namespace
+
+TrainerEnd::TrainerEnd(const std::filesystem::path& run) {
+  if (!HasTrainer(run)) {
+    throw UserError(
+        fmt::format("{}: no trainer is at work on this run; `trainer resume {}` goes on with it",
+                    run.string(), run.string()));
+  }
+  std::array<int, 2> ends = {-1, -1};
+  if (pipe(ends.data()) != 0) throw UserError("cannot make a pipe: too many files are open");
+  end_ = Descriptor(ends[0]);
+  // On its own until the program ends: it waits for the trainer, whoever else has given up.
+  std::thread([run, end = Descriptor(ends[1])] { WaitForEnd(run); }).detach();
+}
+
+}  // namespace runtime
