@@ -5,6 +5,7 @@
 #include "runtime/module/user_error.h"
 #include "runtime/run/iso_time.h"
 #include "runtime/run/run_database_impl.h"
+#include "runtime/run/run_files.h"
 #include "runtime/run/run_schema.h"
 
 namespace runtime {
@@ -89,12 +90,7 @@ void RunDatabase::CheckIsFree(const std::filesystem::path& folder) {
 }
 
 RunDatabase RunDatabase::Create(const std::filesystem::path& folder, const RunRecord& run) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) {
-    throw UserError(fmt::format("{}: cannot make this folder: {}; name another one with --out",
-                                folder.string(), error.message()));
-  }
+  MakeRunFolder(folder);
   auto impl = std::make_unique<Impl>();
   impl->folder = folder;
   impl->lock = TakeLock(folder);

@@ -69,10 +69,17 @@ std::string ReadText(const std::filesystem::path& file) {
   return text.str();
 }
 
+void MakeRunFolder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (!error) return;
+  throw UserError(fmt::format("{}: cannot make this folder: {}; name another one with --out",
+                              folder.string(), error.message()));
+}
+
 std::string KeepPlugin(const std::filesystem::path& plugin, const std::filesystem::path& folder) {
   const std::string bytes = ReadText(plugin);
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);  // a failure shows when the file is written
+  MakeRunFolder(folder);
   const std::string name = PluginName(bytes);
   WriteFile(folder / name, bytes);
   return name;

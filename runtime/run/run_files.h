@@ -11,6 +11,9 @@
 
 namespace runtime {
 
+// Makes the folder of a run, with those it lies in, where it is not there yet. Throws UserError.
+void MakeRunFolder(const std::filesystem::path& folder);
+
 // Copies the shared object into `folder` (made if need be) under a name that holds its hash;
 // returns this name. Throws UserError where it cannot be read or written.
 std::string KeepPlugin(const std::filesystem::path& plugin, const std::filesystem::path& folder);

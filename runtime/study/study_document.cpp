@@ -124,8 +124,7 @@ std::string KeyFigures(const Json& experiment) {
 // A share of 1 as "100 %"; `text` makes the number.
 template <class Text>
 std::string Percent(const Json& share, Text text) {
-  const Json percent = share.is_number() ? Json(100 * share.get<double>()) : Json();
-  return text(percent) + " %";
+  return IsNumber(share) ? text(Json(100 * share.get<double>())) + " %" : "–";
 }
 
 std::string Terms(const Json& experiment) {
@@ -199,12 +198,12 @@ class Document {
   Document(const StudyResults& results, std::filesystem::path output)
       : results_(results), output_(std::move(output)) {}
 
-  std::filesystem::path Write() const {
+  std::filesystem::path Write(const std::string& title) const {
     Json experiments = Json::array();
     for (const ExperimentResult& result : results_.experiments) {
       experiments.push_back(Figures(result, results_.sentences));
     }
-    std::string text = fmt::format("# {}\n\n{}\n", results_.name, Overview(experiments));
+    std::string text = fmt::format("# {}\n\n{}\n", title, Overview(experiments));
     for (size_t i = 0; i < experiments.size(); ++i) {
       text += Experiment(results_.experiments[i], experiments[i]);
     }
@@ -251,14 +250,15 @@ class Document {
 
 std::filesystem::path WriteStudyDocument(const std::filesystem::path& folder,
                                          const std::vector<std::filesystem::path>& runs,
-                                         const std::filesystem::path& output) {
+                                         const std::filesystem::path& output,
+                                         const std::string& title) {
   const StudyResults results = ReadStudyResults(folder, runs);
   std::error_code error;
   std::filesystem::create_directories(output, error);
   if (error) {
     throw UserError(fmt::format("{}: cannot be made: {}", output.string(), error.message()));
   }
-  return Document(results, output).Write();
+  return Document(results, output).Write(title.empty() ? results.name : title);
 }
 
 }  // namespace runtime

@@ -18,16 +18,18 @@ struct ReportOptions {
   bool json = false;
 };
 
+// `title`: of the document; "" for the folder's name.
 void ReportStudy(const ReportOptions& options, const std::filesystem::path& folder,
-                 const std::vector<std::filesystem::path>& runs) {
+                 const std::vector<std::filesystem::path>& runs, const std::string& title = "") {
   if (options.json) {
     const nlohmann::ordered_json figures = StudyFigures(folder, runs);
     fmt::print("{}\n", figures.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
     return;
   }
   const bool is_page = options.document.empty();
-  const std::filesystem::path file = is_page ? WriteStudyReport(folder, runs, options.output)
-                                             : WriteStudyDocument(folder, runs, options.document);
+  const std::filesystem::path file =
+      is_page ? WriteStudyReport(folder, runs, options.output)
+              : WriteStudyDocument(folder, runs, options.document, title);
   fmt::print("{}\n", file.string());
 }
 
@@ -38,7 +40,7 @@ void ReportRun(const ReportOptions& options) {
     return;
   }
   const std::filesystem::path run = std::filesystem::weakly_canonical(options.folder);
-  ReportStudy(options, run.parent_path(), {run});
+  ReportStudy(options, run.parent_path(), {run}, run.filename().string());
 }
 
 void Report(const ReportOptions& options) {
@@ -65,9 +67,9 @@ void AddReportCommand(CLI::App& app, int& status) {
       command
           ->add_option("--document", options->document,
                        "write Markdown with pictures into this folder instead: for a repository")
+          ->type_name("DIR")
           ->excludes(output);
   command->add_flag("--json", options->json, "print the figures as JSON instead")
-          ->type_name("DIR")
       ->excludes(output)
       ->excludes(document);
   command->callback([options, &status] {

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <iterator>
@@ -7,6 +8,7 @@
 #include "runtime/trainer/commands.h"
 #include "runtime/trainer/create_run.h"
 #include "runtime/trainer/many_runs.h"
+#include "runtime/trainer/run_difference.h"
 #include "runtime/trainer/study_file.h"
 
 namespace runtime {
@@ -24,14 +26,12 @@ struct StudyOptions {
 void TakeOver(const std::filesystem::path& folder, const RunRecord& wanted,
               const std::string& place) {
   const RunRecord run = RunDatabase::OpenToRead(folder).ReadRun();
-  const bool is_same = run.tasks.front().task_hash == wanted.tasks.front().task_hash &&
-                       run.agent == wanted.agent &&
-                       run.robot_description == wanted.robot_description;
-  if (!is_same) {
-    throw UserError(
-        fmt::format("{}: {} holds a run of another version of the task, agent or robot; give this "
-                    "experiment another `name`",
-                    place, folder.string()));
+  const std::vector<std::string> differences = DifferencesOf(run, wanted);
+  if (!differences.empty()) {
+    throw UserError(fmt::format(
+        "{}: {} holds a run that differs from this experiment: {}; give this experiment another "
+        "`name`",
+        place, folder.string(), fmt::join(differences, ", ")));
   }
   if (run.episodes_planned < wanted.episodes_planned) {
     RunDatabase::Open(folder).SetEpisodesPlanned(wanted.episodes_planned);

@@ -1,6 +1,7 @@
 #include "runtime/run/run_files.h"
 
 #include <gmock/gmock.h>
+#include <unistd.h>
 
 #include <fstream>
 
@@ -12,6 +13,22 @@ namespace {
 
 using testing::AllOf;
 using testing::HasSubstr;
+
+// The superuser may write everywhere.
+class AsNobody {
+ public:
+  AsNobody() {
+    if (is_superuser_) Become(65534);
+  }
+  ~AsNobody() {
+    if (is_superuser_) Become(0);
+  }
+
+ private:
+  static void Become(uid_t user) { EXPECT_EQ(seteuid(user), 0); }
+
+  const bool is_superuser_ = geteuid() == 0;
+};
 
 TEST(RunFiles, NamesAPluginByItsContent) {
   const TemporaryFolder parent;
@@ -40,7 +57,14 @@ TEST(RunFiles, SayWhatCannotBeReadOrWritten) {
               AllOf(HasSubstr("none.so"), HasSubstr("No such file")));
   std::ofstream(parent.path() / "a.so") << "abc";
   EXPECT_THAT(ErrorOf([&] { KeepPlugin(parent.path() / "a.so", parent.path() / "a.so"); }),
-              AllOf(HasSubstr("a.so/plugin-"), HasSubstr("cannot write")));
+              AllOf(HasSubstr("a.so: cannot make this folder"), HasSubstr("--out")));
+  std::filesystem::create_directory(parent.path() / "ro");
+  std::filesystem::permissions(parent.path() / "ro", std::filesystem::perms::owner_read |
+                                                         std::filesystem::perms::owner_exec);
+  const AsNobody nobody;
+  EXPECT_THAT(
+      ErrorOf([&] { MakeRunFolder(parent.path() / "ro" / "x"); }),
+      AllOf(HasSubstr("ro/x: cannot make this folder: Permission denied"), HasSubstr("--out")));
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "tests/runtime/run/sample_run.h"
 #include "tests/runtime/trainer/trainer_test.h"
@@ -56,6 +57,17 @@ TEST_F(ReportTest, TellsTheFiguresOfOneRun) {
     EXPECT_EQ(runs[0]["name"], "run");
     EXPECT_EQ(runs[0]["seed"], 7);
   }
+}
+
+TEST_F(ReportTest, ADocumentOfOneRunHasItsName) {
+  Write("run", 7);
+  const ProgramResult result =
+      Trainer({"report", RunFolder("run"), "--document", RunFolder("document")});
+  ASSERT_EQ(result.exit_status, 0) << result.errors;
+  std::ostringstream text;
+  text << std::ifstream(RunFolder("document") + "/README.md").rdbuf();
+  EXPECT_THAT(text.str(), testing::StartsWith("# run\n"));
+  EXPECT_THAT(text.str(), testing::Not(HasSubstr("– %")));
 }
 
 TEST_F(ReportTest, NamesTheMistakeInGroupsToml) {

@@ -65,7 +65,8 @@ TEST_F(StudyTest, RunsOfAnotherAgentAreNotMixedIn) {
   const ProgramResult result = Study(file);
   EXPECT_EQ(result.exit_status, 1);
   EXPECT_THAT(result.errors, HasSubstr("study.toml:3:1: "));
-  EXPECT_THAT(result.errors, HasSubstr("give this experiment another `name`"));
+  EXPECT_THAT(result.errors, HasSubstr("`learner.temperature` is 1.0 there and 5.0 here; give "
+                                       "this experiment another `name`"));
   EXPECT_FALSE(std::filesystem::exists(RunFolder("study/cool/seed2")));
 }
 
