@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "compiler/source/utf8.h"
+#include "plugins/text/utf8.h"
 
 namespace compiler {
 namespace {
@@ -45,8 +45,8 @@ void LineList::AlignComments() {
 uint32_t WidthOf(std::string_view text) {
   uint32_t width = 0;
   for (size_t i = 0; i < text.size();) {
-    const CodePoint point = DecodeUtf8(text, i);
-    width += DisplayWidth(point.value);
+    const text::CodePoint point = text::DecodeUtf8(text, i);
+    width += text::DisplayWidth(point.value);
     i += point.length;
   }
   return width;

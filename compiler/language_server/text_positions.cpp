@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
-#include "compiler/source/utf8.h"
+#include "plugins/text/utf8.h"
 
 namespace compiler {
 namespace {
 
-uint32_t UnitsOf(const CodePoint& point, PositionEncoding encoding) {
+uint32_t UnitsOf(const text::CodePoint& point, PositionEncoding encoding) {
   if (encoding == PositionEncoding::kUtf8) return point.length;
   return point.value >= 0x10000 ? 2 : 1;
 }
@@ -29,7 +29,7 @@ TextPosition TextPositions::PositionOf(uint32_t offset) const {
   const size_t end = std::min<size_t>(offset - starts_[line], text.size());
   TextPosition position{line, 0};
   for (size_t i = 0; i < end;) {
-    const CodePoint point = DecodeUtf8(text, i);
+    const text::CodePoint point = text::DecodeUtf8(text, i);
     if (i + point.length > end) break;
     position.column += UnitsOf(point, encoding_);
     i += point.length;
@@ -42,7 +42,7 @@ uint32_t TextPositions::OffsetOf(TextPosition position) const {
   const std::string_view text = LineAt(position.line);
   uint32_t offset = 0;
   for (uint32_t column = 0; offset < text.size();) {
-    const CodePoint point = DecodeUtf8(text, offset);
+    const text::CodePoint point = text::DecodeUtf8(text, offset);
     column += UnitsOf(point, encoding_);
     if (column > position.column) break;
     offset += point.length;

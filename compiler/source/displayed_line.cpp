@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "compiler/source/utf8.h"
+#include "plugins/text/utf8.h"
 
 namespace compiler {
 namespace {
@@ -16,17 +16,17 @@ constexpr uint32_t kContext = 60;  // columns kept to the left of the focus in a
 DisplayedLine::DisplayedLine(std::string_view line) {
   columns_.reserve(line.size() + 1);
   for (size_t i = 0; i < line.size();) {
-    const CodePoint point = DecodeUtf8(line, i);
+    const text::CodePoint point = text::DecodeUtf8(line, i);
     const uint32_t column = width_;
     cells_.push_back({column, static_cast<uint32_t>(text_.size())});
     if (point.value == '\t') {
       width_ += kTabWidth - width_ % kTabWidth;
       text_.append(width_ - column, ' ');
-    } else if (!point.is_valid || IsUnprintable(point.value)) {
+    } else if (!point.is_valid || text::IsUnprintable(point.value)) {
       width_ += 1;
       text_ += kReplacement;
     } else {
-      width_ += DisplayWidth(point.value);
+      width_ += text::DisplayWidth(point.value);
       text_ += line.substr(i, point.length);
     }
     columns_.insert(columns_.end(), point.length, column);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "compiler/source/utf8.h"
+#include "plugins/text/utf8.h"
 
 namespace compiler {
 Span Cover(Span first, Span second) {
@@ -23,7 +23,7 @@ Position SourceFile::PositionOf(uint32_t offset) const {
   const std::string_view line = Line(position.line);
   const size_t end = std::min<size_t>(offset - LineStart(position.line), line.size());
   for (size_t i = 0; i < end;) {
-    i += DecodeUtf8(line, i).length;
+    i += text::DecodeUtf8(line, i).length;
     if (i <= end) ++position.column;
   }
   return position;

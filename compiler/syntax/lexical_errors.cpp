@@ -8,8 +8,8 @@
 #include <string>
 #include <string_view>
 
-#include "compiler/source/utf8.h"
 #include "compiler/syntax/token_classes.h"
+#include "plugins/text/utf8.h"
 
 namespace compiler {
 namespace {
@@ -55,7 +55,7 @@ constexpr std::array<Lookalike, 12> kLookalikes = {{{0x00A0, " "},
 
 std::string Named(char32_t value, std::string_view bytes) {
   const std::string number = fmt::format("U+{:04X}", static_cast<uint32_t>(value));
-  if (IsUnprintable(value)) return number;
+  if (text::IsUnprintable(value)) return number;
   const std::string shown = fmt::format("`{}`", bytes);
   return value < 0x80 ? shown : fmt::format("{} ({})", shown, number);
 }
@@ -63,7 +63,7 @@ std::string Named(char32_t value, std::string_view bytes) {
 // At the first character of the token.
 Diagnostic UnknownCharacter(const antlr4::Token& token, const SourceFile& source) {
   const uint32_t begin = SpanOf(token).begin;
-  const CodePoint point = DecodeUtf8(source.TextOf({begin, source.end_offset()}), 0);
+  const text::CodePoint point = text::DecodeUtf8(source.TextOf({begin, source.end_offset()}), 0);
   const std::string_view bytes = source.TextOf({begin, begin + point.length});
   Diagnostic diagnostic = MakeDiagnostic(
       code::kUnknownCharacter, {begin, begin + point.length},
@@ -152,7 +152,7 @@ bool RejectBlockComment(const antlr4::CommonToken& token, SyntaxReport& report) 
 bool RejectCharacter(const antlr4::CommonToken& token, SyntaxReport& report) {
   const SourceFile& source = report.source();
   // What is no UTF-8 has been reported as that.
-  if (DecodeUtf8(source.TextOf({SpanOf(token).begin, source.end_offset()}), 0).is_valid) {
+  if (text::DecodeUtf8(source.TextOf({SpanOf(token).begin, source.end_offset()}), 0).is_valid) {
     report.Add(UnknownCharacter(token, source));
   } else {
     report.MarkFaulty(SpanOf(token));
@@ -186,7 +186,7 @@ bool RepairToken(antlr4::CommonToken& token, SyntaxReport& report) {
 void CheckUtf8(SyntaxReport& report) {
   const std::string& text = report.source().text();
   for (uint32_t i = 0; i < text.size();) {
-    const CodePoint point = DecodeUtf8(text, i);
+    const text::CodePoint point = text::DecodeUtf8(text, i);
     if (!point.is_valid) {
       const uint32_t begin = report.source().first_offset() + i;
       Diagnostic diagnostic = MakeDiagnostic(code::kInvalidUtf8, {begin, begin + 1},

@@ -8,7 +8,7 @@ namespace seal {
 namespace {
 
 constexpr std::string_view kMark = "\ntaskc sha-256 ";
-constexpr size_t kSealSize = kMark.size() + 64;  // hexadecimal digits
+static_assert(kSize == kMark.size() + 64);  // hexadecimal digits
 
 }  // namespace
 
@@ -18,11 +18,13 @@ std::string Seal(std::string plugin) {
 }
 
 State StateOf(std::string_view content) {
-  if (content.size() < kSealSize) return State::kAbsent;
-  const std::string_view plugin = content.substr(0, content.size() - kSealSize);
+  if (content.size() < kSize) return State::kAbsent;
+  const std::string_view plugin = content.substr(0, content.size() - kSize);
   const std::string_view seal = content.substr(plugin.size());
-  if (!seal.starts_with(kMark)) return State::kAbsent;
+  if (!IsSeal(seal)) return State::kAbsent;
   return seal.substr(kMark.size()) == Sha256(plugin) ? State::kIntact : State::kBroken;
 }
+
+bool IsSeal(std::string_view end) { return end.size() == kSize && end.starts_with(kMark); }
 
 }  // namespace seal

@@ -1,6 +1,7 @@
 // The seal of a plugin: its own SHA-256, written behind it, where the dynamic linker does not look.
-// A changed byte can crash the linker or the task, so the seal is looked at before anything is
-// loaded.
+// A changed byte can crash the linker or the task, and the code of a library runs while it is loaded,
+// so the seal is looked at before. It is no signature: it says that taskc has built the plugin, or
+// that its user has sealed it by `taskc seal`, and that it has not changed since.
 #pragma once
 
 #include <string>
@@ -9,7 +10,7 @@
 namespace seal {
 
 enum class State {
-  kAbsent,  // made by other means than taskc; nothing is known against it
+  kAbsent,  // made by other means than taskc
   kIntact,
   kBroken,  // cut off or changed since it was sealed
 };
@@ -18,5 +19,9 @@ enum class State {
 std::string Seal(std::string plugin);
 
 State StateOf(std::string_view content);
+
+inline constexpr size_t kSize = 79;  // bytes
+// Whether the last kSize bytes of a file are a seal, be it intact or broken.
+bool IsSeal(std::string_view end);
 
 }  // namespace seal

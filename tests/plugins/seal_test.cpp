@@ -34,6 +34,13 @@ TEST(Seal, IsBrokenOrGoneAfterAnyChange) {
   }
 }
 
+TEST(Seal, IsKnownByTheEndOfAFile) {
+  const std::string sealed = Seal("abc");
+  EXPECT_TRUE(IsSeal(sealed.substr(sealed.size() - kSize)));
+  EXPECT_FALSE(IsSeal(sealed));
+  EXPECT_FALSE(IsSeal(std::string(kSize, 'x')));
+}
+
 TEST(Seal, IsAbsentFromFilesMadeOtherwise) {
   EXPECT_EQ(StateOf(""), State::kAbsent);
   EXPECT_EQ(StateOf("abc"), State::kAbsent);

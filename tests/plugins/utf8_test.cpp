@@ -1,10 +1,10 @@
-#include "compiler/source/utf8.h"
+#include "plugins/text/utf8.h"
 
 #include <gtest/gtest.h>
 
 #include <string_view>
 
-namespace compiler {
+namespace text {
 namespace {
 
 void ExpectValid(std::string_view bytes, char32_t value) {
@@ -53,9 +53,12 @@ TEST(Utf8, WideAndCombiningCharactersHaveTheirWidth) {
 TEST(Utf8, ControlAndDirectionCharactersAreUnprintable) {
   EXPECT_TRUE(IsUnprintable(U'\x1b'));
   EXPECT_TRUE(IsUnprintable(U'\u202e'));
+  EXPECT_TRUE(IsUnprintable(U'\u061c'));
+  EXPECT_TRUE(IsUnprintable(U'\u2028'));
+  EXPECT_FALSE(IsUnprintable(U'\u0641'));
   EXPECT_FALSE(IsUnprintable(U' '));
   EXPECT_FALSE(IsUnprintable(U'\u00f6'));
 }
 
 }  // namespace
-}  // namespace compiler
+}  // namespace text

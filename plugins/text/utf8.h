@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string_view>
 
-namespace compiler {
+namespace text {
 
 struct CodePoint {
   char32_t value = 0;    // U+FFFD where the bytes are no UTF-8
@@ -20,8 +20,8 @@ CodePoint DecodeUtf8(std::string_view text, size_t offset);
 // How many columns of a terminal a code point fills: 0, 1 or 2.
 uint32_t DisplayWidth(char32_t value);
 
-// True for characters that would disturb the display: control characters and those that change the
-// direction of writing.
+// True for characters that would disturb the display: control characters, the line ends of Unicode,
+// and those that change the direction of writing.
 bool IsUnprintable(char32_t value);
 
-}  // namespace compiler
+}  // namespace text

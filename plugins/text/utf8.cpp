@@ -1,9 +1,9 @@
-#include "compiler/source/utf8.h"
+#include "plugins/text/utf8.h"
 
 #include <algorithm>
 #include <array>
 
-namespace compiler {
+namespace text {
 namespace {
 
 constexpr CodePoint kInvalid = {0xFFFD, 1, false};
@@ -29,8 +29,12 @@ constexpr std::array<Range, 10> kDoubleWidth = {{{0x1100, 0x115F},
                                                  {0xFFE0, 0xFFE6},
                                                  {0x1F300, 0x1FAFF},
                                                  {0x20000, 0x3FFFD}}};
-constexpr std::array<Range, 5> kUnprintable = {
-    {{0x00, 0x1F}, {0x7F, 0x9F}, {0x200E, 0x200F}, {0x202A, 0x202E}, {0x2066, 0x2069}}};
+constexpr std::array<Range, 6> kUnprintable = {{{0x00, 0x1F},
+                                                {0x7F, 0x9F},
+                                                {0x061C, 0x061C},
+                                                {0x200E, 0x200F},
+                                                {0x2028, 0x202E},
+                                                {0x2066, 0x2069}}};
 
 template <size_t size>
 bool Contains(const std::array<Range, size>& ranges, char32_t value) {
@@ -67,4 +71,4 @@ uint32_t DisplayWidth(char32_t value) {
 
 bool IsUnprintable(char32_t value) { return Contains(kUnprintable, value); }
 
-}  // namespace compiler
+}  // namespace text
