@@ -13,6 +13,7 @@
 #include "compiler/build/plugin_cache.h"
 #include "compiler/build/share_folder.h"
 #include "compiler/source/diagnostic.h"
+#include "plugins/cache/entry_name.h"
 #include "plugins/seal/seal.h"
 #include "plugins/seal/sha256.h"
 
@@ -85,16 +86,16 @@ std::optional<std::string_view> FindTrouble(const fs::path& folder, const std::s
 }  // namespace
 
 BuildResult BuildPlugin(const std::string& task_name, const std::string& cpp,
-                        const fs::path& cache) {
+                        const fs::path& cache_folder) {
   CxxCompiler cxx = FindCxxCompiler();
   std::string key = KeyOf(cpp, cxx);
-  fs::path plugin = fs::absolute(cache / fmt::format("{}-{}.so", task_name, key));
+  fs::path plugin = fs::absolute(cache_folder / cache::PluginName(task_name, key));
   if (IsIntact(plugin)) {
     NoteUse(plugin);
     return {.plugin = plugin, .from_cache = true};
   }
 
-  BuildFolder folder(fs::absolute(cache));
+  BuildFolder folder(fs::absolute(cache_folder), cache::UnfinishedName(task_name, key));
   fs::path unsealed = folder.path() / "plugin.so";
   ChildProcess child{.command = CommandFor(cxx, unsealed),
                      .input = folder.path() / "plugin.cpp",
@@ -105,10 +106,12 @@ BuildResult BuildPlugin(const std::string& task_name, const std::string& cpp,
   std::optional<std::string> bytes = ReadWholeFile(unsealed);
   if (status != 0 || !bytes) {
     Explain(task_name, child, status, folder,
-            fs::absolute(cache / fmt::format("refused-{}-{}", task_name, key)));
+            fs::absolute(cache_folder / cache::RefusalName(task_name, key)));
   }
-  ReplaceFile(plugin, seal::Seal(std::move(*bytes)));
-  CleanCache(cache);
+  fs::path sealed = folder.path() / "sealed.so";
+  WriteWholeFile(sealed, seal::Seal(std::move(*bytes)));
+  folder.KeepFile(sealed, plugin);
+  CleanCache(cache_folder);
   return {.plugin = plugin, .from_cache = false};
 }
 

@@ -2,8 +2,14 @@
 
 #include <algorithm>
 #include <chrono>
+#include <fstream>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "compiler/build/plugin_cache.h"
+#include "plugins/cache/entry_name.h"
+#include "plugins/seal/seal.h"
 
 namespace compiler {
 namespace {
@@ -19,41 +25,45 @@ struct Entry {
   fs::file_time_type used;
 };
 
-// Of a file, or of all files in a folder; other processes may remove any of them meanwhile.
-uintmax_t SizeOf(const fs::directory_entry& entry) {
+// Nothing here follows a link, and other processes may remove any file meanwhile.
+fs::file_type TypeOf(const fs::directory_entry& entry) {
   std::error_code ignored;
-  if (!entry.is_directory(ignored)) {
-    const uintmax_t size = entry.file_size(ignored);
-    return ignored ? 0 : size;
-  }
+  return entry.symlink_status(ignored).type();
+}
+
+uintmax_t SizeOfFile(const fs::directory_entry& file) {
+  std::error_code error;
+  const uintmax_t size = file.file_size(error);
+  return error ? 0 : size;
+}
+
+// We make no folders in folders: a deeper one is not ours.
+uintmax_t SizeOfFolder(const fs::path& folder) {
   uintmax_t size = 0;
-  for (const fs::directory_entry& part : fs::directory_iterator(entry, ignored)) {
-    size += SizeOf(part);
+  std::error_code ignored;
+  for (const fs::directory_entry& part : fs::directory_iterator(folder, ignored)) {
+    if (TypeOf(part) == fs::file_type::regular) size += SizeOfFile(part);
   }
   return size;
 }
 
-// "building-x7Qp2a", or "crawling-0123abcd.so.x7Qp2a": half of a file that was to be renamed.
-bool IsUnfinished(const fs::path& path) {
-  const std::string name = path.filename();
-  const size_t ending = name.find(".so.");
-  return name.starts_with("building-") || ending != std::string::npos;
+// Others also give libraries a hash for a name.
+bool HasSeal(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::string end(seal::kSize, '\0');
+  stream.seekg(-static_cast<std::streamoff>(end.size()), std::ios::end);
+  return stream.read(end.data(), static_cast<std::streamsize>(end.size())) && seal::IsSeal(end);
 }
 
-std::vector<Entry> EntriesOf(const fs::path& cache) {
-  std::vector<Entry> entries;
-  std::error_code ignored;
-  for (const fs::directory_entry& entry : fs::directory_iterator(cache, ignored)) {
-    const fs::file_time_type used = entry.last_write_time(ignored);
-    if (!ignored) entries.push_back({entry.path(), SizeOf(entry), used});
+// The bytes that it takes; nothing where it is not ours to remove.
+std::optional<uintmax_t> SizeOfOurs(const fs::directory_entry& entry, cache::EntryKind kind) {
+  const fs::file_type type = TypeOf(entry);
+  if (type == fs::file_type::directory && kind != cache::EntryKind::kFile) {
+    return SizeOfFolder(entry.path());
   }
-  return entries;
-}
-
-bool Remove(const Entry& entry) {
-  std::error_code error;
-  fs::remove_all(entry.path, error);
-  return !error;
+  if (type != fs::file_type::regular || kind == cache::EntryKind::kEvidence) return std::nullopt;
+  if (kind == cache::EntryKind::kFile && !HasSeal(entry.path())) return std::nullopt;
+  return SizeOfFile(entry);
 }
 
 }  // namespace
@@ -63,22 +73,29 @@ void NoteUse(const fs::path& plugin) {
   fs::last_write_time(plugin, fs::file_time_type::clock::now(), ignored);
 }
 
-void CleanCache(const fs::path& cache, uintmax_t limit) {
+void CleanCache(const fs::path& folder, uintmax_t limit) {
   const fs::file_time_type now = fs::file_time_type::clock::now();
   std::vector<Entry> finished;
   uintmax_t size = 0;
-  for (Entry& entry : EntriesOf(cache)) {
-    if (IsUnfinished(entry.path)) {
-      if (now - entry.used > kLongestBuild) Remove(entry);
+  std::error_code ignored;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
+    const cache::EntryKind kind = cache::KindOf(entry.path().filename().string());
+    if (kind == cache::EntryKind::kForeign) continue;
+    const std::optional<uintmax_t> bytes = SizeOfOurs(entry, kind);
+    std::error_code error;
+    const fs::file_time_type used = entry.last_write_time(error);
+    if (!bytes || error) continue;
+    if (kind == cache::EntryKind::kUnfinished) {
+      if (now - used > kLongestBuild) RemoveEntry(entry.path());
       continue;
     }
-    size += entry.size;
-    finished.push_back(std::move(entry));
+    size += *bytes;
+    finished.push_back({entry.path(), *bytes, used});
   }
   std::ranges::sort(finished, {}, &Entry::used);
   for (const Entry& entry : finished) {
     if (size <= limit || now - entry.used < kLongestUse) return;
-    if (Remove(entry)) size -= entry.size;
+    if (RemoveEntry(entry.path)) size -= entry.size;
   }
 }
 

@@ -36,11 +36,25 @@ bool IsIntact(const std::filesystem::path& file) {
   return content && seal::StateOf(*content) == seal::State::kIntact;
 }
 
-BuildFolder::BuildFolder(const std::filesystem::path& cache) {
+bool RemoveEntry(const std::filesystem::path& entry) {
+  std::error_code error;
+  if (std::filesystem::is_directory(std::filesystem::symlink_status(entry, error))) {
+    for (const auto& part : std::filesystem::directory_iterator(entry, error)) {
+      std::error_code ignored;
+      if (!std::filesystem::is_directory(part.symlink_status(ignored))) {
+        std::filesystem::remove(part, ignored);
+      }
+    }
+  }
+  std::filesystem::remove(entry, error);
+  return !error;
+}
+
+BuildFolder::BuildFolder(const std::filesystem::path& cache, const std::string& pattern) {
   std::error_code error;
   std::filesystem::create_directories(cache, error);
   if (error) FailToCreate(cache, error.message());
-  std::string name = cache / "building-XXXXXX";
+  std::string name = cache / pattern;
   if (mkdtemp(name.data()) == nullptr) FailToCreate(cache, std::strerror(errno));
   path_ = name;
 }
@@ -52,10 +66,17 @@ BuildFolder::~BuildFolder() {
 
 void BuildFolder::KeepAs(const std::filesystem::path& name) {
   std::error_code error;
-  std::filesystem::remove_all(name, error);
+  RemoveEntry(name);
   std::filesystem::rename(path_, name, error);
   if (error) FailToCreate(name, error.message());
   path_.clear();
+}
+
+void BuildFolder::KeepFile(const std::filesystem::path& file,
+                           const std::filesystem::path& name) const {
+  std::error_code error;
+  std::filesystem::rename(file, name, error);
+  if (error) FailToCreate(name, error.message());
 }
 
 }  // namespace compiler

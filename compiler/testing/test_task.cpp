@@ -9,6 +9,7 @@
 #include "compiler/emit/emit.h"
 #include "compiler/testing/loaded_plugin.h"
 #include "compiler/testing/side_by_side.h"
+#include "plugins/cache/entry_name.h"
 
 namespace compiler {
 namespace {
@@ -16,8 +17,9 @@ namespace {
 namespace fs = std::filesystem;
 
 [[noreturn]] void Accuse(const CheckedTask& task, const Sources& sources, const std::string& cpp,
-                         const std::string& what, const fs::path& cache) {
-  BuildFolder folder(fs::absolute(cache));
+                         const std::string& what, const fs::path& cache_folder) {
+  const std::string key = sources.Hash().substr(0, 32);
+  BuildFolder folder(fs::absolute(cache_folder), cache::UnfinishedName(task.name, key));
   for (size_t i = 0; i < sources.files().size(); ++i) {
     const std::string number = i == 0 ? "" : fmt::format("-{}", i);
     WriteWholeFile(folder.path() / fmt::format("{}{}.task", task.name, number),
@@ -25,7 +27,7 @@ namespace fs = std::filesystem;
   }
   WriteWholeFile(folder.path() / "plugin.cpp", cpp);
   WriteWholeFile(folder.path() / "difference.txt", what + "\n");
-  const fs::path evidence = fs::absolute(cache / fmt::format("differs-{}", task.name));
+  const fs::path evidence = fs::absolute(cache_folder / cache::DifferenceName(task.name, key));
   folder.KeepAs(evidence);
   throw InternalError(
       fmt::format("the plugin of `{}` does not compute what the task says: {}", task.name, what),

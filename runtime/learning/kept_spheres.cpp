@@ -7,12 +7,12 @@
 
 #include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <string>
 
 #include "plugins/cache/cache_folder.h"
+#include "plugins/cache/entry_name.h"
+#include "plugins/file/read.h"
 #include "plugins/seal/seal.h"
 #include "plugins/seal/sha256.h"
 
@@ -22,11 +22,11 @@ namespace {
 namespace fs = std::filesystem;
 
 // All that the spheres depend on.
-std::string NameOf(const robot::NetDescription& net, uint64_t seed) {
+std::string KeyOf(const robot::NetDescription& net, uint64_t seed) {
   const std::string inputs =
       fmt::format("version {} units {} seed {} low {:a} high {:a}", kPackingVersion, net.units,
                   seed, fmt::join(net.low, " "), fmt::join(net.high, " "));
-  return "net-" + seal::Sha256(inputs).substr(0, 32);
+  return seal::Sha256(inputs).substr(0, 32);
 }
 
 // The centres' elements and then the radius, sealed.
@@ -50,22 +50,17 @@ std::optional<Spheres> FromBytes(const std::string& bytes, const robot::NetDescr
   return spheres;
 }
 
-std::string ReadFile(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
 // Nobody ever sees half a file. A cache that cannot be written to costs time only.
-void Keep(const fs::path& path, const std::string& bytes) {
+void Keep(const fs::path& folder, const std::string& key, const std::string& bytes) {
   std::error_code ignored;
-  fs::create_directories(path.parent_path(), ignored);
-  std::string temporary = path.parent_path() / "building-net-XXXXXX";
+  fs::create_directories(folder, ignored);
+  std::string temporary = folder / cache::UnfinishedName("net", key);
   const int descriptor = mkstemp(temporary.data());
   if (descriptor < 0) return;
   const bool written =
       write(descriptor, bytes.data(), bytes.size()) == static_cast<ssize_t>(bytes.size());
   close(descriptor);
-  if (written) fs::rename(temporary, path, ignored);
+  if (written) fs::rename(temporary, folder / cache::NetName(key), ignored);
   fs::remove(temporary, ignored);
 }
 
@@ -74,10 +69,11 @@ void Keep(const fs::path& path, const std::string& bytes) {
 Spheres KeptSpheres(const robot::NetDescription& net, uint64_t seed) {
   const std::optional<fs::path> folder = cache::DefaultFolder();
   if (!folder) return PackSpheres(net, seed);
-  const fs::path path = *folder / NameOf(net, seed);
-  if (std::optional<Spheres> kept = FromBytes(ReadFile(path), net)) return *std::move(kept);
+  const std::string key = KeyOf(net, seed);
+  const std::string kept = file::Read(*folder / cache::NetName(key)).bytes;
+  if (std::optional<Spheres> spheres = FromBytes(kept, net)) return *std::move(spheres);
   Spheres spheres = PackSpheres(net, seed);
-  Keep(path, ToBytes(spheres));
+  Keep(*folder, key, ToBytes(spheres));
   return spheres;
 }
 

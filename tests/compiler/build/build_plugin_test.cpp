@@ -70,7 +70,7 @@ class BuildPluginTest : public testing::Test {
 };
 
 TEST_F(BuildPluginTest, RemovesWhatAKilledBuildLeftBehind) {
-  const fs::path left = cache_.path() / "building-killed";
+  const fs::path left = cache_.path() / ("building-task-" + std::string(32, '0') + "-x7Qp2a");
   fs::create_directory(left);
   fs::last_write_time(left, fs::file_time_type::clock::now() - std::chrono::hours(2));
   Build(CppThatAnswers(1));

@@ -44,24 +44,45 @@ TEST(BuildFolder, GoesAwayUnlessItIsKept) {
   std::filesystem::path kept = cache.path() / "kept";
   std::filesystem::path path;
   {
-    BuildFolder folder(cache.path() / "new" / "cache");
+    BuildFolder folder(cache.path() / "new" / "cache", "build-XXXXXX");
     path = folder.path();
     WriteWholeFile(path / "file", "x");
   }
   EXPECT_FALSE(std::filesystem::exists(path));
   for (const char* text : {"first", "second"}) {
-    BuildFolder folder(cache.path());
+    BuildFolder folder(cache.path(), "build-XXXXXX");
     WriteWholeFile(folder.path() / "file", text);
     folder.KeepAs(kept);
   }
   EXPECT_EQ(ReadWholeFile(kept / "file"), "second");
 }
 
+TEST(RemoveEntry, EntersNoFolderInAFolderAndNoLink) {
+  namespace fs = std::filesystem;
+  TemporaryFolder cache;
+  const fs::path entry = cache.path() / "entry";
+  fs::create_directories(entry / "of-others");
+  WriteWholeFile(entry / "of-others" / "file", "x");
+  WriteWholeFile(entry / "file", "x");
+  fs::create_directory(cache.path() / "elsewhere");
+  WriteWholeFile(cache.path() / "elsewhere" / "file", "x");
+  fs::create_symlink(cache.path() / "elsewhere", entry / "link");
+  EXPECT_FALSE(RemoveEntry(entry));
+  EXPECT_TRUE(fs::exists(entry / "of-others" / "file"));
+  EXPECT_FALSE(fs::exists(entry / "file"));
+  fs::remove_all(entry / "of-others");
+  fs::create_symlink(cache.path() / "elsewhere", entry / "link");
+  EXPECT_TRUE(RemoveEntry(entry));
+  fs::create_symlink(cache.path() / "elsewhere", entry);
+  EXPECT_TRUE(RemoveEntry(entry));
+  EXPECT_TRUE(fs::exists(cache.path() / "elsewhere" / "file"));
+}
+
 TEST(BuildFolder, SaysWhyThereCanBeNone) {
   TemporaryFolder folder;
   WriteWholeFile(folder.path() / "file", "");
   try {
-    BuildFolder impossible(folder.path() / "file" / "cache");
+    BuildFolder impossible(folder.path() / "file" / "cache", "build-XXXXXX");
     FAIL();
   } catch (const CallError& error) {
     EXPECT_THAT(error.what(), testing::AllOf(testing::HasSubstr("file/cache`: Not a directory"),
