@@ -7,14 +7,13 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <memory>
+#include <utility>
 
 #include "compiler/source/diagnostic.h"
+#include "plugins/file/read.h"
 
 namespace compiler {
 namespace {
-
-using File = std::unique_ptr<std::FILE, decltype([](std::FILE* file) { std::fclose(file); })>;
 
 [[noreturn]] void FailToWrite(const std::filesystem::path& file, int reason) {
   throw CallError(fmt::format("cannot write `{}`: {}", file.string(), std::strerror(reason)));
@@ -32,15 +31,8 @@ void WriteAndClose(std::FILE* file, const std::filesystem::path& name, std::stri
 }  // namespace
 
 std::optional<std::string> ReadWholeFile(const std::filesystem::path& file) {
-  File input(std::fopen(file.c_str(), "rb"));
-  if (!input) return std::nullopt;
-  std::string bytes;
-  char buffer[16384];
-  while (size_t count = std::fread(buffer, 1, sizeof buffer, input.get())) {
-    bytes.append(buffer, count);
-  }
-  if (std::ferror(input.get()) != 0) return std::nullopt;
-  return bytes;
+  file::Reading reading = file::Read(file);
+  return reading.problem.empty() ? std::optional(std::move(reading.bytes)) : std::nullopt;
 }
 
 void WriteWholeFile(const std::filesystem::path& file, std::string_view bytes) {
@@ -70,6 +62,13 @@ void ReplaceFile(const std::filesystem::path& file, std::string_view bytes) {
     unlink(temporary.c_str());
     throw;
   }
+}
+
+void RewriteFile(const std::filesystem::path& file, std::string_view bytes) {
+  const std::filesystem::path target = std::filesystem::canonical(file);
+  const auto permissions = std::filesystem::status(target).permissions();
+  ReplaceFile(target, bytes);
+  std::filesystem::permissions(target, permissions);
 }
 
 void CopyWholeFile(const std::filesystem::path& from, const std::filesystem::path& to) {

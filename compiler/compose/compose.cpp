@@ -12,6 +12,7 @@
 
 #include "compiler/compose/extend.h"
 #include "compiler/syntax/parse.h"
+#include "plugins/file/read.h"
 #include "plugins/text/nearest_name.h"
 
 namespace compiler {
@@ -138,8 +139,7 @@ class Composer {
     if (!IsWithinLimits(reference)) return std::nullopt;
     std::optional<std::string> text = read_(reference.file);
     if (!text) {
-      Report(code::kMissingFile, reference.span,
-             fmt::format("there is no file `{}`", reference.file.string()), NearestFile(reference));
+      ReportMissing(reference);
       return std::nullopt;
     }
     total_size_ += text->size();
@@ -149,6 +149,17 @@ class Composer {
       return std::nullopt;
     }
     return ParseFile(sources_.Add(reference.file.string(), std::move(*text)), reference);
+  }
+
+  void ReportMissing(const Reference& reference) {
+    const std::string name = reference.file.string();
+    std::error_code error;
+    if (!fs::exists(reference.file, error)) {
+      return Report(code::kMissingFile, reference.span, fmt::format("there is no file `{}`", name),
+                    NearestFile(reference));
+    }
+    Report(code::kMissingFile, reference.span, fmt::format("`{}` cannot be read", name),
+           file::Read(reference.file, 0).problem);
   }
 
   // The first error says why this file is read.

@@ -1,12 +1,10 @@
 #include "compiler/source/file_reader.h"
 
-#include <cerrno>
-#include <cstring>
-#include <fstream>
-#include <system_error>
+#include <utility>
 
 #include "compiler/source/diagnostic.h"
 #include "compiler/source/source_file.h"
+#include "plugins/file/read.h"
 
 namespace compiler {
 namespace {
@@ -17,10 +15,6 @@ std::string NearbyTask(const std::filesystem::path& file) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(task, error)) return "";
   return "; did you mean `" + task.string() + "`?";
-}
-
-[[noreturn]] void ThrowUnreadable(const std::filesystem::path& file, const std::string& reason) {
-  throw CallError("cannot read `" + file.string() + "`: " + reason + NearbyTask(file));
 }
 
 }  // namespace
@@ -34,16 +28,9 @@ std::optional<std::string> ReadFromDisk(const std::filesystem::path& file) {
 }
 
 std::string MustReadFromDisk(const std::filesystem::path& file) {
-  std::error_code error;
-  if (std::filesystem::is_directory(file, error)) ThrowUnreadable(file, "it is a folder");
-  errno = 0;
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) ThrowUnreadable(file, std::strerror(errno != 0 ? errno : EIO));
-  std::string text(SourceFile::kMaxSize + 1, '\0');
-  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (stream.bad()) ThrowUnreadable(file, std::strerror(errno != 0 ? errno : EIO));
-  text.resize(static_cast<size_t>(stream.gcount()));
-  return text;
+  file::Reading reading = file::Read(file, SourceFile::kMaxSize + 1);
+  if (reading.problem.empty()) return std::move(reading.bytes);
+  throw CallError("cannot read `" + file.string() + "`: " + reading.problem + NearbyTask(file));
 }
 
 }  // namespace compiler

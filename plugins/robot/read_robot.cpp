@@ -1,21 +1,19 @@
-#include <fstream>
-#include <sstream>
-
+#include "plugins/file/read.h"
 #include "plugins/robot/read_parts.h"
 
 namespace robot {
 namespace {
 
 toml::table Parse(const std::string& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  if (!stream || !(text << stream.rdbuf())) {
-    throw DescriptionError(file +
-                           ": error: cannot read the robot's description\n  help: check that "
-                           "the file is there, is not empty and may be read");
+  const file::Reading reading = file::Read(file);
+  if (!reading.problem.empty()) {
+    throw DescriptionError(
+        fmt::format("{}: error: cannot read the robot's description: {}\n  help: check that the "
+                    "file is there and may be read",
+                    file, reading.problem));
   }
   try {
-    return toml::parse(text.str(), file);
+    return toml::parse(reading.bytes, file);
   } catch (const toml::parse_error& error) {
     const toml::source_position& place = error.source().begin;
     throw DescriptionError(fmt::format(

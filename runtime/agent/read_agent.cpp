@@ -2,9 +2,9 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
-#include <fstream>
-#include <sstream>
+#include <utility>
 
+#include "plugins/file/read.h"
 #include "runtime/agent/agent.h"
 #include "runtime/module/suggestion.h"
 
@@ -238,13 +238,9 @@ class FileReader {
   }
 
   static std::string TextOf(const std::filesystem::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    std::ostringstream text;
-    // Reading a folder fails only here.
-    if (!stream || !(text << stream.rdbuf())) {
-      throw UserError(fmt::format("{}: cannot be read", file.string()));
-    }
-    return text.str();
+    file::Reading reading = file::Read(file);
+    if (reading.problem.empty()) return std::move(reading.bytes);
+    throw UserError(fmt::format("{}: cannot be read: {}", file.string(), reading.problem));
   }
 
   std::vector<std::filesystem::path> open_;  // those that are being read

@@ -44,7 +44,7 @@ class PreferencesReader {
 
   toml::table Parse() const {
     try {
-      return toml::parse_file(file_.string());
+      return toml::parse(ReadText(file_));
     } catch (const toml::parse_error& error) {
       Fail(error.source(), error.description());
     }

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "plugins/file/read.h"
 #include "plugins/seal/sha256.h"
 #include "runtime/module/user_error.h"
 
@@ -59,14 +60,9 @@ void WriteOutput(const std::filesystem::path& file, std::string_view what,
 }
 
 std::string ReadText(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  if (!in) {
-    throw UserError(
-        fmt::format("{}: cannot read this file: {}", file.string(), std::strerror(errno)));
-  }
-  return text.str();
+  file::Reading reading = file::Read(file);
+  if (reading.problem.empty()) return std::move(reading.bytes);
+  throw UserError(fmt::format("{}: cannot read this file: {}", file.string(), reading.problem));
 }
 
 void MakeRunFolder(const std::filesystem::path& folder) {

@@ -37,7 +37,7 @@ void WriteFile(const std::filesystem::path& file, const std::string& bytes);
 void WriteOutput(const std::filesystem::path& file, std::string_view what,
                  const std::string& bytes);
 
-// The whole file. Throws UserError.
+// The whole of a regular file. Throws UserError.
 std::string ReadText(const std::filesystem::path& file);
 
 }  // namespace runtime

@@ -52,6 +52,13 @@ std::string Explain(int code, int system_error) {
 
 SqliteDatabase::SqliteDatabase(std::filesystem::path file, SqliteAccess access)
     : file_(std::move(file)) {
+  std::error_code ignored;
+  const std::filesystem::file_status status = std::filesystem::status(file_, ignored);
+  // SQLite would wait for the writer of a named pipe.
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
+    throw UserError(
+        fmt::format("{}: this is no file; a run keeps its database there", file_.string()));
+  }
   sqlite3* opened = nullptr;
   const int code = sqlite3_open_v2(file_.c_str(), &opened, OpenFlags(access), nullptr);
   handle_.reset(opened);

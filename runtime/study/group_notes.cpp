@@ -4,6 +4,7 @@
 #include <toml++/toml.h>
 
 #include "runtime/module/user_error.h"
+#include "runtime/run/run_files.h"
 
 namespace runtime {
 namespace {
@@ -22,7 +23,7 @@ std::map<std::string, std::string> ReadGroupNotes(const std::filesystem::path& s
   if (!std::filesystem::exists(file)) return notes;
   toml::table table;
   try {
-    table = toml::parse_file(file.string());
+    table = toml::parse(ReadText(file));
   } catch (const toml::parse_error& error) {
     Fail(file, error.source(), error.description());
   }

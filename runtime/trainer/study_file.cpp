@@ -8,6 +8,7 @@
 
 #include "runtime/module/suggestion.h"
 #include "runtime/module/user_error.h"
+#include "runtime/run/run_files.h"
 
 namespace runtime {
 namespace {
@@ -142,11 +143,8 @@ class StudyReader {
 std::vector<Experiment> ReadStudy(const std::filesystem::path& file) {
   const StudyReader reader(file);
   try {
-    return reader.Read(toml::parse_file(file.string()));
+    return reader.Read(toml::parse(ReadText(file)));
   } catch (const toml::parse_error& error) {
-    if (error.source().begin.line == 0) {
-      throw UserError(fmt::format("{}: cannot be read", file.string()));
-    }
     reader.Fail(error.source(), std::string(error.description()));
   }
 }

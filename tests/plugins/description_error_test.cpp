@@ -255,8 +255,8 @@ TEST(DescriptionError, AFileThatIsNotThere) {
     FAIL() << "no error";
   } catch (const DescriptionError& error) {
     EXPECT_STREQ(error.what(),
-                 "/nowhere/robot.toml: error: cannot read the robot's description\n  help: check "
-                 "that the file is there, is not empty and may be read");
+                 "/nowhere/robot.toml: error: cannot read the robot's description: No such file or "
+                 "directory\n  help: check that the file is there and may be read");
   }
 }
 

@@ -1,7 +1,10 @@
 #include <dlfcn.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <taskc/plugin.h>
+
+#include <chrono>
 
 #include "compiler/build/file_io.h"
 #include "tests/compiler/driver/taskc_process.h"
@@ -50,6 +53,55 @@ TEST(Build, WritesThePluginWhereItIsTold) {
   EXPECT_EQ(NameIn(taskc.path("out.so")), "good");
   EXPECT_TRUE(std::filesystem::exists(taskc.path("elsewhere")));
   EXPECT_FALSE(std::filesystem::exists(taskc.path("cache")));
+}
+
+// A cache may be any folder.
+TEST(Build, RemovesNoFileOfOthersFromItsCache) {
+  namespace fs = std::filesystem;
+  TaskcProcess taskc;
+  taskc.Write("good.task", kGoodTask);
+  taskc.Write("project/libfoo.so.1.2", "x");
+  taskc.Write("project/building-site/plan.txt", "x");
+  taskc.Write("project/building-blocks/plan.txt", "x");
+  fs::create_symlink(".", taskc.path("project/a"));
+  fs::create_symlink(".", taskc.path("project/b"));
+  for (const char* name : {"libfoo.so.1.2", "building-site/plan.txt", "building-site",
+                           "building-blocks/plan.txt", "building-blocks"}) {
+    fs::last_write_time(taskc.path("project") / name,
+                        fs::file_time_type::clock::now() - std::chrono::hours(24));
+  }
+  EXPECT_EQ(taskc.Run("build good.task --cache project").status, 0);
+  EXPECT_TRUE(fs::exists(taskc.path("project/libfoo.so.1.2")));
+  EXPECT_TRUE(fs::exists(taskc.path("project/building-site/plan.txt")));
+  EXPECT_TRUE(fs::exists(taskc.path("project/building-blocks/plan.txt")));
+  EXPECT_TRUE(fs::is_symlink(taskc.path("project/a")));
+}
+
+// Nobody writes into these pipes: whoever opens one as a file waits for ever.
+TEST(Build, NoVerbWaitsForANamedPipe) {
+  TaskcProcess taskc;
+  ASSERT_EQ(mkfifo(taskc.path("pipe.task").c_str(), 0600), 0);
+  taskc.Write("imports.task", std::string(kGoodTask) + "import \"pipe.task\"\n");
+  taskc.Write("extends.task", "task b extends \"pipe.task\"\n");
+  for (const std::string verb : {"build", "check", "test", "emit", "doc", "fmt"}) {
+    const Outcome outcome = taskc.Run(verb + " pipe.task");
+    EXPECT_EQ(outcome.status, 2) << verb;
+    EXPECT_THAT(outcome.error,
+                HasSubstr("cannot read `pipe.task`: it is a named pipe; name a regular file"));
+    if (verb == "fmt") continue;
+    for (const char* file : {" imports.task", " extends.task"}) {
+      const Outcome importing = taskc.Run(verb + file);
+      EXPECT_EQ(importing.status, 1) << verb << file;
+      EXPECT_THAT(importing.error, AllOf(HasSubstr("error[E0630]: `pipe.task` cannot be read"),
+                                         HasSubstr("it is a named pipe; name a regular file")));
+    }
+  }
+  std::filesystem::create_directories(taskc.path("robots/humanoid"));
+  ASSERT_EQ(mkfifo(taskc.path("robots/humanoid/robot.toml").c_str(), 0600), 0);
+  taskc.Write("good.task", kGoodTask);
+  const Outcome outcome = taskc.Run("check good.task --robots robots");
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_THAT(outcome.error, HasSubstr("it is a named pipe"));
 }
 
 TEST(Build, BuildsThePapersTasks) {
