@@ -33,7 +33,7 @@ FileParser::FileParser(SyntaxReport& report)
 
 TaskParser::FileContext* FileParser::Parse() {
   if (IsTooLarge(report_)) return nullptr;
-  CheckUtf8(report_);
+  CheckCharacters(report_);
   TokenList list = Layout(report_).Run(lexer_);
   if (!list.is_parseable) return nullptr;
   docs_ = std::move(list.docs);

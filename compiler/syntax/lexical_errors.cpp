@@ -151,13 +151,38 @@ bool RejectBlockComment(const antlr4::CommonToken& token, SyntaxReport& report) 
 
 bool RejectCharacter(const antlr4::CommonToken& token, SyntaxReport& report) {
   const SourceFile& source = report.source();
-  // What is no UTF-8 has been reported as that.
-  if (text::DecodeUtf8(source.TextOf({SpanOf(token).begin, source.end_offset()}), 0).is_valid) {
+  // What is no UTF-8, or cannot be seen, has been reported as that.
+  const text::CodePoint point =
+      text::DecodeUtf8(source.TextOf({SpanOf(token).begin, source.end_offset()}), 0);
+  if (point.is_valid && !text::IsUnprintable(point.value)) {
     report.Add(UnknownCharacter(token, source));
   } else {
     report.MarkFaulty(SpanOf(token));
   }
   return false;
+}
+
+bool IsHidden(char32_t value, std::string_view behind) {
+  if (value == '\r') return !behind.starts_with('\n');
+  return value != '\t' && value != '\n' && text::IsUnprintable(value);
+}
+
+Diagnostic HiddenCharacter(char32_t value, Span span) {
+  const bool is_control = value < 0xA0;
+  Diagnostic diagnostic = MakeDiagnostic(
+      code::kHiddenCharacter, span,
+      fmt::format("the {} U+{:04X} cannot be seen", is_control ? "control character" : "character",
+                  static_cast<uint32_t>(value)));
+  if (value == '\r') {
+    diagnostic.help = "end a line with a line feed, or with carriage return and line feed";
+  } else if (is_control) {
+    diagnostic.help = "remove it";
+  } else {
+    diagnostic.help =
+        "remove it: with it, a text can read otherwise than it is compiled; letters that are "
+        "written from right to left need no such character";
+  }
+  return diagnostic;
 }
 
 }  // namespace
@@ -183,17 +208,19 @@ bool RepairToken(antlr4::CommonToken& token, SyntaxReport& report) {
   }
 }
 
-void CheckUtf8(SyntaxReport& report) {
+void CheckCharacters(SyntaxReport& report) {
   const std::string& text = report.source().text();
   for (uint32_t i = 0; i < text.size();) {
     const text::CodePoint point = text::DecodeUtf8(text, i);
+    const uint32_t begin = report.source().first_offset() + i;
     if (!point.is_valid) {
-      const uint32_t begin = report.source().first_offset() + i;
       Diagnostic diagnostic = MakeDiagnostic(code::kInvalidUtf8, {begin, begin + 1},
                                              "this byte is not part of a character");
       diagnostic.help = "save the file in the encoding UTF-8";
-      report.Add(std::move(diagnostic));
-      return;
+      return report.Add(std::move(diagnostic));
+    }
+    if (IsHidden(point.value, std::string_view(text).substr(i + point.length))) {
+      return report.Add(HiddenCharacter(point.value, {begin, begin + point.length}));
     }
     i += point.length;
   }
