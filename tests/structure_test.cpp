@@ -122,6 +122,28 @@ TEST(Structure, FoldersIncludeOnlyWhatTheyMay) {
   EXPECT_GT(files, 100);
 }
 
+// Where text is printed as it is: what is a file's content, what is colored, and where the cursor
+// goes. All else is for a person and goes through plugins/text/print.h.
+const std::set<std::string> kPrintsRaw = {
+    "compiler/driver/emit_verb.cpp", "compiler/driver/fmt_verb.cpp", "compiler/driver/session.cpp",
+    "plugins/text/print.h", "runtime/run/live_text.cpp"};
+
+TEST(Structure, NoOneElsesEscapeSequenceReachesATerminal) {
+  static const std::regex kRaw(
+      R"(fmt::print\(|std::cout <<|std::cerr <<|std::(f?printf|f?puts)\()");
+  for (const char* top : {"plugins", "compiler", "runtime"}) {
+    for (const auto& entry :
+         std::filesystem::recursive_directory_iterator(std::filesystem::path(SOURCE_DIR) / top)) {
+      const std::string name = std::filesystem::relative(entry.path(), SOURCE_DIR).string();
+      if (!IsSource(entry.path()) || kPrintsRaw.contains(name)) continue;
+      std::ifstream in(entry.path());
+      for (std::string line; std::getline(in, line);) {
+        EXPECT_FALSE(std::regex_search(line, kRaw)) << name << ": " << line;
+      }
+    }
+  }
+}
+
 // An order in which every folder comes after all that it may include proves that there is no
 // circle.
 TEST(Structure, HasNoCircle) {

@@ -6,6 +6,7 @@
 #include "compiler/driver/verb.h"
 #include "compiler/source/diagnostic_table.h"
 #include "plugins/command_line/completion.h"
+#include "plugins/text/print.h"
 
 namespace compiler {
 namespace {
@@ -22,7 +23,7 @@ Action DeclareCompletion(CLI::App& app, Session&) {
   auto shell = std::make_shared<std::string>();
   command_line::AddShell(app, *shell);
   return [shell, program = app.get_parent()](Session&) {
-    fmt::print("{}", command_line::Completion(*shell, *program, Codes()));
+    text::Print("{}", command_line::Completion(*shell, *program, Codes()));
     return ExitStatus::kOk;
   };
 }

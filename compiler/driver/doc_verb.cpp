@@ -8,6 +8,7 @@
 #include "compiler/document/task_json.h"
 #include "compiler/document/task_page.h"
 #include "compiler/driver/verb.h"
+#include "plugins/text/print.h"
 
 namespace compiler {
 namespace {
@@ -27,12 +28,12 @@ ExitStatus Document(const Options& options, Session& session) {
   const Analysis analysis = session.Analyze(options.task);
   if (!analysis.task) return ExitStatus::kWrongTask;
   if (options.is_json) {
-    fmt::print("{}", ToText(ToJson(analysis)));
+    text::Print("{}", ToText(ToJson(analysis)));
     return ExitStatus::kOk;
   }
   const Page page = PageOf(analysis);
   if (options.output.empty()) {
-    fmt::print("{}", ToMarkdown(page));
+    text::Print("{}", ToMarkdown(page));
   } else if (kind == ".md") {
     ReplaceFile(options.output, ToMarkdown(page));
   } else {

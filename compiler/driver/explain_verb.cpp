@@ -7,6 +7,7 @@
 #include "compiler/build/share_folder.h"
 #include "compiler/driver/verb.h"
 #include "plugins/text/nearest_name.h"
+#include "plugins/text/print.h"
 
 namespace compiler {
 namespace {
@@ -58,14 +59,14 @@ std::string SectionOf(const std::string& code, const std::string& page) {
 ExitStatus Explain(const Options& options) {
   if (options.codes.empty()) {
     for (const DiagnosticKind& kind : kDiagnosticTable) {
-      fmt::print("{}  {}\n", kind.code, kind.title);
+      text::Print("{}  {}\n", kind.code, kind.title);
     }
     return ExitStatus::kOk;
   }
   const std::string page = ReadShareFile("diagnostics.md");
   for (const std::string& code : options.codes) {
-    if (&code != &options.codes.front()) fmt::print("\n\n");
-    fmt::print("{}", SectionOf(KnownCode(code), page));
+    if (&code != &options.codes.front()) text::Print("\n\n");
+    text::Print("{}", SectionOf(KnownCode(code), page));
   }
   return ExitStatus::kOk;
 }

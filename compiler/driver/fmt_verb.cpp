@@ -1,4 +1,6 @@
 // taskc fmt FILE.task...
+#include <fmt/format.h>
+
 #include <iostream>
 #include <iterator>
 #include <memory>
@@ -16,14 +18,6 @@ struct Options {
   bool check = false;
 };
 
-// Through links, and with the file's permissions left as they are.
-void Rewrite(const std::filesystem::path& file, const std::string& text) {
-  const std::filesystem::path target = std::filesystem::canonical(file);
-  const auto permissions = std::filesystem::status(target).permissions();
-  ReplaceFile(target, text);
-  std::filesystem::permissions(target, permissions);
-}
-
 ExitStatus FormatFile(const std::string& file, bool check, Session& session) {
   const Sources sources(file, MustReadFromDisk(file));
   Diagnostics diagnostics;
@@ -37,7 +31,7 @@ ExitStatus FormatFile(const std::string& file, bool check, Session& session) {
     session.Say(file + "\n");
     return ExitStatus::kWrongTask;
   }
-  Rewrite(file, *formatted);
+  RewriteFile(file, *formatted);
   return ExitStatus::kOk;
 }
 
@@ -49,7 +43,7 @@ ExitStatus FormatStandardInput(bool check, Session& session) {
   if (!formatted) return ExitStatus::kWrongTask;
   session.Result()["changed"] = *formatted != sources.main().text();
   session.Result()["text"] = *formatted;
-  if (!check) session.Say(*formatted);
+  if (!check && session.is_for_a_person()) fmt::print("{}", *formatted);  // a file's content
   return check && *formatted != sources.main().text() ? ExitStatus::kWrongTask : ExitStatus::kOk;
 }
 

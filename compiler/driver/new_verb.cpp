@@ -9,6 +9,7 @@
 #include "compiler/driver/task_skeleton.h"
 #include "compiler/driver/verb.h"
 #include "compiler/syntax/parse.h"
+#include "plugins/text/print.h"
 
 namespace compiler {
 namespace {
@@ -50,7 +51,7 @@ ExitStatus New(const Options& options, Session& session) {
     throw CallError(fmt::format("`{}` is there already", file.string()));
   }
   ReplaceFile(file, TaskSkeleton(name, robot ? &*robot : nullptr));
-  fmt::print("{}\n", file.string());
+  text::Print("{}\n", file.string());
   return ExitStatus::kOk;
 }
 

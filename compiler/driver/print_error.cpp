@@ -4,8 +4,10 @@
 
 #include <cstdio>
 
+#include "plugins/text/print.h"
+
 namespace compiler {
 
-void PrintError(std::string_view message) { fmt::print(stderr, "taskc: {}\n", message); }
+void PrintError(std::string_view message) { text::Print(stderr, "taskc: {}\n", message); }
 
 }  // namespace compiler

@@ -9,6 +9,7 @@
 
 #include "compiler/driver/crash_report.h"
 #include "compiler/driver/print_error.h"
+#include "plugins/text/print.h"
 
 namespace compiler {
 namespace {
@@ -58,7 +59,7 @@ void Session::Report(const Sources& sources, const Diagnostics& diagnostics) {
 }
 
 void Session::Say(std::string_view text) const {
-  if (is_for_a_person()) fmt::print("{}", text);
+  if (is_for_a_person()) text::Print("{}", text);
 }
 
 Json& Session::Result() { return report_.tasks.back(); }
@@ -73,7 +74,7 @@ void Session::Finish(ExitStatus status) {
   if (is_for_a_person()) {
     PrintSummary();
   } else {
-    fmt::print("{}", ToText(format == "json" ? ToJson(report_) : ToSarif(report_)));
+    text::Print("{}", ToText(format == "json" ? ToJson(report_) : ToSarif(report_)));
   }
 }
 
@@ -85,8 +86,8 @@ void Session::PrintSummary() const {
   const auto errors = static_cast<size_t>(std::ranges::count_if(report_.findings, is_error));
   const auto error = std::ranges::find_if(report_.findings, is_error);
   const auto& telling = error != report_.findings.end() ? *error : report_.findings.front();
-  fmt::print(stderr, "{}; for more: taskc explain {}\n",
-             Counts(errors, report_.findings.size() - errors), telling.diagnostic.code);
+  text::Print(stderr, "{}; for more: taskc explain {}\n",
+              Counts(errors, report_.findings.size() - errors), telling.diagnostic.code);
 }
 
 }  // namespace compiler

@@ -41,8 +41,10 @@ class Session {
   // After the last task: the summary, or the whole report for another program.
   void Finish(ExitStatus status);
 
- private:
+  // False: for another program.
   bool is_for_a_person() const { return format == "text"; }
+
+ private:
   void PrintSummary() const;
 
   RunReport report_;

@@ -14,6 +14,7 @@
 #include "compiler/build/plugin_cache.h"
 #include "compiler/driver/verb.h"
 #include "compiler/emit/emit.h"
+#include "plugins/text/print.h"
 #include "plugins/watch/file_watch.h"
 
 namespace compiler {
@@ -50,12 +51,12 @@ void BuildOne(const std::string& task, const Options& options, Session& session,
   const auto cache = options.cache.empty() ? DefaultCacheFolder() : options.cache;
   const BuildResult built =
       BuildPlugin(analysis.task->name, Emit(*analysis.task, analysis.sources), cache);
-  fmt::print("{}\n", built.plugin.string());
+  text::Print("{}\n", built.plugin.string());
 }
 
 // All tasks: a block with the time of day, what is wrong, and where the plugins are.
 void BuildAll(const Options& options, const Session& settings, Files& files) {
-  fmt::print("-- {:%H:%M:%S}\n", fmt::localtime(std::time(nullptr)));
+  text::Print("-- {:%H:%M:%S}\n", fmt::localtime(std::time(nullptr)));
   std::fflush(stdout);
   Session session = settings;
   for (const std::string& task : options.tasks) {

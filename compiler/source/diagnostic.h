@@ -75,7 +75,8 @@ class Diagnostics {
   bool has_errors_ = false;
 };
 
-// The diagnostics as a person reads them: file:line:column, the line, carets, help.
+// The diagnostics as a person reads them: file:line:column, the line, carets, help. Of escape
+// sequences there are those of the colors only.
 std::string Render(const Sources& sources, const Diagnostics& diagnostics, bool color);
 
 // A mistake in the call rather than in the task: a missing file, an unwritable folder.

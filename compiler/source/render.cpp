@@ -5,6 +5,7 @@
 
 #include "compiler/source/diagnostic.h"
 #include "compiler/source/displayed_line.h"
+#include "plugins/text/print.h"
 
 namespace compiler {
 namespace {
@@ -86,14 +87,16 @@ class Renderer {
   void Heading() {
     const bool is_error = diagnostic_.severity == Severity::kError;
     const std::string kind = (is_error ? "error[" : "warning[") + diagnostic_.code + "]";
-    out_ += Colored(SeverityColor(), kind) + Colored(kBold, ": " + diagnostic_.message) + "\n";
+    out_ += Colored(SeverityColor(), kind) +
+            Colored(kBold, ": " + text::Visible(diagnostic_.message)) + "\n";
   }
 
   // " --> a.task:12:3"
   void FileLine(std::string_view arrow, const MarkedFile& file) {
     const Position position = file.source->PositionOf(file.first.begin);
-    out_ += std::string(gutter_, ' ') + Colored(kBlue, arrow) + " " + file.source->path() + ":" +
-            std::to_string(position.line) + ":" + std::to_string(position.column) + "\n";
+    out_ += std::string(gutter_, ' ') + Colored(kBlue, arrow) + " " +
+            text::Visible(file.source->path()) + ":" + std::to_string(position.line) + ":" +
+            std::to_string(position.column) + "\n";
     GutterLine("", "");
   }
 
@@ -139,7 +142,7 @@ class Renderer {
     const uint32_t end = std::clamp(line.ColumnOf(mark.end), begin, part.last);
     std::string signs(std::max(1u, end - begin), mark.is_primary ? '^' : '-');
     if (!mark.text.empty()) signs += ' ';
-    signs += mark.text;
+    signs += text::Visible(mark.text);
     std::string marked(part.indent + begin - part.first, ' ');
     marked += Colored(mark.is_primary ? SeverityColor() : kBlue, signs);
     GutterLine("", marked);
@@ -149,7 +152,7 @@ class Renderer {
     const std::string blanks(gutter_, ' ');
     GutterLine("", "");
     out_ += blanks + Colored(kBlue, " =") + " " + Colored(kCyan, "help:") + " ";
-    for (const char c : diagnostic_.help.text) {
+    for (const char c : text::Visible(diagnostic_.help.text)) {
       out_ += c;
       if (c == '\n') out_ += blanks + "         ";
     }

@@ -8,6 +8,8 @@
 #include <numeric>
 #include <utility>
 
+#include "plugins/text/print.h"
+
 namespace runtime {
 namespace {
 
@@ -74,6 +76,7 @@ size_t LiveText::rows() const {
 // version.
 void LiveText::Show(std::string lines) {
   constexpr std::string_view kEraseToTheRight = "\x1b[K";
+  lines = text::Visible(lines);
   const size_t columns = SizeOf(output_).ws_col;
   const size_t before = RowsOf(shown_, columns > 0 ? columns : kAnyWidth);
   const size_t now = RowsOf(lines, kAnyWidth);

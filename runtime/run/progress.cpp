@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "plugins/text/print.h"
+
 namespace runtime {
 namespace {
 
@@ -96,8 +98,8 @@ void Progress::FinishEpisode(const EpisodeRecord& episode, const ReturnStatistic
   values_.remaining = values_.elapsed / static_cast<double>(episodes_here_) *
                       static_cast<double>(values_.episodes_planned - values_.episode);
   if (style_ == ProgressStyle::kJson) {
-    fmt::print(output_, "{}\n",
-               EpisodeJson(episode, run_).dump(-1, ' ', false, Json::error_handler_t::replace));
+    text::Print(output_, "{}\n",
+                EpisodeJson(episode, run_).dump(-1, ' ', false, Json::error_handler_t::replace));
     std::fflush(output_);
   }
   if (style_ != ProgressStyle::kText) return;
@@ -114,20 +116,20 @@ void Progress::Show() {
   if (live_.is_on_terminal()) {
     return live_.Show(ProgressLine(values_, live_.columns()) + "\n");
   }
-  fmt::print(output_, "{}\n", ProgressLine(values_));
+  text::Print(output_, "{}\n", ProgressLine(values_));
   std::fflush(output_);
 }
 
 void Progress::Warn(const std::string& text) {
   live_.Erase();
-  fmt::print(warnings_, "{}\n", text);
+  text::Print(warnings_, "{}\n", text);
   std::fflush(warnings_);
 }
 
 void Progress::Note(const std::string& text) {
   if (style_ != ProgressStyle::kText) return;
   live_.Erase();
-  fmt::print(output_, "{}\n", text);
+  text::Print(output_, "{}\n", text);
   std::fflush(output_);
 }
 

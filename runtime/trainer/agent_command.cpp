@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "plugins/text/print.h"
 #include "runtime/module/graph.h"
 #include "runtime/trainer/commands.h"
 #include "runtime/trainer/task_setup.h"
@@ -31,7 +32,7 @@ std::string Show(const TaskSetup& setup, AgentFormat format) {
 int ShowAgent(const AgentOptions& options) {
   const BuiltTask task(options.task.task);
   if (!task.plugin()) return kFailed;
-  fmt::print("{}", Show(TaskSetup(options.task, *task.plugin(), 0), options.format));
+  text::Print("{}", Show(TaskSetup(options.task, *task.plugin(), 0), options.format));
   return kSuccess;
 }
 

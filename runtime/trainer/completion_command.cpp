@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "plugins/command_line/completion.h"
+#include "plugins/text/print.h"
 #include "runtime/trainer/commands.h"
 
 namespace runtime {
@@ -19,7 +20,7 @@ void AddCompletionCommand(CLI::App& app, int& status) {
       "  trainer completion zsh >>~/.zshrc       # behind the line with compinit\n"
       "  trainer completion fish >~/.config/fish/completions/trainer.fish");
   command->callback([shell, &app, &status] {
-    fmt::print("{}", command_line::Completion(*shell, app));
+    text::Print("{}", command_line::Completion(*shell, app));
     status = kSuccess;
   });
 }

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "plugins/text/print.h"
 #include "runtime/client/client.h"
 #include "runtime/client/reply_text.h"
 #include "runtime/control/command_table.h"
@@ -40,12 +41,12 @@ using Options = std::shared_ptr<CtlOptions>;  // of the whole line
 int AskAndPrint(const CtlOptions& options, const Request& request) {
   const Reply reply = Ask(options.FindRun(), request);
   if (options.json) {
-    fmt::print("{}\n", reply.ok ? json{{"ok", true}, {"value", reply.value}}.dump()
-                                : json{{"ok", false}, {"error", reply.error}}.dump());
+    text::Print("{}\n", reply.ok ? json{{"ok", true}, {"value", reply.value}}.dump()
+                                 : json{{"ok", false}, {"error", reply.error}}.dump());
   } else if (reply.ok) {
-    fmt::print("{}", ReplyText(reply.value));
+    text::Print("{}", ReplyText(reply.value));
   } else if (reply.error.find('\n') != std::string::npos) {
-    fmt::print(stderr, "{}\n", reply.error);  // the compiler's messages, as it writes them
+    text::Print(stderr, "{}\n", reply.error);  // the compiler's messages, as it writes them
   } else {
     throw UserError(reply.error);
   }
@@ -84,7 +85,7 @@ void AddEvents(CLI::App& ctl, const Options& options, int& status) {
   options->AddTo(*command);
   command->callback([options, &status] {
     FollowEvents(options->FindRun(), [&](const json& event) {
-      fmt::print("{}\n", options->json ? event.dump() : EventLine(event));
+      text::Print("{}\n", options->json ? event.dump() : EventLine(event));
       std::fflush(stdout);
     });
     status = kSuccess;

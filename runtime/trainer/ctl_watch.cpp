@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "plugins/text/print.h"
 #include "plugins/watch/file_watch.h"
 #include "runtime/client/client.h"
 #include "runtime/client/task_files.h"
@@ -121,9 +122,9 @@ class TaskWatch {
   // At once, for a program or, with the time of day, for a person.
   void Print(const json& object, const std::string& text) const {
     if (is_for_a_program_) {
-      fmt::print("{}\n", object.dump());
+      text::Print("{}\n", object.dump());
     } else {
-      fmt::print("{:%H:%M:%S} {}", fmt::localtime(std::time(nullptr)), text);
+      text::Print("{:%H:%M:%S} {}", fmt::localtime(std::time(nullptr)), text);
     }
     std::fflush(stdout);
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "plugins/text/print.h"
 #include "runtime/module/user_error.h"
 #include "runtime/trainer/commands.h"
 #include "runtime/trainer/evaluate_run.h"
@@ -22,7 +23,7 @@ struct EvaluateOptions {
 };
 
 void PrintLine(const nlohmann::ordered_json& json) {
-  fmt::print("{}\n", json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+  text::Print("{}\n", json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
 }
 
 int EvaluateOne(const EvaluateOptions& options) {
@@ -32,14 +33,14 @@ int EvaluateOne(const EvaluateOptions& options) {
   if (!evaluation) evaluation = EvaluateRun(options.folder, options.plan, style, stop);
   if (!evaluation) {
     if (style == ProgressStyle::kText) {
-      fmt::print("stopped; nothing is kept of an evaluation that is not whole\n");
+      text::Print("stopped; nothing is kept of an evaluation that is not whole\n");
     }
     return kStoppedBySignal + stop.signal();
   }
   if (style == ProgressStyle::kJson) PrintLine(ToJson(*evaluation));
   if (style == ProgressStyle::kText) {
     const std::string name = std::filesystem::weakly_canonical(options.folder).filename().string();
-    fmt::print("{}", EvaluationTable({{name, *evaluation}}));
+    text::Print("{}", EvaluationTable({{name, *evaluation}}));
   }
   return kSuccess;
 }
@@ -67,10 +68,10 @@ std::vector<RunProgress> RunsToEvaluate(const EvaluateOptions& options,
       if (HasCheckpoint(run)) {
         found.push_back(ProgressOf(run, std::move(name), options.plan));
       } else {
-        fmt::print(stderr, "{}: left out: it has no checkpoint yet\n", name);
+        text::Print(stderr, "{}: left out: it has no checkpoint yet\n", name);
       }
     } catch (const UserError& error) {
-      fmt::print(stderr, "{}: left out: {}\n", name, error.what());
+      text::Print(stderr, "{}: left out: {}\n", name, error.what());
     }
   }
   if (!found.empty()) return found;
@@ -85,7 +86,7 @@ void PrintAll(const std::vector<RunProgress>& runs, const EvaluationPlan& plan) 
     if (run.state != RunProgressState::kFinished) continue;
     evaluations.push_back({run.name, ReadEvaluation(file)});
   }
-  if (!evaluations.empty()) fmt::print("{}", EvaluationTable(evaluations));
+  if (!evaluations.empty()) text::Print("{}", EvaluationTable(evaluations));
 }
 
 void PrintKnownAsJson(const std::vector<RunProgress>& runs, const EvaluationPlan& plan) {
@@ -116,7 +117,7 @@ int EvaluateMany(const EvaluateOptions& options, const std::vector<std::filesyst
   if (style == ProgressStyle::kText) PrintAll(supervisor.runs(), plan);
   if (are_all_finished) return kSuccess;
   if (stop.signal() == 0) return kFailed;
-  if (style == ProgressStyle::kText) fmt::print("stopped; the same call does the rest\n");
+  if (style == ProgressStyle::kText) text::Print("stopped; the same call does the rest\n");
   return kStoppedBySignal + stop.signal();
 }
 

@@ -19,6 +19,7 @@
 #include <string>
 #include <vector>
 
+#include "plugins/text/print.h"
 #include "runtime/control/journal.h"
 #include "runtime/module/user_error.h"
 #include "runtime/run/run_database.h"
@@ -184,7 +185,7 @@ bool IsCrash(const End& end) {
          signal == SIGABRT;
 }
 
-void Say(const std::string& text) { fmt::print(stderr, "warning: {}\n", text); }
+void Say(const std::string& text) { text::Print(stderr, "warning: {}\n", text); }
 
 // Whether the run can go on without what has brought its process down. Sees to it that it does.
 bool CanGoOn(const End& end) {
@@ -229,11 +230,11 @@ void SayWhatIsKept(const std::filesystem::path& run) {
   const std::vector<EpisodeRecord> episodes = database.ReadEpisodes();
   const int64_t kept = checkpoint ? checkpoint->episode : 0;
   const int64_t present = (episodes.empty() ? 0 : episodes.back().number) + 1;
-  fmt::print(stderr,
-             "stopped at once; kept: {}; lost: {}, which `trainer resume {}` runs again, bit for "
-             "bit\n",
-             EpisodesText(1, kept), EpisodesText(kept + 1, present),
-             run.lexically_proximate(std::filesystem::current_path()).string());
+  text::Print(stderr,
+              "stopped at once; kept: {}; lost: {}, which `trainer resume {}` runs again, bit for "
+              "bit\n",
+              EpisodesText(1, kept), EpisodesText(kept + 1, present),
+              run.lexically_proximate(std::filesystem::current_path()).string());
 }
 
 // Whether somebody wanted it: a first signal only ends it after the present episode.

@@ -4,6 +4,7 @@
 #include <csignal>
 
 #include "plugins/command_line/wrong_call.h"
+#include "plugins/text/print.h"
 #include "runtime/trainer/call_error.h"
 #include "runtime/trainer/commands.h"
 
@@ -38,8 +39,8 @@ int RunTrainer(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);  // --help, --version
-    fmt::print(stderr, "trainer: error: {} (see `trainer --help`)\n",
-               command_line::WhatIsWrong(app, error));
+    text::Print(stderr, "trainer: error: {} (see `trainer --help`)\n",
+                command_line::WhatIsWrong(app, error));
     return kWrongCall;
   }
   return status;
@@ -53,10 +54,10 @@ int main(int argc, char** argv) {
   try {
     return runtime::RunTrainer(argc, argv);
   } catch (const runtime::CallError& error) {
-    fmt::print(stderr, "trainer: error: {}\n", error.what());
+    text::Print(stderr, "trainer: error: {}\n", error.what());
     return runtime::kWrongCall;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "trainer: error: {}\n", error.what());
+    text::Print(stderr, "trainer: error: {}\n", error.what());
     return runtime::kFailed;
   }
 }

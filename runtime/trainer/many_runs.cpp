@@ -6,6 +6,7 @@
 #include <iterator>
 #include <thread>
 
+#include "plugins/text/print.h"
 #include "runtime/run/run_database.h"
 #include "runtime/run/stop_request.h"
 #include "runtime/trainer/commands.h"
@@ -91,7 +92,7 @@ int TrainRuns(const std::filesystem::path& folder, const std::vector<std::filesy
   if (are_all_finished) return kSuccess;
   if (stop.signal() == 0) return kFailed;
   if (output.style() == ProgressStyle::kText) {
-    fmt::print("stopped; `trainer resume {}` goes on\n", folder.string());
+    text::Print("stopped; `trainer resume {}` goes on\n", folder.string());
   }
   return kStoppedBySignal + stop.signal();
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "plugins/text/print.h"
 #include "runtime/run/run_database.h"
 #include "runtime/trainer/call_error.h"
 #include "runtime/trainer/commands.h"
@@ -17,9 +18,9 @@ bool HasNothingToDo(bool has_episodes_left, const SessionOptions& session) {
 
 void WarnOfOtherVersion(const RunRecord& run) {
   if (run.version == TASKC_VERSION) return;
-  fmt::print(stderr,
-             "warning: the run was started by trainer {}, this is {}: it may go on differently\n",
-             run.version, TASKC_VERSION);
+  text::Print(stderr,
+              "warning: the run was started by trainer {}, this is {}: it may go on differently\n",
+              run.version, TASKC_VERSION);
 }
 
 }  // namespace
@@ -64,8 +65,8 @@ int ResumeOneRun(const std::filesystem::path& folder, std::optional<int64_t> epi
     // A run that was finished long ago keeps the time at which it was.
     if (run_state != RunState::kFinished) database.SetState(RunState::kFinished);
     if (session.output.style() == ProgressStyle::kText) {
-      fmt::print("all {} episodes of this run are done; a larger `--episodes` trains on\n",
-                 run.episodes_planned);
+      text::Print("all {} episodes of this run are done; a larger `--episodes` trains on\n",
+                  run.episodes_planned);
     }
     return kSuccess;
   }

@@ -6,6 +6,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "plugins/text/print.h"
 #include "runtime/study/preference_figures.h"
 #include "runtime/trainer/call_error.h"
 #include "runtime/trainer/commands.h"
@@ -88,10 +89,10 @@ class PreferCommand {
       try {
         if (!AskPreferences(study_, experiment, ParamsOf(experiment), options_.folder)) break;
       } catch (const UserError& error) {
-        fmt::print("\n{}\n", error.what());
+        text::Print("\n{}\n", error.what());
       }
     }
-    fmt::print("\n");
+    text::Print("\n");
   }
 
   std::vector<PreferenceFit> FitAll() {
@@ -121,19 +122,19 @@ class PreferCommand {
     const std::vector<fs::path> written =
         WriteGains(fits.front(), study_.name, {options_.output, options_.task, options_.is_forced});
     if (!options_.json) {
-      fmt::print("wrote {}\n\nNext:\n  {}\n", written.front().string(),
-                 NextCommand(*fits.front().result, options_.output));
+      text::Print("wrote {}\n\nNext:\n  {}\n", written.front().string(),
+                  NextCommand(*fits.front().result, options_.output));
     }
     return written;
   }
 
   void Print(const std::vector<PreferenceFit>& fits) const {
     for (const PreferenceFit& fit : fits) {
-      fmt::print("{}\n", PreferenceText(fit));
+      text::Print("{}\n", PreferenceText(fit));
       const bool has_news = std::ranges::any_of(
           fit.gains, [](const GainChange& gain) { return gain.value.after != gain.value.before; });
       if (!has_news || !options_.output.empty()) continue;
-      fmt::print(
+      text::Print(
           "To train with the new gains, write them as a task:\n  trainer prefer {} "
           "--experiment {} -o {}_preferred.task\n\n",
           options_.folder.string(), fit.result->experiment->name,
@@ -150,7 +151,7 @@ class PreferCommand {
                                          {"factor", options_.factor},
                                          {"experiments", std::move(experiments)},
                                          {"written", std::move(files)}};
-    fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+    text::Print("{}\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
   }
 
   const PreferOptions& options_;

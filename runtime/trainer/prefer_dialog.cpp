@@ -7,6 +7,7 @@
 #include <set>
 #include <string>
 
+#include "plugins/text/print.h"
 #include "runtime/study/compared_behavior.h"
 #include "runtime/study/informative_pair.h"
 #include "runtime/trainer/prefer_text.h"
@@ -51,11 +52,11 @@ class Dialog {
 
   void Show(const GroupPair& pair) const {
     const std::filesystem::path page = folder_ / "report.html";
-    fmt::print("\n{}: which is better? {}\n", experiment_.experiment->name,
-               std::filesystem::exists(page)
-                   ? fmt::format("Watch both in {}.", page.string())
-                   : fmt::format("`trainer report {}` makes a page on which both can be watched.",
-                                 folder_.string()));
+    text::Print("\n{}: which is better? {}\n", experiment_.experiment->name,
+                std::filesystem::exists(page)
+                    ? fmt::format("Watch both in {}.", page.string())
+                    : fmt::format("`trainer report {}` makes a page on which both can be watched.",
+                                  folder_.string()));
     ShowGroup('a', pair.first);
     ShowGroup('b', pair.second);
   }
@@ -64,23 +65,23 @@ class Dialog {
   void ShowGroup(char letter, size_t index) const {
     const BehaviorGroup& group = experiment_.groups[index];
     const size_t count = group.runs.size();
-    fmt::print("  {}  group {}, as {}; {} run{}\n", letter, GroupName(index),
-               ShortName(NameOf(index), experiment_), count, count == 1 ? "" : "s");
+    text::Print("  {}  group {}, as {}; {} run{}\n", letter, GroupName(index),
+                ShortName(NameOf(index), experiment_), count, count == 1 ? "" : "s");
     for (const size_t run : group.runs) {
       const auto sentence = study_.sentences.find(experiment_.runs[run].run->name);
-      if (sentence != study_.sentences.end()) fmt::print("       {}\n", sentence->second);
+      if (sentence != study_.sentences.end()) text::Print("       {}\n", sentence->second);
     }
     for (const CurveRecord& metric : experiment_.experiment->task().metrics) {
       const auto value = experiment_.runs[group.typical].final.metrics.find(metric.name);
       if (value == experiment_.runs[group.typical].final.metrics.end()) continue;
-      fmt::print("       {} {} {}\n", metric.name, NumberText(value->second), metric.unit);
+      text::Print("       {} {} {}\n", metric.name, NumberText(value->second), metric.unit);
     }
   }
 
   // The end of the input is the end of the questions.
   static Answer Ask() {
     while (true) {
-      fmt::print("a, b, = (equally good), s (skip) or q (quit)? ");
+      text::Print("a, b, = (equally good), s (skip) or q (quit)? ");
       std::fflush(stdout);
       std::string word;
       if (!std::getline(std::cin, word) || word == "q") return Answer::kQuit;

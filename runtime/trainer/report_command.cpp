@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "plugins/text/print.h"
 #include "runtime/report/report.h"
 #include "runtime/study/study_document.h"
 #include "runtime/study/study_report.h"
@@ -23,20 +24,20 @@ void ReportStudy(const ReportOptions& options, const std::filesystem::path& fold
                  const std::vector<std::filesystem::path>& runs, const std::string& title = "") {
   if (options.json) {
     const nlohmann::ordered_json figures = StudyFigures(folder, runs);
-    fmt::print("{}\n", figures.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+    text::Print("{}\n", figures.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
     return;
   }
   const bool is_page = options.document.empty();
   const std::filesystem::path file =
       is_page ? WriteStudyReport(folder, runs, options.output)
               : WriteStudyDocument(folder, runs, options.document, title);
-  fmt::print("{}\n", file.string());
+  text::Print("{}\n", file.string());
 }
 
 // One run has a page of its own. Figures and document take it for a study that has only this one.
 void ReportRun(const ReportOptions& options) {
   if (!options.json && options.document.empty()) {
-    fmt::print("{}\n", WriteReport(options.folder, options.output).string());
+    text::Print("{}\n", WriteReport(options.folder, options.output).string());
     return;
   }
   const std::filesystem::path run = std::filesystem::weakly_canonical(options.folder);

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "plugins/text/print.h"
 #include "runtime/trainer/commands.h"
 #include "runtime/trainer/many_runs.h"
 #include "runtime/trainer/run_overview.h"
@@ -20,7 +21,7 @@ std::vector<RunProgress> ProgressOf(const std::filesystem::path& folder,
 }
 
 void Print(const nlohmann::ordered_json& json) {
-  fmt::print("{}\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+  text::Print("{}\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
 }
 
 void PrintJson(const std::vector<RunProgress>& runs) {
@@ -40,13 +41,13 @@ void PrintJson(const std::vector<RunProgress>& runs) {
 
 void ShowMany(const std::vector<RunProgress>& runs, bool as_json) {
   if (as_json) return PrintJson(runs);
-  fmt::print("{}{}\n", RunTable(runs), RunSummary(runs, 1));
+  text::Print("{}{}\n", RunTable(runs), RunSummary(runs, 1));
 }
 
 void ShowOne(const std::filesystem::path& folder, bool as_json) {
   const RunOverview overview = ReadOverview(folder);
   if (as_json) return Print(OverviewJson(overview));
-  fmt::print("{}", OverviewText(overview));
+  text::Print("{}", OverviewText(overview));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "plugins/text/print.h"
 #include "runtime/behavior/motion.h"
 #include "runtime/picture/snapshot_strip.h"
 #include "runtime/run/body_json.h"
@@ -84,10 +85,10 @@ void PrintTimes(const SnapshotsOptions& options, int64_t episode,
   if (options.json) {
     const nlohmann::ordered_json json = {
         {"file", options.output.string()}, {"episode", episode}, {"times", times}};
-    fmt::print("{}\n", json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+    text::Print("{}\n", json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
   } else {
-    fmt::print("{}: episode {} at {:.2f} s\n", options.output.string(), episode,
-               fmt::join(times, ", "));
+    text::Print("{}: episode {} at {:.2f} s\n", options.output.string(), episode,
+                fmt::join(times, ", "));
   }
 }
 

@@ -9,6 +9,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "plugins/text/print.h"
+
 namespace runtime {
 namespace {
 
@@ -168,15 +170,15 @@ void RunTablePrinter::Follow(const std::vector<RunProgress>& runs) {
 void RunTablePrinter::Finish() {
   if (style_ != ProgressStyle::kText) return;
   Erase();
-  fmt::print(output_, "{}{}\n", RunTable(*runs_, live_.columns()),
-             RunSummary(*runs_, jobs_, live_.columns()));
+  text::Print(output_, "{}{}\n", RunTable(*runs_, live_.columns()),
+              RunSummary(*runs_, jobs_, live_.columns()));
   std::fflush(output_);
 }
 
 void RunTablePrinter::OnLine(const RunProgress& run, std::string_view json) {
   if (style_ == ProgressStyle::kJson) {
     // The worker's object with one more member in front.
-    fmt::print(output_, "{{\"run\":{},{}\n", nlohmann::json(run.name).dump(), json.substr(1));
+    text::Print(output_, "{{\"run\":{},{}\n", nlohmann::json(run.name).dump(), json.substr(1));
     std::fflush(output_);
     return;
   }
@@ -185,17 +187,17 @@ void RunTablePrinter::OnLine(const RunProgress& run, std::string_view json) {
 
 void RunTablePrinter::OnMessage(const RunProgress& run, std::string_view text) {
   Erase();
-  fmt::print(warnings_, "{}: {}\n", run.name, text);
+  text::Print(warnings_, "{}: {}\n", run.name, text);
   std::fflush(warnings_);
   Refresh(true);
 }
 
 void RunTablePrinter::OnStopping(bool at_once) {
   Erase();
-  fmt::print(warnings_, "{}\n",
-             at_once ? "stopping at once"
-                     : "stopping after the present episodes (saving) ... "
-                       "Ctrl-C again to stop at once");
+  text::Print(warnings_, "{}\n",
+              at_once ? "stopping at once"
+                      : "stopping after the present episodes (saving) ... "
+                        "Ctrl-C again to stop at once");
   std::fflush(warnings_);
   Refresh(true);
 }
@@ -208,7 +210,7 @@ void RunTablePrinter::Refresh(bool at_once) {
   if (now - last_ < between && !(at_once && is_live)) return;
   last_ = now;
   if (is_live) return live_.Show(FittingTable());
-  fmt::print(output_, "{}\n", RunSummary(*runs_, jobs_));
+  text::Print(output_, "{}\n", RunSummary(*runs_, jobs_));
   std::fflush(output_);
 }
 

@@ -79,5 +79,27 @@ TEST(Doc, WritesNothingForAWrongTask) {
   EXPECT_FALSE(std::filesystem::exists(taskc.path("bad.md")));
 }
 
+// The names and texts of a page are other people's.
+TEST(Doc, SendsNoEscapeSequenceToATerminal) {
+  TaskcProcess taskc;
+  const std::string name = "go\x1b[31mod\u202e.task";
+  taskc.Write(name, kGoodTask);
+  const std::string quoted = " '" + name + "'";
+  for (const std::string verb : {"doc", "doc --json", "check", "build --format json", "new"}) {
+    const Outcome outcome = taskc.Run(verb + quoted);
+    EXPECT_EQ(outcome.out.find('\x1b'), std::string::npos) << verb;
+    EXPECT_EQ(outcome.out.find("\u202e"), std::string::npos) << verb;
+    EXPECT_EQ(outcome.error.find('\x1b'), std::string::npos) << verb;
+    EXPECT_EQ(outcome.error.find("\u202e"), std::string::npos) << verb;
+  }
+  const Outcome json = taskc.Run("check --format json" + quoted);
+  EXPECT_EQ(nlohmann::json::parse(json.out)["tasks"][0]["file"], name);
+  const Outcome absent = taskc.Run("check 'absent\x1b[31m.task'");
+  EXPECT_NE(absent.error.find("cannot read `absent\\u001b[31m.task`"), std::string::npos);
+  taskc.Write(name, "task t for humanoid\nreward\n");
+  const Outcome wrong = taskc.Run("check --color always" + quoted);
+  EXPECT_NE(wrong.error.find(" go\\u001b[31mod\\u202e.task:2:"), std::string::npos) << wrong.error;
+}
+
 }  // namespace
 }  // namespace compiler

@@ -102,6 +102,27 @@ TEST_F(ShowTest, SaysWhatResumeRepeats) {
   EXPECT_THAT(Trainer({"show", RunFolder("run")}).output, HasSubstr("episodes   2 of 1000\n"));
 }
 
+// A task's file and the ends of its episodes have names that anyone may have chosen.
+TEST_F(ShowTest, SendsNoEscapeSequenceToATerminal) {
+  RunRecord run = SampleRun();
+  run.tasks.front().task_file = "a\x1b]0;title\x07.task";
+  RunDatabase database = RunDatabase::Create(RunFolder("run"), run);
+  EpisodeRecord episode = SampleEpisode(1);
+  episode.active.end_reason = "fell\x1b[2J\u202eover";
+  database.AddEpisode(episode, {}, {});
+  const std::string output = Trainer({"show", RunFolder("run")}).output;
+  EXPECT_THAT(output, HasSubstr("(a\\u001b]0;title\\u0007.task)\n"));
+  EXPECT_THAT(output, HasSubstr("fell\\u001b[2J\\u202eover"));
+  EXPECT_THAT(output, AllOf(Not(HasSubstr("\x1b")), Not(HasSubstr("\u202e"))));
+  const std::string text = Trainer({"show", RunFolder("run"), "--json"}).output;
+  EXPECT_THAT(text, AllOf(Not(HasSubstr("\x1b")), Not(HasSubstr("\u202e"))));
+  const auto json = nlohmann::json::parse(text);
+  EXPECT_EQ(json["task_file"], run.tasks.front().task_file);
+  EXPECT_EQ(json["ends"][0]["reason"], episode.active.end_reason);
+  const ProgramResult refused = Trainer({"show", RunFolder("absent\x1b[31m")});
+  EXPECT_THAT(refused.errors, AllOf(HasSubstr("absent\\u001b[31m"), Not(HasSubstr("\x1b"))));
+}
+
 TEST_F(ShowTest, SaysNothingOfThemWhereThereAreNone) {
   RunDatabase::Create(RunFolder("run"), SampleRun()).AddEpisode(SampleEpisode(1), {}, {});
   const std::string output = Trainer({"show", RunFolder("run")}).output;
