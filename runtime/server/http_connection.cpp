@@ -1,5 +1,7 @@
 #include "runtime/server/http_connection.h"
 
+#include <fmt/format.h>
+
 #include <boost/asio/post.hpp>
 #include <boost/asio/write.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
@@ -142,6 +144,13 @@ void HttpConnection::OnReadError(error_code error) {
 
 void HttpConnection::CheckAccess() const {
   if (entrance_ == Entrance::kUnixSocket) return;  // the system lets only its owner in
+  for (const http::field field :
+       {http::field::host, http::field::origin, http::field::authorization}) {
+    if (message().count(field) < 2) continue;
+    // Whoever stands between may have looked at the other one.
+    throw HttpError(400, fmt::format("the header `{}` is there more than once",
+                                     std::string_view(http::to_string(field))));
+  }
   const std::string_view target = message().target();
   const bool is_for_browser = target.starts_with("/?") || target.starts_with("/api/events?");
   const std::string token = is_for_browser ? QueryValue(target, "token") : "";

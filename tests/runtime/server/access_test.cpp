@@ -78,6 +78,22 @@ TEST_F(AccessTest, AnOriginMustBeOurs) {
   }
 }
 
+TEST_F(AccessTest, AHeaderThatDecidesStandsThereOnce) {
+  Start();
+  const std::string port = std::to_string(port_);
+  const std::string origin = "Origin: http://127.0.0.1:" + port + "\r\n";
+  const std::string authorization = "authorization: Bearer " + token_ + "\r\n";
+  EXPECT_EQ(Status(Credentials() + origin), 200);
+  EXPECT_EQ(Status(Credentials() + origin + "X-Other: 1\r\nX-Other: 2\r\n"), 200);
+  for (const std::string& second :
+       {std::string("Host: evil.example\r\n"), "host: 127.0.0.1:" + port + "\r\n",
+        std::string("ORIGIN: http://evil.example\r\n"), origin, authorization}) {
+    EXPECT_EQ(Status(Credentials() + origin + second), 400) << second;
+    EXPECT_EQ(Status(second + Credentials() + origin), 400) << second;
+  }
+  EXPECT_EQ(handler_.count(), 2);
+}
+
 // A wrong sender is told so before it has sent megabytes.
 TEST_F(AccessTest, IsCheckedBeforeTheBodyIsRead) {
   Start();
