@@ -8,10 +8,18 @@
 namespace runtime {
 namespace {
 
-ChildResult RunTaskc(std::vector<std::string> words, Captured captured) {
+ChildResult RunTaskc(std::vector<std::string> words, Captured captured,
+                     const std::stop_token& stop = {}) {
   const std::string compiler = CompilerProgram().string();
   words.insert(words.begin(), compiler);
-  ChildResult result = RunChild(std::move(words), captured);
+  const ChildLimits limits{.stop = stop};
+  ChildResult result = RunChild(std::move(words), captured, limits);
+  if (result.was_too_slow) {
+    throw UserError(fmt::format(
+        "{}: the compiler did not end within {} s and was killed; try `taskc build` by itself, and "
+        "give the plugin that it makes",
+        compiler, std::chrono::duration_cast<std::chrono::seconds>(limits.patience).count()));
+  }
   if (!result.error) return result;
   throw UserError(fmt::format(
       "{}: cannot run the compiler: {}; install taskc beside the trainer, or give a plugin that "
@@ -32,9 +40,9 @@ bool RunCompiler(const std::vector<std::string>& words, std::string& output) {
 }
 
 bool BuildTask(const std::filesystem::path& task, const std::filesystem::path& plugin,
-               std::string* messages) {
+               std::string* messages, const std::stop_token& stop) {
   const Captured captured = messages != nullptr ? Captured::kMessages : Captured::kNothing;
-  ChildResult result = RunTaskc({"build", task.string(), "-o", plugin.string()}, captured);
+  ChildResult result = RunTaskc({"build", task.string(), "-o", plugin.string()}, captured, stop);
   if (messages != nullptr) *messages = std::move(result.captured);
   return result.is_success;
 }

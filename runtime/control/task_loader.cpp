@@ -11,6 +11,8 @@
 namespace runtime {
 namespace {
 
+constexpr const char* kTrainerHasEnded = "the trainer has ended";
+
 // The code of a shared object runs already while it is loaded.
 std::shared_ptr<const Plugin> LoadWatched(const std::filesystem::path& file,
                                           const std::filesystem::path& name) {
@@ -37,8 +39,9 @@ TaskLoader::~TaskLoader() {
     is_ending_ = true;
     changed_.notify_one();
   }
+  stop_.request_stop();
   thread_.join();
-  for (const Job& job : jobs_) job.handler({nullptr, "", "the trainer has ended"});
+  for (const Job& job : jobs_) job.handler({nullptr, "", kTrainerHasEnded});
 }
 
 void TaskLoader::Load(std::filesystem::path file, Handler handler) {
@@ -68,7 +71,9 @@ LoadedTask TaskLoader::Load(const std::filesystem::path& file) {
     if (file.extension() != ".task") return Keep(file, file);
     const std::filesystem::path built = scratch_.path() / "task.so";
     std::string messages;
-    if (!BuildTask(file, built, &messages)) return {nullptr, "", WithoutEnd(messages)};
+    if (!BuildTask(file, built, &messages, stop_.get_token())) {
+      return {nullptr, "", stop_.stop_requested() ? kTrainerHasEnded : WithoutEnd(messages)};
+    }
     LoadedTask task = Keep(built, file);
     task.messages = WithoutEnd(messages);
     return task;

@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <stop_token>
 #include <string>
 #include <thread>
 
@@ -29,7 +30,8 @@ class TaskLoader {
   explicit TaskLoader(std::filesystem::path run_folder);
   TaskLoader(const TaskLoader&) = delete;
   TaskLoader& operator=(const TaskLoader&) = delete;
-  // Waits for the one that is being loaded; the handlers of the others are called with an error.
+  // Kills the compiler where it is at work; the handlers of what is not loaded are called with an
+  // error.
   ~TaskLoader();
 
   // Any thread; returns at once. `file`: a .task file, which is built first, or a plugin. `handler`
@@ -52,6 +54,7 @@ class TaskLoader {
   std::condition_variable changed_;
   std::deque<Job> jobs_;
   bool is_ending_ = false;
+  std::stop_source stop_;  // of the compiler
   std::thread thread_;
 };
 

@@ -1,5 +1,6 @@
 // A trainer that is talked to while it trains.
 #include <signal.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -12,6 +13,7 @@
 #include "runtime/server/control_socket.h"
 #include "tests/runtime/server/raw_client.h"
 #include "tests/runtime/trainer/trainer_test.h"
+#include "tests/scoped_environment.h"
 
 namespace runtime {
 namespace {
@@ -46,6 +48,44 @@ class ServeTest : public TrainerTest {
     return reply.value;
   }
 };
+
+// A pipe into which nobody writes, and a C++ compiler that does not end.
+TEST_F(ServeTest, NothingThatIsLoadedHoldsItUp) {
+  const std::string hang = (folder() / "hang").string();
+  const std::string number = (folder() / "number").string();
+  const std::string compiler = (folder() / "c++").string();
+  std::ofstream(compiler) << "#!/bin/sh\nif [ -e " + hang + " ]; then\n  echo $$ >" + number +
+                                 ".part; mv " + number + ".part " + number +
+                                 "; exec sleep 1000\nfi\nexec g++ \"$@\"\n";
+  std::filesystem::permissions(compiler, std::filesystem::perms::owner_all);
+  const ScopedEnvironment cxx("CXX", compiler);
+  const ScopedEnvironment cache("TASKC_CACHE", (folder() / "cache").string());
+  ChildProcess trainer(Words("train"));
+  ASSERT_TRUE(IsAnswering());
+
+  const auto swap = [&](const std::filesystem::path& file) {
+    return Ask(RunFolder("run"), {"swap", {{"name", "task"}, {"file", file.string()}}});
+  };
+  for (const char* name : {"pipe.task", "pipe.so"}) {
+    ASSERT_EQ(mkfifo((folder() / name).c_str(), 0600), 0);
+    EXPECT_THAT(swap(folder() / name).error, HasSubstr("it is a named pipe; name a regular file"));
+  }
+  EXPECT_TRUE(swap(TaskFile("leaning")).ok);
+
+  std::ofstream(hang) << "now";
+  std::thread client([&] {
+    try {
+      EXPECT_FALSE(swap(TaskFile("upright")).ok);
+    } catch (const UserError&) {  // the trainer has ended before it could answer
+    }
+  });
+  pid_t hanging = 0;
+  while (!(std::ifstream(number) >> hanging)) usleep(10'000);
+  ValueOf("stop");
+  EXPECT_EQ(trainer.Wait().exit_status, 0);
+  client.join();
+  EXPECT_EQ(kill(hanging, 0), -1);
+}
 
 TEST_F(ServeTest, ARunIsLookedAtChangedAndStopped) {
   ChildProcess trainer(Words("train"));
