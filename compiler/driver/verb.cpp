@@ -38,6 +38,9 @@ const std::vector<Verb> kVerbs = {
      "taskc doc crawling.task -o crawling.html    # one file, with the equations set\n"
      "taskc doc crawling.task --json              # params, terms, metrics; gains of rewards",
      DeclareDoc},
+    {"seal", "Seal plugins that taskc has not built, so that the trainer loads them",
+     "taskc seal mine.so   # written by hand against the ABI; its code runs when it is loaded",
+     DeclareSeal},
     {"lsp", "Serve an editor by the Language Server Protocol",
      "taskc lsp   # editors call it; docs/editors.md says how", DeclareLsp},
     {"explain", "Explain an error or a warning",

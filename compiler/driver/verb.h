@@ -37,6 +37,7 @@ Action DeclareEmit(CLI::App& app, Session& session);
 Action DeclareFmt(CLI::App& app, Session& session);
 Action DeclareLsp(CLI::App& app, Session& session);
 Action DeclareExplain(CLI::App& app, Session& session);
+Action DeclareSeal(CLI::App& app, Session& session);
 Action DeclareNew(CLI::App& app, Session& session);
 Action DeclareWatch(CLI::App& app, Session& session);
 

@@ -4,15 +4,15 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/mman.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
 #include <span>
+#include <string>
 #include <utility>
-#include <vector>
 
+#include "plugins/file/read.h"
 #include "plugins/seal/seal.h"
 #include "runtime/module/user_error.h"
 #include "runtime/task/elf_file.h"
@@ -21,7 +21,7 @@
 namespace runtime {
 namespace {
 
-constexpr off_t kLargestFile = off_t{256} << 20;  // bytes; a compiled task has some ten thousand
+constexpr size_t kLargestFile = size_t{256} << 20;  // bytes; a compiled task has some ten thousand
 
 class Descriptor {
  public:
@@ -48,25 +48,15 @@ class Descriptor {
   Refuse(file, fmt::format("{}: {}", action, std::strerror(errno)));
 }
 
-std::vector<std::byte> ReadWhole(const std::filesystem::path& file) {
-  // Without O_NONBLOCK a named pipe would make us wait for its writer.
-  const Descriptor source(open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
-  if (!source.ok()) RefuseByErrno(file, "cannot be opened");
-  struct stat status;
-  if (fstat(source.get(), &status) != 0) RefuseByErrno(file, "cannot be examined");
-  if (!S_ISREG(status.st_mode)) Refuse(file, "is no regular file");
-  if (status.st_size > kLargestFile) Refuse(file, "is too large for a compiled task");
-
-  std::vector<std::byte> content(static_cast<size_t>(status.st_size));
-  size_t done = 0;
-  while (done < content.size()) {
-    const ssize_t count = read(source.get(), content.data() + done, content.size() - done);
-    if (count < 0) RefuseByErrno(file, "cannot be read");
-    if (count == 0) break;  // it has become shorter meanwhile
-    done += static_cast<size_t>(count);
+std::string ReadWhole(const std::filesystem::path& file) {
+  std::error_code ignored;
+  if (std::filesystem::is_regular_file(file, ignored) &&
+      std::filesystem::file_size(file, ignored) > kLargestFile) {
+    Refuse(file, "is too large for a compiled task");
   }
-  content.resize(done);
-  return content;
+  file::Reading reading = file::Read(file, kLargestFile);
+  if (!reading.problem.empty()) Refuse(file, "cannot be read: " + reading.problem);
+  return std::move(reading.bytes);
 }
 
 // Anonymous memory that holds `content` and that nothing can change any more.
@@ -84,19 +74,31 @@ int PrivateCopy(const std::filesystem::path& file, std::span<const std::byte> co
   return copy.Release();
 }
 
+// Before the loader sees it: the code of a shared object runs already while it is loaded.
+void CheckSeal(const std::filesystem::path& file, const std::string& bytes) {
+  switch (seal::StateOf(bytes)) {
+    case seal::State::kIntact:
+      return;
+    case seal::State::kBroken:
+      Refuse(file,
+             "is damaged: it has changed since it was built; build the task with `taskc build`");
+    case seal::State::kAbsent:
+      Refuse(file,
+             "has no seal: taskc has not built it, and its code is not run; build the task with "
+             "`taskc build`, or, if you trust it, seal it with `taskc seal`");
+  }
+}
+
 }  // namespace
 
 Plugin::Plugin(const std::filesystem::path& file, const std::filesystem::path& name)
     : name_(name.empty() ? file : name) {
-  const std::vector<std::byte> content = ReadWhole(file);
+  const std::string bytes = ReadWhole(file);
+  const std::span<const std::byte> content = std::as_bytes(std::span(bytes));
   if (const auto defect = ElfDefect(content)) {
     Refuse(name_, *defect + "; build the task with `taskc build`");
   }
-  const std::string_view bytes(reinterpret_cast<const char*>(content.data()), content.size());
-  if (seal::StateOf(bytes) == seal::State::kBroken) {
-    Refuse(name_,
-           "is damaged: it has changed since it was built; build the task with `taskc build`");
-  }
+  CheckSeal(name_, bytes);
   copy_ = PrivateCopy(name_, content);
   try {
     Load();

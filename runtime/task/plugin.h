@@ -18,7 +18,8 @@ namespace runtime {
 class Plugin {
  public:
   // Throws UserError, naming the file and the remedy, for a file that is missing, damaged, cut off,
-  // no compiled task, built for another version of the ABI, or described by a senseless table.
+  // without a seal (plugins/seal/seal.h), no compiled task, built for another version of the ABI,
+  // or described by a senseless table. No code of a file without an intact seal is run.
   // `name`: what messages call it instead, where the file is nothing that the user knows.
   explicit Plugin(const std::filesystem::path& file, const std::filesystem::path& name = {});
   ~Plugin();

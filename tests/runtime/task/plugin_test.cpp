@@ -6,6 +6,7 @@
 
 #include <fstream>
 
+#include "plugins/seal/seal.h"
 #include "tests/runtime/task/test_plugins.h"
 
 namespace runtime {
@@ -109,16 +110,30 @@ TEST_F(PluginTest, FileThatDoesNotFitItsSealIsRefused) {
             "build`");
 }
 
+// The code of `runs_on_load` would end this process.
+TEST_F(PluginTest, CodeWithoutASealIsNotRun) {
+  const std::filesystem::path file = CopyOf("runs_on_load", "unsealed.so");
+  std::filesystem::resize_file(file, std::filesystem::file_size(file) - seal::kSize);
+  EXPECT_EQ(MessageOfLoading(file),
+            "unsealed.so: has no seal: taskc has not built it, and its code is not run; build the "
+            "task with `taskc build`, or, if you trust it, seal it with `taskc seal`");
+  std::filesystem::resize_file(file, std::filesystem::file_size(file) - 1);
+  EXPECT_THROW(Plugin{file}, UserError);
+  EXPECT_EXIT(Plugin(PluginFile("runs_on_load")), testing::ExitedWithCode(7), "");
+}
+
 TEST_F(PluginTest, MissingFileIsRefused) {
   EXPECT_EQ(MessageOfLoading(folder_ / "nowhere.so"),
-            "nowhere.so: cannot be opened: No such file or directory");
+            "nowhere.so: cannot be read: No such file or directory");
 }
 
 TEST_F(PluginTest, WhatIsNoFileIsRefused) {
   std::filesystem::create_directory(folder_ / "folder.so");
-  EXPECT_EQ(MessageOfLoading(folder_ / "folder.so"), "folder.so: is no regular file");
+  EXPECT_EQ(MessageOfLoading(folder_ / "folder.so"),
+            "folder.so: cannot be read: it is a folder; name a regular file");
   ASSERT_EQ(mkfifo((folder_ / "pipe.so").c_str(), 0600), 0);
-  EXPECT_EQ(MessageOfLoading(folder_ / "pipe.so"), "pipe.so: is no regular file");
+  EXPECT_EQ(MessageOfLoading(folder_ / "pipe.so"),
+            "pipe.so: cannot be read: it is a named pipe; name a regular file");
 }
 
 TEST_F(PluginTest, WhatIsNoSharedObjectIsRefused) {

@@ -1,0 +1,49 @@
+// taskc seal FILE.so...
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "compiler/build/file_io.h"
+#include "compiler/driver/verb.h"
+#include "plugins/file/read.h"
+#include "plugins/seal/seal.h"
+
+namespace compiler {
+namespace {
+
+ExitStatus SealFile(const std::string& file, const Session& session) {
+  file::Reading reading = file::Read(file);
+  if (!reading.problem.empty()) {
+    throw CallError(fmt::format("cannot read `{}`: {}", file, reading.problem));
+  }
+  if (!reading.bytes.starts_with("\x7f"
+                                 "ELF")) {
+    throw CallError(
+        fmt::format("`{}` is no shared object; build one against the ABI, or build a "
+                    "task with `taskc build`",
+                    file));
+  }
+  switch (seal::StateOf(reading.bytes)) {
+    case seal::State::kIntact:
+      session.Say(fmt::format("{}: is sealed already\n", file));
+      return ExitStatus::kOk;
+    case seal::State::kBroken:
+      throw CallError(fmt::format("`{}` has changed since it was sealed; build it again", file));
+    case seal::State::kAbsent:
+      break;
+  }
+  RewriteFile(file, seal::Seal(std::move(reading.bytes)));
+  return ExitStatus::kOk;
+}
+
+}  // namespace
+
+Action DeclareSeal(CLI::App& app, Session&) {
+  auto files = std::make_shared<std::vector<std::string>>();
+  app.add_option("FILE.so", *files, "plugins that you trust")->required()->type_name("...");
+  return [files](Session& call) {
+    return ForEachTask(*files, call, [&](const std::string& file) { return SealFile(file, call); });
+  };
+}
+
+}  // namespace compiler
