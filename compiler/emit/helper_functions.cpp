@@ -1,6 +1,12 @@
 #include "compiler/emit/helper_functions.h"
 
+#include <taskc/largest_reward.h>
+
 #include <array>
+
+// The number as it is written.
+#define TEXT_OF_WORD(word) #word
+#define TEXT_OF(macro) TEXT_OF_WORD(macro)
 
 namespace compiler {
 namespace {
@@ -49,9 +55,9 @@ double Max(double a, double b) { return a > b || a != a ? a : b; })"},
     {Helper::kSignInt, "Sign",
      "long long Sign(long long x) { return x > 0 ? 1 : x < 0 ? -1 : 0; }"},
     {Helper::kPay, "Pay",
-     R"(// Pays a reward term; where that does not give a finite reward, reports the term instead.
+     R"(// Pays a reward term; where that gives no finite reward, or too large a one, reports the term.
 void Pay(taskc_frame* frame, double& reward, int term, double value) {
-  if (__builtin_isfinite(reward + value)) {
+  if (__builtin_fabs(reward + value) <= )" TEXT_OF(TASKC_LARGEST_REWARD) R"() {
     reward += value;
     frame->terms[term] += value;
   } else if (frame->fault < 0) {

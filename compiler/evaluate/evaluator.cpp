@@ -1,5 +1,7 @@
 #include "compiler/evaluate/evaluator.h"
 
+#include <taskc/largest_reward.h>
+
 #include <cmath>
 
 #include "compiler/check/arithmetic.h"
@@ -91,8 +93,9 @@ void Evaluator::Run(const CheckedFor& loop) {
 void Evaluator::Run(const CheckedReward& reward) {
   double value = RealOf(EvaluateHere(reward.value));
   if (reward.is_rate) value = value * frame_.time_step;
-  // What does not give a finite reward is reported instead of paid.
-  if (!std::isfinite(frame_.reward + value)) return SetOnce(frame_.fault, reward.term);
+  // What gives no finite reward, or too large a one, is reported instead of paid.
+  const bool is_paid = std::abs(frame_.reward + value) <= TASKC_LARGEST_REWARD;
+  if (!is_paid) return SetOnce(frame_.fault, reward.term);
   frame_.reward += value;
   frame_.terms[reward.term] += value;
 }

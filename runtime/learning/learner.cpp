@@ -11,6 +11,7 @@ void Learner::StartOfEpisode() {
   reward_ = 0;
   return_ = 0;
   actions_ = 0;
+  passed_over_ = 0;
   if (end_ && ends_at_once()) {
     Finish();
   } else {

@@ -47,6 +47,9 @@ class Learner : public Module {
   // The sum of all rewards, the actions started.
   double episode_return() const { return return_ + reward_; }
   int action_count() const { return actions_; }
+  // Actions that were not learned from, because what would have been learned was not finite or too
+  // large: only a learner that diverges, or a reward that is not one, brings that about.
+  int passed_over_count() const { return passed_over_; }
   // How it ended. Precondition: an episode has ended, and no other has started since.
   const EpisodeEnd& episode_end() const { return end_.value(); }
   // The same ones from the first episode to the last.
@@ -80,6 +83,9 @@ class Learner : public Module {
   // show and what counts episodes.
   virtual void FinishEpisode() {}
 
+  // The action that is over was not learned from (passed_over_count()).
+  void NotePassedOver() { ++passed_over_; }
+
   void AddCurve(LearnerCurve curve) { curves_.push_back(std::move(curve)); }
 
  private:
@@ -102,6 +108,7 @@ class Learner : public Module {
   double reward_ = 0;                    // of the present action, so far
   double return_ = 0;                    // of the episode, without the present action
   int actions_ = 0;
+  int passed_over_ = 0;
 
   Slot<> start_of_episode_{this, "start_of_episode", Bind<&Learner::StartOfEpisode>{}};
   Slot<double> reward_slot_{this, "reward", Bind<&Learner::Reward>{}};

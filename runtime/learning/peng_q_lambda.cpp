@@ -96,7 +96,7 @@ void PengQLambda::StopLearning() {
 
 void PengQLambda::LearnFromEnd(double reward, const EpisodeEnd& end) {
   if (ends_at_once() && IsTerminal(end.kind)) {
-    q_lambda_.EndEpisode(reward, settings(), learning_rate());
+    NoteStep(q_lambda_.EndEpisode(reward, settings(), learning_rate()));
   } else {
     LearnAndSelect(reward);
   }
@@ -111,7 +111,7 @@ void PengQLambda::FinishEpisode() {
 void PengQLambda::LearnAndSelect(double reward) {
   const Eigen::VectorXd& features = features_in_();
   if (features.size() != q_lambda_.features()) PrepareTheta(static_cast<int>(features.size()));
-  q_lambda_.Step(reward, settings(), learning_rate(), features, temperature(), random_);
+  NoteStep(q_lambda_.Step(reward, settings(), learning_rate(), features, temperature(), random_));
 }
 
 void PengQLambda::Save(std::ostream& out) const {
@@ -129,13 +129,15 @@ void PengQLambda::Load(std::istream& in) {
   in >> format >> episodes >> actions >> features >> random;
   const bool sound = in && format == kFormat && in.get() == '\n' && episodes >= 0 && actions >= 0 &&
                      features >= 0 && (features == 0 || actions <= kMostElements / features);
+  const int64_t size = sound ? actions * features : 0;
+  const auto bytes = static_cast<std::streamsize>(size) * static_cast<int>(sizeof(double));
+  const bool complete = sound && in.rdbuf()->in_avail() >= bytes;
   QLambda::Matrix theta;
-  if (sound) {
+  if (complete) {
     theta.resize(actions, features);
-    in.read(reinterpret_cast<char*>(theta.data()),
-            static_cast<std::streamsize>(theta.size() * sizeof(double)));
+    in.read(reinterpret_cast<char*>(theta.data()), bytes);
   }
-  if (!sound || !in) {
+  if (!complete || !in) {
     throw UserError(fmt::format("the checkpoint of `{}` is damaged or of another version", name()));
   }
   q_lambda_ = QLambda(std::move(theta));

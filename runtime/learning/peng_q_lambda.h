@@ -49,6 +49,9 @@ class PengQLambda : public Learner {
   void FinishEpisode() override;
 
   void PrepareTheta(int features);
+  void NoteStep(bool has_learned) {
+    if (!has_learned) NotePassedOver();
+  }
   QLambda::Settings settings() const { return {discount_, trace_decay_, trace_max_}; }
 
   double discount_ = 0.9;

@@ -1,11 +1,19 @@
 #include "runtime/learning/q_lambda.h"
 
 #include <cassert>
+#include <cmath>
 #include <utility>
 
 #include "runtime/learning/boltzmann.h"
 
 namespace runtime {
+namespace {
+
+// Of theta, in one step, for a feature of 1: beyond all that rewards can be worth, and so far from
+// the largest number that no sum of such steps gets there.
+constexpr double kLargestStep = 1e100;
+
+}  // namespace
 
 QLambda::QLambda(int actions, int features) : QLambda(Matrix(Matrix::Zero(actions, features))) {}
 
@@ -39,15 +47,16 @@ void QLambda::Forget() {
   theta_.setZero();
 }
 
-void QLambda::Step(double reward, const Settings& settings, double learning_rate,
+bool QLambda::Step(double reward, const Settings& settings, double learning_rate,
                    const Eigen::VectorXd& features, double temperature, Random& random) {
   Select(features, temperature, random);
-  Learn(reward, settings, learning_rate, next_.state_value);
+  const bool has_learned = Learn(reward, settings, learning_rate, next_.state_value);
   std::swap(current_, next_);
+  return has_learned;
 }
 
-void QLambda::EndEpisode(double reward, const Settings& settings, double learning_rate) {
-  Learn(reward, settings, learning_rate, 0);
+bool QLambda::EndEpisode(double reward, const Settings& settings, double learning_rate) {
+  return Learn(reward, settings, learning_rate, 0);
 }
 
 void QLambda::Select(const Eigen::VectorXd& features, double temperature, Random& random) {
@@ -60,13 +69,16 @@ void QLambda::Select(const Eigen::VectorXd& features, double temperature, Random
   next_.state_value = values_.maxCoeff();
 }
 
-void QLambda::Learn(double reward, const Settings& settings, double learning_rate,
+bool QLambda::Learn(double reward, const Settings& settings, double learning_rate,
                     double next_value) {
   const double target = reward + settings.discount * next_value;
   const double trace_step = learning_rate * (target - current_.state_value);
   const double action_step = learning_rate * (target - current_.action_value);
-  const int taken = current_.action;
+  const bool is_sound =
+      std::abs(trace_step) <= kLargestStep && std::abs(action_step) <= kLargestStep;
+  if (!is_sound) return false;
 
+  const int taken = current_.action;
   for (const int action : traced_actions_) theta_.row(action) += trace_step * traces_.row(action);
   theta_.row(taken) += action_step * current_.features.transpose();
 
@@ -79,6 +91,7 @@ void QLambda::Learn(double reward, const Settings& settings, double learning_rat
   for (const int action : traced_actions_) {
     traces_.row(action) = (decay * traces_.row(action)).cwiseMin(settings.trace_max);
   }
+  return true;
 }
 
 }  // namespace runtime

@@ -55,12 +55,15 @@ class QLambda {
   // theta and the traces are 0 again.
   void Forget();
 
-  // Selects the next action, then learns from the one that is over.
-  void Step(double reward, const Settings& settings, double learning_rate,
+  // Selects the next action, then learns from the one that is over. Returns whether it did: what
+  // would change theta by more than any value is worth, or by what is not a number, is passed over,
+  // so that theta stays finite.
+  bool Step(double reward, const Settings& settings, double learning_rate,
             const Eigen::VectorXd& features, double temperature, Random& random);
 
   // Learns from the action that is over, in a state after which nothing is worth anything (V = 0).
-  void EndEpisode(double reward, const Settings& settings, double learning_rate);
+  // Returns as Step().
+  bool EndEpisode(double reward, const Settings& settings, double learning_rate);
 
   // The selected action, the features it was selected by, its value then and that of the best one.
   int action() const { return current_.action; }
@@ -76,7 +79,7 @@ class QLambda {
   };
 
   void Select(const Eigen::VectorXd& features, double temperature, Random& random);
-  void Learn(double reward, const Settings& settings, double learning_rate, double next_value);
+  bool Learn(double reward, const Settings& settings, double learning_rate, double next_value);
 
   Matrix theta_;
   Matrix traces_;  // E

@@ -17,6 +17,7 @@ EpisodeRecord RecordOf(const EpisodeModules& modules) {
   episode.active.episode_return = learner.episode_return();
   episode.active.end_kind = EndKindName(learner.episode_end().kind);
   episode.active.end_reason = learner.episode_end().reason;
+  episode.active.faults += learner.passed_over_count();
   for (const LearnerCurve& curve : learner.curves()) {
     episode.learner.push_back({curve.name, *curve.value});
   }

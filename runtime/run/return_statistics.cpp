@@ -1,12 +1,14 @@
 #include "runtime/run/return_statistics.h"
 
+#include <cmath>
 #include <numeric>
 
 namespace runtime {
 
 bool ReturnStatistics::IsBest(const EpisodeRecord& episode) const {
   const Evaluation& active = episode.active;
-  return active.end_kind != EndKindName(EndKind::kDiverged) && active.episode_return > best_;
+  return active.end_kind != EndKindName(EndKind::kDiverged) &&
+         std::isfinite(active.episode_return) && active.episode_return > best_;
 }
 
 void ReturnStatistics::Add(const EpisodeRecord& episode) {

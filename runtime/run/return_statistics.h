@@ -13,7 +13,8 @@ class ReturnStatistics {
  public:
   static constexpr size_t kMeanOver = 20;
 
-  // Whether `episode` beats all before it. A diverged one never does: its return means nothing.
+  // Whether `episode` beats all before it. A diverged one, or one without a finite return, never
+  // does: its return means nothing.
   bool IsBest(const EpisodeRecord& episode) const;
   void Add(const EpisodeRecord& episode);
 

@@ -1,6 +1,7 @@
 #include "runtime/run/training.h"
 
 #include <fmt/format.h>
+#include <taskc/largest_reward.h>
 
 #include "runtime/run/checkpoint.h"
 #include "runtime/run/episode.h"
@@ -37,6 +38,8 @@ Training::Training(Network& network, const RunRecord& run, RunDatabase& database
 
 void Training::Restore() {
   const std::optional<Checkpoint> checkpoint = database_.ReadCheckpoint();
+  // Before anything is deleted: of a damaged run nothing is.
+  const std::vector<EpisodeRecord> episodes = database_.ReadEpisodes();
   const std::set<std::string> left_out = hooks_.BeforeRestore(checkpoint ? checkpoint->episode : 0);
   if (checkpoint) {
     LoadModules(network_, checkpoint->state, left_out);
@@ -45,7 +48,9 @@ void Training::Restore() {
   tasks_ = FindTaskModules(network_, learner_);
   database_.DeleteEpisodesAfter(episodes_done_);
   database_.SetLearnerCurves(CurvesOf(learner_));
-  for (const EpisodeRecord& episode : database_.ReadEpisodes()) statistics_.Add(episode);
+  for (const EpisodeRecord& episode : episodes) {
+    if (episode.number <= episodes_done_) statistics_.Add(episode);
+  }
   hooks_.AfterRestore(statistics_);
 }
 
@@ -129,7 +134,8 @@ void Training::WarnAbout(const EpisodeRecord& episode) {
         "learned from",
         episode.number, episode.simulated_seconds));
   }
-  if (episode.active.faults > 0) WarnAboutFaults(episode);
+  if (tasks_.active->fault_count() > 0) WarnAboutFaults(episode);
+  if (learner_.passed_over_count() > 0) WarnAboutLearner(episode);
   if (episode.active.violations > 0) WarnAboutViolations(episode);
 }
 
@@ -143,7 +149,16 @@ void Training::WarnAboutFaults(const EpisodeRecord& episode) {
     terms += fmt::format("{}`{}` ({}) {}x, first at {:.3f} s", terms.empty() ? "" : "; ", term.name,
                          PlaceText(task.plugin(), term.place), faults.count, faults.first_time);
   }
-  Warn(fmt::format("warning: episode {}: not finite and so not paid: {}", episode.number, terms));
+  if (terms.empty()) terms = fmt::format("what `{}` pays in one event", task.plugin().name);
+  Warn(fmt::format("warning: episode {}: not finite, or beyond {:g}, and so not paid: {}",
+                   episode.number, TASKC_LARGEST_REWARD, terms));
+}
+
+void Training::WarnAboutLearner(const EpisodeRecord& episode) {
+  Warn(fmt::format(
+      "warning: episode {}: {} of {} actions were not learned from, since that gave no finite "
+      "values: the learner diverges; lower `{}.learning_rate`, or the rewards",
+      episode.number, learner_.passed_over_count(), episode.actions, learner_.name()));
 }
 
 void Training::WarnAboutViolations(const EpisodeRecord& episode) {

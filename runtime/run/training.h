@@ -55,6 +55,7 @@ class Training {
   void Warn(const std::string& text);
   void WarnAbout(const EpisodeRecord& episode);
   void WarnAboutFaults(const EpisodeRecord& episode);
+  void WarnAboutLearner(const EpisodeRecord& episode);
   void WarnAboutViolations(const EpisodeRecord& episode);
   std::optional<Recording> RecordingOf(const EpisodeRecord& episode) const;
   std::optional<Checkpoint> CheckpointIfDue(bool is_last_episode);

@@ -1,6 +1,7 @@
 #include "runtime/task/task_instance.h"
 
 #include <fmt/format.h>
+#include <taskc/largest_reward.h>
 
 #include <algorithm>
 #include <cassert>
@@ -171,7 +172,8 @@ void TaskInstance::CountFault() {
     Count(faults_[static_cast<size_t>(frame_.fault)], time_);
     ++fault_count_;
   }
-  if (!std::isfinite(frame_.reward)) {
+  const bool is_paid = std::abs(frame_.reward) <= TASKC_LARGEST_REWARD;
+  if (!is_paid) {
     frame_.reward = 0;
     ++fault_count_;
   }

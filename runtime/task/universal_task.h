@@ -112,7 +112,8 @@ class UniversalTask : public Module {
   std::span<const double> term_sums() const { return instance_->term_sums(); }
   std::span<const Incidents> faults() const { return instance_->faults(); }
   std::span<const Incidents> violations() const { return instance_->violations(); }
-  // All that was not paid: those of the terms, and sums of finite terms that were not finite.
+  // All that was not paid: those of the terms, and sums of an event's terms that were not finite or
+  // too large (taskc/largest_reward.h). So the return is finite.
   int64_t fault_count() const { return instance_->fault_count(); }
   // Whether an episode has ended for this task since its last start.
   bool has_ended() const { return episode_is_over_; }

@@ -338,19 +338,22 @@ on end_of_action {
   EXPECT_EQ(instance.Term("reward"), 0.5);
 }
 
-TEST(Plugin, KeepsTheSumOfFinitePaymentsFinite) {
+TEST(Plugin, PaysNothingThatMakesTheRewardTooLarge) {
   CompiledTask task(R"(task huge
-param size: real = 1e308
+param size: real = 1e30
 on end_of_action {
-  reward first = size
-  reward second = size
-  end_episode success "paid"
+  reward first = -size
+  reward second = -size
+  reward third = 1e308
 }
 )");
   Instance instance(task);
   instance.Fire(TASKC_END_OF_ACTION);
-  EXPECT_EQ(instance.reward(), 1e308);
+  EXPECT_EQ(instance.reward(), -TASKC_LARGEST_REWARD);
   EXPECT_EQ(instance.fault(), 1);
+  EXPECT_EQ(instance.Term("first"), -TASKC_LARGEST_REWARD);
+  EXPECT_EQ(instance.Term("second"), 0);
+  EXPECT_EQ(instance.Term("third"), 0);
 }
 
 TEST(Plugin, MayNameThingsLikeWordsOfCpp) {

@@ -145,6 +145,15 @@ TEST(Evaluator, DoesNotPayWhatIsNotFinite) {
   EXPECT_EQ(run.frame().fault, -1);
 }
 
+TEST(Evaluator, DoesNotPayWhatMakesTheRewardTooLarge) {
+  Evaluation run(
+      "on end_of_time_step { reward one = 1e30  reward bad = 1e29  reward more = -1 }\n");
+  run.Step();
+  EXPECT_EQ(run.frame().reward, 1e30 - 1);
+  EXPECT_EQ(run.frame().fault, 1);
+  EXPECT_THAT(run.frame().terms, ElementsAre(1e30, 0, -1));
+}
+
 TEST(Evaluator, TakesTheFirstBranchThatHolds) {
   Evaluation run(
       "memory branch: int = 0\non end_of_time_step {\n"

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstring>
+#include <limits>
 #include <vector>
 
 namespace runtime {
@@ -91,6 +93,33 @@ TEST_F(ThreeActions, StartOfEpisodeForgetsTheTracesAndKeepsTheta) {
   q_.StartEpisode(phi0_, kUniformly, random_);
   EXPECT_TRUE(q_.traces().isZero(0));
   EXPECT_EQ(q_.theta(), theta);
+}
+
+TEST_F(ThreeActions, PassOverWhatWouldNotBeFinite) {
+  q_.StartEpisode(phi0_, kUniformly, random_);
+  const Matrix theta = q_.theta();
+  for (const double reward : {std::numeric_limits<double>::infinity(), std::nan(""), -1e200}) {
+    EXPECT_FALSE(q_.Step(reward, settings_, kAlpha, phi1_, kUniformly, random_));
+    EXPECT_FALSE(q_.EndEpisode(reward, settings_, kAlpha));
+    EXPECT_EQ(q_.theta(), theta);
+    EXPECT_TRUE(q_.traces().isZero(0));
+  }
+  EXPECT_TRUE(q_.Step(1, settings_, kAlpha, phi0_, kUniformly, random_));
+  EXPECT_NE(q_.theta(), theta);
+}
+
+// Each step makes the error of the next one larger, for ever.
+TEST(QLambda, ALearnerThatDivergesStaysFinite) {
+  const VectorXd phi = Vector2d(1, 1);
+  Random random(1);
+  QLambda q(1, 2);
+  q.StartEpisode(phi, kUniformly, random);
+  int passed_over = 0;
+  for (int step = 0; step < 2000; ++step) {
+    if (!q.Step(1, {}, 100, phi, kUniformly, random)) ++passed_over;
+  }
+  EXPECT_GT(passed_over, 0);
+  EXPECT_TRUE(q.theta().allFinite());
 }
 
 // gamma lambda = 0.81: 0.81, then 0.81 * 1.81 = 1.4661, which is cut to 1. Only the upper side is.

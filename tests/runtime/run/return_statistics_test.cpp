@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <limits>
+
 #include "tests/runtime/run/sample_run.h"
 
 namespace runtime {
@@ -39,6 +42,15 @@ TEST(ReturnStatistics, KnowTheFirstOfTheBestEpisodes) {
   statistics.Add(EpisodeWith(3, 3));
   EXPECT_EQ(statistics.best(), 3);
   EXPECT_EQ(statistics.best_episode(), 2);
+}
+
+TEST(ReturnStatistics, TakeNoEpisodeForTheBestWhoseReturnIsNotFinite) {
+  ReturnStatistics statistics;
+  for (const double bad : {std::numeric_limits<double>::infinity(), std::nan("")}) {
+    EXPECT_FALSE(statistics.IsBest(EpisodeWith(1, bad)));
+    statistics.Add(EpisodeWith(1, bad));
+  }
+  EXPECT_EQ(statistics.best_episode(), 0);
 }
 
 TEST(ReturnStatistics, TakeNoDivergedEpisodeForTheBest) {

@@ -277,6 +277,18 @@ TEST_F(UniversalTaskTest, SumOfFiniteTermsThatIsNotFiniteIsNotPaidButCounted) {
   EXPECT_EQ(task_->fault_count(), 1);
 }
 
+TEST_F(UniversalTaskTest, SumOfAnEventThatIsTooLargeIsNotPaidSoThatNoReturnOverflows) {
+  environment_.values("joint.angle") = {0.75e30, 0};
+  task_->on_start_of_episode();
+  task_->on_start_of_action();
+  EXPECT_EQ(task_->episode_return(), 0.75e30);
+  environment_.values("joint.angle") = {-0.75e30, -0.75e30};
+  task_->on_start_of_action();
+  EXPECT_THAT(TakeRewards(), ElementsAre(0, 0.75e30, 0));
+  EXPECT_EQ(task_->episode_return(), 0.75e30);
+  EXPECT_EQ(task_->fault_count(), 1);
+}
+
 TEST_F(UniversalTaskTest, ParamsAreTheModulesParameters) {
   EXPECT_EQ(task_->Get("gain"), ParameterValue(2.0));
   EXPECT_EQ(task_->Get("bonus"), ParameterValue(int64_t{3}));

@@ -31,12 +31,48 @@ TEST_F(FailureTest, WarnsOfRewardsThatAreNotFinite) {
                                         "--episodes", "2", "--quiet", "--out", RunFolder("run")});
   ASSERT_EQ(result.exit_status, 0) << result.errors;
   EXPECT_THAT(result.errors,
-              HasSubstr("warning: episode 2: not finite and so not paid: `quotient` (" +
+              HasSubstr("warning: episode 2: not finite, or beyond 1e+30, and so not paid: "
+                        "`quotient` (" +
                         TaskFile("faulty") + ":8) 1x, first at 0.025 s"));
   for (const EpisodeRecord& episode : RunDatabase::OpenToRead(RunFolder("run")).ReadEpisodes()) {
     EXPECT_EQ(episode.active.faults, 1);
     EXPECT_EQ(episode.active.episode_return, 0);
   }
+}
+
+// The learner goes on as if those rewards had never been.
+TEST_F(FailureTest, ASumOfRewardsThatOverflowsCostsTheLearnerNothing) {
+  const auto train = [&](const std::string& name, const std::string& is_sound) {
+    const ProgramResult result =
+        Trainer({"train", TaskFile("overflowing"), "--profile", "fast", "--episodes", "5",
+                 "--quiet", "--set", "task.is_sound=" + is_sound, "--out", RunFolder(name)});
+    EXPECT_EQ(result.exit_status, 0) << result.errors;
+    return result.errors;
+  };
+  EXPECT_EQ(train("sound", "true"), "");
+  EXPECT_THAT(train("run", "false"),
+              AllOf(HasSubstr("warning: episode 2: not finite, or beyond 1e+30, and so not paid: "
+                              "`huge` (" +
+                              TaskFile("overflowing") + ":11) 21x, first at 0 s"),
+                    Not(HasSubstr("episode 3"))));
+  const auto episodes = RunDatabase::OpenToRead(RunFolder("run")).ReadEpisodes();
+  const auto sound = RunDatabase::OpenToRead(RunFolder("sound")).ReadEpisodes();
+  ASSERT_EQ(episodes.size(), 5u);
+  EXPECT_GT(episodes[1].active.faults, 0);
+  for (size_t i = 0; i < 5; ++i) {
+    EXPECT_EQ(episodes[i].active.episode_return, sound[i].active.episode_return);
+    EXPECT_EQ(episodes[i].active.terms, sound[i].active.terms);
+  }
+}
+
+TEST_F(FailureTest, WarnsOfALearnerThatDiverges) {
+  std::vector<std::string> words = Training("run", 20, {"--set", "learner.learning_rate=1e20"});
+  words.insert(words.end(), {"--set", "learner.learning_rate_min=1e20", "--quiet"});
+  const ProgramResult result = Trainer(words);
+  ASSERT_EQ(result.exit_status, 0) << result.errors;
+  EXPECT_THAT(result.errors, AllOf(HasSubstr("actions were not learned from"),
+                                   HasSubstr("lower `learner.learning_rate`")));
+  EXPECT_GT(RunDatabase::OpenToRead(RunFolder("run")).ReadEpisodes().back().active.faults, 0);
 }
 
 TEST_F(FailureTest, GoesOnAfterASimulationThatDiverged) {

@@ -71,7 +71,7 @@ export function showProvenance(report: Report): void {
   for (const [key, value] of Object.entries(report.run)) {
     if (!known.has(key)) table.append(row(key, value));
   }
-  table.append(row("Faults", `${formatCount(report.faults)} rewards were not finite and not paid`));
+  table.append(row("Faults", `${formatCount(report.faults)} rewards, or steps of learning, were not finite or too large, and left out`));
   if (report.violations > 0) {
     table.append(
       row("Violations", `${formatCount(report.violations)} times what the task requires did not hold`),
