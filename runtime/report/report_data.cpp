@@ -107,8 +107,8 @@ void AddEvaluations(const std::filesystem::path& run_dir, json& data) {
 
 json CollectReportData(const std::filesystem::path& run_dir) {
   const RunDatabase database = RunDatabase::OpenToRead(run_dir);
-  const RunRecord run = database.ReadRun();
   const std::vector<EpisodeRecord> episodes = database.ReadEpisodes();
+  const RunRecord run = database.ReadRun();  // after them: so all their tasks are among its own
   if (episodes.empty()) {
     throw UserError(fmt::format(
         "{}: the run has no finished episode yet; wait for the first one, then ask for the report",
@@ -133,7 +133,7 @@ json CollectReportData(const std::filesystem::path& run_dir) {
   AddEnds(episodes, data);
   AddTotals(episodes, data);
   AddChanges(run, episodes, database.ReadChanges(), data);
-  AddRecordings(run_dir, database, run.body, episodes, data);
+  AddRecordings(database, run.body, episodes, data);
   AddEvaluations(run_dir, data);
   return data;
 }

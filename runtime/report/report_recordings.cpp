@@ -9,7 +9,6 @@
 #include "runtime/report/choose_recordings.h"
 #include "runtime/run/recorded_poses.h"
 #include "runtime/run/recorder.h"
-#include "runtime/run/sqlite.h"
 
 namespace runtime {
 namespace {
@@ -20,23 +19,15 @@ constexpr size_t kBudget = 8 << 20;   // of all recordings in the page [bytes]
 constexpr size_t kMaximumCount = 40;  // more marks than that hide the learning curve
 constexpr double kBase64Growth = 4. / 3;
 
-// The links' shapes as the run has noted them (body_json.h); empty where it has not.
-json BodyOf(const std::string& text) {
-  json body = json::parse(text, nullptr, false);
-  return body.is_array() ? body : json::array();
-}
-
 // What can be replayed: recordings of the episodes that the page shows.
-std::vector<RecordingEntry> ListRecordings(const std::filesystem::path& run_dir,
+std::vector<RecordingEntry> ListRecordings(const RunDatabase& database,
                                            const std::vector<EpisodeRecord>& episodes) {
-  const SqliteDatabase database(run_dir / "run.db", SqliteAccess::kRead);
-  SqliteStatement query(database,
-                        "SELECT episode, return, frames FROM recording JOIN evaluation "
-                        "USING (episode) WHERE is_active ORDER BY episode",
-                        "list the recordings");
   std::vector<RecordingEntry> entries;
-  while (query.Step() && query.Integer(0) <= episodes.back().number) {
-    entries.push_back({query.Integer(0), query.Real(1), static_cast<size_t>(query.Integer(2))});
+  for (const RecordedEpisode& each : database.ReadRecordedEpisodes()) {
+    if (each.number > episodes.back().number) break;
+    const EpisodeRecord& episode = episodes[static_cast<size_t>(each.number - 1)];
+    entries.push_back(
+        {each.number, episode.active.episode_return, static_cast<size_t>(each.frames)});
   }
   return entries;
 }
@@ -60,15 +51,14 @@ std::vector<RecordingEntry> WithSizes(std::vector<RecordingEntry> entries, size_
 
 }  // namespace
 
-void AddRecordings(const std::filesystem::path& run_dir, const RunDatabase& database,
-                   const std::string& body, const std::vector<EpisodeRecord>& episodes,
-                   json& data) {
-  data["body"] = BodyOf(body);
+void AddRecordings(const RunDatabase& database, const std::string& body,
+                   const std::vector<EpisodeRecord>& episodes, json& data) {
+  data["body"] = json::parse(body);
   json& notes = data["notes"] = json::array();
   json& recordings = data["recordings"] = json::array();
   const size_t frame_size = data["body"].size() * Recorder::kFloatsPerLink;
   const std::vector<RecordingEntry> entries =
-      WithSizes(ListRecordings(run_dir, episodes), frame_size);
+      WithSizes(ListRecordings(database, episodes), frame_size);
   if (entries.empty()) return;
   if (frame_size == 0) {
     notes.push_back("The run does not say which shapes the robot has, so there is no replay.");
@@ -77,9 +67,9 @@ void AddRecordings(const std::filesystem::path& run_dir, const RunDatabase& data
   const std::vector<size_t> chosen = ChooseRecordings(entries, kBudget, kMaximumCount);
   for (const size_t index : chosen) {
     const int64_t episode = entries[index].episode;
-    const std::optional<Recording> stored = database.ReadRecording(episode);
-    if (!stored) continue;  // deleted since it was listed
     try {
+      const std::optional<Recording> stored = database.ReadRecording(episode);
+      if (!stored) continue;  // deleted since it was listed
       json recording = EncodeRecording(*stored, data["body"].size());
       recording["episode"] = episode;
       recording["best"] = index == BestRecording(entries);

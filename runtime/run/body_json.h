@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,8 +14,8 @@ namespace runtime {
 // 0|1|2}.
 std::string BodyJson(const robot::RobotDescription& robot);
 
-// The links of BodyJson(), with their names and shapes and nothing else; none where the text is not
-// such a list.
-std::vector<robot::Link> ParseBody(const std::string& json);
+// The links of BodyJson(), with their names and shapes and nothing else; nothing where the text is
+// not such a list, or has a shape that no link can have.
+std::optional<std::vector<robot::Link>> ParseBody(const std::string& json);
 
 }  // namespace runtime

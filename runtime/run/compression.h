@@ -8,6 +8,7 @@
 
 namespace runtime {
 
+// With a checksum of `bytes`.
 std::string Compress(std::span<const std::byte> bytes);
 
 // `what` names the blob in the UserError that is thrown where it is damaged.

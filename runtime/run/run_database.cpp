@@ -7,6 +7,7 @@
 #include "runtime/run/run_database_impl.h"
 #include "runtime/run/run_files.h"
 #include "runtime/run/run_schema.h"
+#include "runtime/run/sealed_state.h"
 
 namespace runtime {
 namespace {
@@ -126,7 +127,8 @@ RunDatabase RunDatabase::OpenToRead(const std::filesystem::path& folder) {
 }
 
 void RunDatabase::Impl::WriteCheckpoint(const Checkpoint& checkpoint) {
-  write->checkpoint.Bind(checkpoint.episode, Bytes(checkpoint.state)).Run();
+  const std::string sealed = SealState(checkpoint.episode, checkpoint.state);
+  write->checkpoint.Bind(checkpoint.episode, Bytes(sealed)).Run();
 }
 
 void RunDatabase::Impl::WriteRun(const RunRecord& run) {

@@ -1,7 +1,8 @@
 // The database of one run: DIR/run.db (schema.sql). One program writes it, any number read it at
 // the same time (write-ahead log). What was saved once stays, whatever happens to the trainer.
 //
-// All functions throw UserError, naming the file, what failed and the remedy.
+// All functions throw UserError, naming the file, what failed and the remedy. Those that read check
+// what they read: of a database that was damaged they give what is right, or throw.
 #pragma once
 
 #include <filesystem>
@@ -41,8 +42,8 @@ class RunDatabase {
   std::optional<Checkpoint> ReadCheckpoint() const;
   int64_t ReadCheckpointEpisode() const;  // from which a run goes on; 0 if there is no checkpoint
   std::optional<Recording> ReadRecording(int64_t episode) const;
-  int64_t ReadLastRecordedEpisode() const;            // 0 if there is none
-  std::vector<int64_t> ReadRecordedEpisodes() const;  // ascending
+  int64_t ReadLastRecordedEpisode() const;                    // 0 if there is none
+  std::vector<RecordedEpisode> ReadRecordedEpisodes() const;  // ascending
 
   // All of these at once or nothing.
   void AddEpisode(const EpisodeRecord& episode, const std::optional<Recording>& recording,

@@ -1,224 +1,163 @@
-#include <algorithm>
-#include <charconv>
-#include <utility>
+#include <fmt/format.h>
 
+#include <charconv>
+#include <limits>
+#include <map>
+#include <string_view>
+
+#include "runtime/module/user_error.h"
+#include "runtime/run/body_json.h"
+#include "runtime/run/change_data.h"
+#include "runtime/run/read_episodes.h"
+#include "runtime/run/read_learner.h"
+#include "runtime/run/read_tasks.h"
 #include "runtime/run/run_database_impl.h"
+#include "runtime/run/sealed_state.h"
+#include "runtime/run/table_reader.h"
 
 namespace runtime {
 namespace {
 
-// A number as `run` holds it.
-template <class Number>
-Number ParseNumber(const std::string& text) {
-  Number number{};
-  std::from_chars(text.data(), text.data() + text.size(), number);
-  return number;
-}
-
-std::vector<CurveRecord> ReadCurves(const SqliteDatabase& database, const char* query,
-                                    int64_t task) {
-  std::vector<CurveRecord> curves;
-  SqliteStatement row(database, query, "read the run");
-  row.Bind(task);
-  while (row.Step()) curves.push_back({row.Text(0), row.Text(1), row.Text(2), row.Text(3)});
-  return curves;
-}
-
-// What belongs to the task with this id.
-void ReadParts(const SqliteDatabase& database, TaskRecord& task) {
-  SqliteStatement term(database, "SELECT name, doc FROM term WHERE task = ? ORDER BY id",
-                       "read the run");
-  term.Bind(task.id);
-  while (term.Step()) task.terms.push_back({term.Text(0), term.Text(1)});
-  SqliteStatement source(database, "SELECT file, text FROM source WHERE task = ? ORDER BY id",
-                         "read the run");
-  source.Bind(task.id);
-  while (source.Step()) task.sources.push_back({source.Text(0), source.Text(1)});
-  task.metrics = ReadCurves(
-      database, "SELECT name, unit, reduction, doc FROM metric WHERE task = ? ORDER BY id",
-      task.id);
-  task.logs = ReadCurves(
-      database, "SELECT name, unit, reduction, doc FROM log WHERE task = ? ORDER BY id", task.id);
-}
-
-std::vector<TaskRecord> ReadTasks(const SqliteDatabase& database) {
-  std::vector<TaskRecord> tasks;
-  SqliteStatement row(database,
-                      "SELECT id, module, name, file, hash, plugin, compiler FROM task ORDER BY id",
-                      "read the run");
-  while (row.Step()) {
-    TaskRecord& task = tasks.emplace_back();
-    task.id = row.Integer(0);
-    task.module = row.Text(1);
-    task.task = row.Text(2);
-    task.task_file = row.Text(3);
-    task.task_hash = row.Text(4);
-    task.plugin = row.Text(5);
-    task.compiler = row.Text(6);
-    ReadParts(database, task);
+// What several statements read is of one moment, also while a trainer writes.
+class Moment {
+ public:
+  explicit Moment(SqliteDatabase& database) : database_(database) {
+    database_.Execute("BEGIN", "read the run");
   }
-  return tasks;
-}
+  Moment(const Moment&) = delete;
+  Moment& operator=(const Moment&) = delete;
+  ~Moment() { sqlite3_exec(database_.handle(), "ROLLBACK", nullptr, nullptr, nullptr); }
 
-// An evaluation by what its rows are ordered by.
-struct EvaluationPlace {
-  int64_t episode;
-  Evaluation* evaluation;
-
-  std::pair<int64_t, int64_t> key() const { return {episode, evaluation->task}; }
+ private:
+  SqliteDatabase& database_;
 };
 
-std::vector<EvaluationPlace> InTheOrderOfRows(std::vector<EpisodeRecord>& episodes) {
-  std::vector<EvaluationPlace> places;
-  for (EpisodeRecord& episode : episodes) {
-    const auto first = static_cast<std::ptrdiff_t>(places.size());
-    places.push_back({episode.number, &episode.active});
-    for (Evaluation& shadow : episode.shadows) places.push_back({episode.number, &shadow});
-    std::sort(places.begin() + first, places.end(),
-              [](const auto& a, const auto& b) { return a.key() < b.key(); });
+// The table `run`.
+class RunValues {
+ public:
+  explicit RunValues(const SqliteDatabase& database) : database_(database) {
+    TableReader row(database, "run", "key, value", "ORDER BY key");
+    while (row.Next()) {
+      const std::string key = row.Name(0);
+      if (!values_.try_emplace(key, row.Text(1)).second) row.FailAt(0, "is there twice");
+    }
   }
-  return places;
-}
 
-// Takes over what each task says of the `episodes`, which are ascending.
-void ReadEvaluations(const SqliteDatabase& database, std::vector<EpisodeRecord>& episodes) {
-  SqliteStatement row(database,
-                      "SELECT episode, task, is_active, return, end_kind, end_reason, faults, "
-                      "violations FROM evaluation ORDER BY episode, task",
-                      "read the episodes");
-  auto episode = episodes.begin();
-  while (row.Step()) {
-    while (episode != episodes.end() && episode->number < row.Integer(0)) ++episode;
-    if (episode == episodes.end()) return;  // added after they were read
-    Evaluation& evaluation =
-        row.Integer(2) != 0 ? episode->active : episode->shadows.emplace_back();
-    evaluation.task = row.Integer(1);
-    evaluation.episode_return = row.Real(3);
-    evaluation.end_kind = row.Text(4);
-    evaluation.end_reason = row.Text(5);
-    evaluation.faults = row.Integer(6);
-    evaluation.violations = row.Integer(7);
+  std::string Find(const std::string& key) const {  // "" if there is none
+    const auto found = values_.find(key);
+    return found == values_.end() ? std::string() : found->second;
   }
-}
 
-// Appends the rows of `query`, episode, task and value in this order, to `member`.
-void ReadValues(const SqliteDatabase& database, const char* query,
-                const std::vector<EvaluationPlace>& places,
-                std::vector<double> Evaluation::*member) {
-  SqliteStatement row(database, query, "read the episodes");
-  auto place = places.begin();
-  while (row.Step()) {
-    const std::pair key(row.Integer(0), row.Integer(1));
-    while (place != places.end() && place->key() < key) ++place;
-    if (place == places.end()) return;  // added after the episodes were read
-    (place->evaluation->*member).push_back(row.Real(2));
+  const std::string& Text(const std::string& key) const {
+    const auto found = values_.find(key);
+    if (found == values_.end()) Fail(fmt::format("has no `{}`", key));
+    return found->second;
   }
-}
 
-bool HasLearnerCurves(const SqliteDatabase& database) {
-  return SqliteStatement(database, "SELECT 1 FROM sqlite_master WHERE name = 'learner_curve'",
-                         "read the run")
-      .Step();
-}
-
-// What the learner has shown of the `episodes`, which are ascending.
-void ReadLearner(const SqliteDatabase& database, std::vector<EpisodeRecord>& episodes) {
-  if (!HasLearnerCurves(database)) return;
-  SqliteStatement row(
-      database,
-      "SELECT episode, name, value FROM learner_value JOIN learner_curve ON curve = "
-      "id ORDER BY episode, curve",
-      "read the episodes");
-  auto episode = episodes.begin();
-  while (row.Step()) {
-    while (episode != episodes.end() && episode->number < row.Integer(0)) ++episode;
-    if (episode == episodes.end()) return;  // added after they were read
-    episode->learner.push_back({row.Text(1), row.Real(2)});
+  template <class Number>
+  Number NotNegative(const std::string& key) const {
+    const std::string& text = Text(key);
+    const char* const end = text.data() + text.size();
+    Number number{};
+    const auto [rest, error] = std::from_chars(text.data(), end, number);
+    const bool is_number = error == std::errc() && rest == end && number >= Number{0};
+    if (!is_number) Fail(fmt::format("says that `{}` is `{:.40}`", key, text));
+    return number;
   }
+
+  RunState State() const {
+    const std::string& state = Text("state");
+    for (const RunState each : {RunState::kRunning, RunState::kInterrupted, RunState::kFinished}) {
+      if (state == RunStateName(each)) return each;
+    }
+    Fail(fmt::format("says that `state` is `{:.40}`", state));
+  }
+
+  [[noreturn]] void Fail(std::string_view what) const {
+    ThrowDamaged(database_, fmt::format("the table `run` {}", what));
+  }
+
+ private:
+  const SqliteDatabase& database_;
+  std::map<std::string, std::string> values_;
+};
+
+int64_t LastEpisode(SqliteDatabase& database) {
+  return database.QueryInteger("SELECT max(number) FROM episode", "read the episodes");
 }
 
 }  // namespace
 
 std::string RunDatabase::ReadValue(const std::string& key) const {
-  SqliteStatement query(*impl_->database, "SELECT value FROM run WHERE key = ?", "read the run");
-  return query.Bind(std::string_view(key)).Step() ? query.Text(0) : std::string();
+  return RunValues(*impl_->database).Find(key);
 }
 
 RunRecord RunDatabase::ReadRun() const {
+  const Moment moment(*impl_->database);
+  const RunValues values(*impl_->database);
   RunRecord run;
-  for (const TextKey& text : kTexts) run.*text.member = ReadValue(text.key);
-  run.seed = ParseNumber<uint64_t>(ReadValue("seed"));
-  run.episodes_planned = ParseNumber<int64_t>(ReadValue("episodes_planned"));
-  run.record_every = ParseNumber<int64_t>(ReadValue("record_every"));
-  run.checkpoint_seconds = ParseNumber<double>(ReadValue("checkpoint_seconds"));
+  for (const TextKey& text : kTexts) run.*text.member = values.Text(text.key);
+  run.seed = values.NotNegative<uint64_t>("seed");
+  run.episodes_planned = values.NotNegative<int64_t>("episodes_planned");
+  run.record_every = values.NotNegative<int64_t>("record_every");
+  run.checkpoint_seconds = values.NotNegative<double>("checkpoint_seconds");
+  if (!ParseBody(run.body)) values.Fail("has a `body` that is none");
   run.tasks = ReadTasks(*impl_->database);
   return run;
 }
 
 RunState RunDatabase::ReadState() const {
-  const std::string state = ReadValue("state");
-  if (state == RunStateName(RunState::kFinished)) return RunState::kFinished;
+  const RunState state = RunValues(*impl_->database).State();
+  if (state == RunState::kFinished) return state;
   const bool has_trainer = impl_->lock.has_value() || FolderLock::IsTaken(impl_->folder);
-  return state == RunStateName(RunState::kRunning) && has_trainer ? RunState::kRunning
-                                                                  : RunState::kInterrupted;
+  return state == RunState::kRunning && has_trainer ? state : RunState::kInterrupted;
 }
 
 std::vector<EpisodeRecord> RunDatabase::ReadEpisodes() const {
   const SqliteDatabase& database = *impl_->database;
-  std::vector<EpisodeRecord> episodes;
-  SqliteStatement query(
-      database,
-      "SELECT number, steps, actions, simulated_seconds, wall_seconds, cpu_seconds "
-      "FROM episode ORDER BY number",
-      "read the episodes");
-  while (query.Step()) {
-    EpisodeRecord& episode = episodes.emplace_back();
-    episode.number = query.Integer(0);
-    episode.steps = query.Integer(1);
-    episode.actions = query.Integer(2);
-    episode.simulated_seconds = query.Real(3);
-    episode.wall_seconds = query.Real(4);
-    episode.cpu_seconds = query.Real(5);
-  }
-  ReadEvaluations(database, episodes);
-  const std::vector<EvaluationPlace> places = InTheOrderOfRows(episodes);
-  ReadValues(database, "SELECT episode, task, sum FROM evaluation_term ORDER BY episode, task, id",
-             places, &Evaluation::terms);
-  ReadValues(database,
-             "SELECT episode, task, value FROM evaluation_metric ORDER BY episode, task, id",
-             places, &Evaluation::metrics);
-  ReadValues(database, "SELECT episode, task, value FROM evaluation_log ORDER BY episode, task, id",
-             places, &Evaluation::logs);
-  ReadLearner(database, episodes);
+  const Moment moment(*impl_->database);
+  std::vector<EpisodeRecord> episodes = runtime::ReadEpisodes(database, ReadTasks(database));
+  ReadLearnerValues(database, episodes);
   return episodes;
 }
 
 std::vector<CurveRecord> RunDatabase::ReadLearnerCurves() const {
-  std::vector<CurveRecord> curves;
-  if (!HasLearnerCurves(*impl_->database)) return curves;
-  SqliteStatement row(*impl_->database, "SELECT name, unit, doc FROM learner_curve ORDER BY id",
-                      "read the learner's curves");
-  while (row.Step()) curves.push_back({row.Text(0), row.Text(1), "", row.Text(2)});
-  return curves;
+  return runtime::ReadLearnerCurves(*impl_->database);
 }
 
 std::vector<ChangeRecord> RunDatabase::ReadChanges() const {
+  const Moment moment(*impl_->database);
+  const auto task_count = static_cast<int64_t>(ReadTasks(*impl_->database).size());
   std::vector<ChangeRecord> changes;
-  SqliteStatement row(*impl_->database,
-                      "SELECT id, episode, step, at, kind, text, data FROM change ORDER BY id",
-                      "read the changes");
-  while (row.Step()) {
-    changes.push_back({row.Integer(0), row.Integer(1), row.Integer(2), row.Text(3), row.Text(4),
-                       row.Text(5), row.Text(6)});
+  TableReader row(*impl_->database, "change", "id, episode, step, at, kind, text, data",
+                  "ORDER BY id");
+  while (row.Next()) {
+    const auto next = static_cast<int64_t>(changes.size()) + 1;
+    changes.push_back({row.Whole(0, next, next), row.Whole(1, 1),
+                       row.Whole(2, 0, std::numeric_limits<int64_t>::max()), row.Text(3),
+                       row.Name(4), row.Text(5), row.Text(6)});
+    const std::string wrong =
+        WhatIsWrongWithChange(changes.back().kind, changes.back().data, task_count);
+    if (!wrong.empty()) row.FailAt(6, wrong);
   }
   return changes;
 }
 
 std::optional<Checkpoint> RunDatabase::ReadCheckpoint() const {
-  SqliteStatement query(*impl_->database, "SELECT episode, state FROM checkpoint",
-                        "read the checkpoint");
-  if (!query.Step()) return std::nullopt;
-  return Checkpoint{query.Integer(0), query.Blob(1)};
+  const Moment moment(*impl_->database);
+  TableReader row(*impl_->database, "checkpoint", "episode, state", "");
+  if (!row.Next()) return std::nullopt;
+  const int64_t episode = row.Whole(0, 1);
+  std::optional<std::string> state = UnsealState(episode, row.Blob(1));
+  if (!state) {
+    throw UserError(fmt::format(
+        "{}: the checkpoint after episode {} is damaged: it is not what was saved, so that the run "
+        "cannot go on or be evaluated; put back a copy of the file, or start another run; `trainer "
+        "show` and `trainer report` still read what it has recorded",
+        impl_->database->file().string(), episode));
+  }
+  if (episode > LastEpisode(*impl_->database)) row.FailAt(0, "is of no episode that is there");
+  return Checkpoint{episode, *std::move(state)};
 }
 
 int64_t RunDatabase::ReadCheckpointEpisode() const {
@@ -227,24 +166,30 @@ int64_t RunDatabase::ReadCheckpointEpisode() const {
 }
 
 int64_t RunDatabase::ReadLastRecordedEpisode() const {
-  return impl_->database->QueryInteger("SELECT max(episode) FROM recording", "read the recordings");
+  const std::vector<RecordedEpisode> recorded = ReadRecordedEpisodes();
+  return recorded.empty() ? 0 : recorded.back().number;
 }
 
-std::vector<int64_t> RunDatabase::ReadRecordedEpisodes() const {
-  SqliteStatement query(*impl_->database, "SELECT episode FROM recording ORDER BY episode",
-                        "read the recordings");
-  std::vector<int64_t> episodes;
-  while (query.Step()) episodes.push_back(query.Integer(0));
+std::vector<RecordedEpisode> RunDatabase::ReadRecordedEpisodes() const {
+  const Moment moment(*impl_->database);
+  const int64_t last = LastEpisode(*impl_->database);
+  std::vector<RecordedEpisode> episodes;
+  TableReader row(*impl_->database, "recording", "episode, frames", "ORDER BY episode");
+  while (row.Next()) {
+    const int64_t after = episodes.empty() ? 0 : episodes.back().number;
+    episodes.push_back({row.Whole(0, after + 1, last), row.Whole(1, 1, Recording::kMostFrames)});
+  }
   return episodes;
 }
 
 std::optional<Recording> RunDatabase::ReadRecording(int64_t episode) const {
-  SqliteStatement query(
-      *impl_->database,
-      "SELECT frames, frame_interval, is_best, poses FROM recording WHERE episode = ?",
-      "read a recording");
-  if (!query.Bind(episode).Step()) return std::nullopt;
-  return Recording{query.Integer(0), query.Real(1), query.Integer(2) != 0, query.Blob(3)};
+  constexpr double kShortest = 1e-9;
+  TableReader row(*impl_->database, "recording", "frames, frame_interval, is_best, poses",
+                  "WHERE episode = ?");
+  row.Bind(episode);
+  if (!row.Next()) return std::nullopt;
+  return Recording{row.Whole(0, 1, Recording::kMostFrames), row.Time(1, kShortest), row.Flag(2),
+                   row.Blob(3)};
 }
 
 }  // namespace runtime

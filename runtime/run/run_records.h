@@ -79,7 +79,7 @@ struct Evaluation {
   double episode_return = 0;
   std::string end_kind;
   std::string end_reason;
-  int64_t faults = 0;
+  int64_t faults = 0;  // rewards not paid, and actions not learned from: not finite or too large
   int64_t violations = 0;
   std::vector<double> terms;    // one for each term of the task
   std::vector<double> metrics;  // one for each metric of the task
@@ -118,10 +118,18 @@ struct ChangeRecord {
 };
 
 struct Recording {
+  static constexpr int64_t kMostFrames = 1 << 20;  // far more than a recorder ever keeps
+
   int64_t frames = 0;
   double frame_interval = 0;  // [s]
   bool is_best = false;
   std::string poses;  // compressed, see schema.sql
+};
+
+// An episode of which there is a recording.
+struct RecordedEpisode {
+  int64_t number = 0;
+  int64_t frames = 0;
 };
 
 struct Checkpoint {

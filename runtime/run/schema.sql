@@ -79,7 +79,8 @@ CREATE TABLE IF NOT EXISTS evaluation (
   return REAL,
   end_kind TEXT NOT NULL,      -- success, failure, truncated or diverged
   end_reason TEXT NOT NULL,
-  faults INTEGER NOT NULL,     -- reward values that were not finite and so not paid
+  faults INTEGER NOT NULL,     -- rewards not paid and actions not learned from, since they were,
+                               -- or would have been, not finite or beyond 1e30
   violations INTEGER NOT NULL, -- callbacks in which something that the task requires did not hold
   PRIMARY KEY (episode, task)
 ) WITHOUT ROWID;
@@ -149,7 +150,8 @@ CREATE TABLE IF NOT EXISTS recording (
   poses BLOB NOT NULL
 );
 
--- All that is needed to go on after `episode`: zstd of the modules' state (checkpoint.h).
+-- All that is needed to go on after `episode`: a hash of the rest (sealed_state.h), then zstd of the
+-- modules' state (checkpoint.h).
 CREATE TABLE IF NOT EXISTS checkpoint (
   id INTEGER PRIMARY KEY CHECK (id = 1),
   episode INTEGER NOT NULL,

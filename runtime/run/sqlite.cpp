@@ -39,6 +39,8 @@ std::string Explain(int code, int system_error) {
       return "another program keeps the file locked; close that program";
     case SQLITE_CORRUPT:
     case SQLITE_NOTADB:
+    case SQLITE_ERROR:       // a table or a column is missing
+    case SQLITE_CONSTRAINT:  // what is there cannot be, beside what is to be written
       return "the file is damaged or no database; use a copy of it, or start another run";
     default:
       break;

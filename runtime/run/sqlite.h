@@ -57,8 +57,10 @@ class SqliteStatement {
   void Reset();  // ready for other values
   void Run();    // all of it, for statements without rows
 
-  // Columns of the present row, from 0. A real that is NULL is not a number. Text and blob are
-  // copies.
+  // Columns of the present row, from 0. SQLite gives any type as any other: see Type() first where
+  // that matters. A real that is NULL is not a number. Text and blob are copies.
+  int Type(int column) const { return sqlite3_column_type(handle_.get(), column); }
+  const char* ColumnName(int column) const { return sqlite3_column_name(handle_.get(), column); }
   int64_t Integer(int column) const { return sqlite3_column_int64(handle_.get(), column); }
   double Real(int column) const;
   std::string Text(int column) const;

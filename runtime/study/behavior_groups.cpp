@@ -18,7 +18,7 @@ struct RunBehavior {
 std::vector<RunBehavior> FinalBehaviors(const StudyExperiment& experiment,
                                         std::vector<std::string>& notes) {
   std::vector<RunBehavior> behaviors;
-  const std::vector<robot::Link> links = ParseBody(experiment.record().body);
+  const std::vector<robot::Link> links = ParseBody(experiment.record().body).value();
   if (links.empty()) return behaviors;
   for (size_t i = 0; i < experiment.runs.size(); ++i) {
     const StudyRun& run = experiment.runs[i];

@@ -38,9 +38,9 @@ std::optional<StudyRun> ReadRun(const std::filesystem::path& study,
   StudyRun run{folder, folder.lexically_relative(study).string(), {}, {}, {}, 0, {}};
   try {
     const RunDatabase database = RunDatabase::OpenToRead(folder);
-    run.record = database.ReadRun();
-    run.state = database.ReadState();
     run.episodes = database.ReadEpisodes();
+    run.record = database.ReadRun();  // after them: so all their tasks are among its own
+    run.state = database.ReadState();
     run.changes = database.ReadChanges().size();
   } catch (const UserError& error) {
     notes.push_back(fmt::format("{} is left out: {}", run.name, error.what()));

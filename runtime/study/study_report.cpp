@@ -42,10 +42,8 @@ json PageExperiment(const ExperimentResult& result, const Sentences& sentences) 
   AddCurves(CurvesOf(result), experiment);
   experiment["modules"] = AgentModules(runs.record().agent);
   experiment["agentText"] = runs.record().agent;
-  const std::vector<SourceRecord>& sources = runs.task().sources;
-  experiment["source"] = sources.empty() ? "" : sources.front().text;
-  const json body = json::parse(runs.record().body, nullptr, false);
-  experiment["body"] = body.is_array() ? body : json::array();
+  experiment["source"] = runs.task().sources.front().text;
+  experiment["body"] = json::parse(runs.record().body);
   return experiment;
 }
 

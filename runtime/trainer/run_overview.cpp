@@ -156,11 +156,11 @@ Json Changes(const RunOverview& overview) {
 RunOverview ReadOverview(const std::filesystem::path& folder) {
   const RunDatabase database = RunDatabase::OpenToRead(folder);
   RunOverview overview;
-  overview.run = database.ReadRun();
+  const std::vector<EpisodeRecord> episodes = database.ReadEpisodes();
+  overview.run = database.ReadRun();  // after them: so all their tasks are among its own
   overview.state = RunStateName(database.ReadState());
   overview.started_at = database.ReadValue("started_at");
   overview.finished_at = database.ReadValue("finished_at");
-  const std::vector<EpisodeRecord> episodes = database.ReadEpisodes();
   overview.task = episodes.empty() ? overview.run.tasks.front()
                                    : TaskWithId(overview.run, episodes.back().active.task);
   overview.episodes = static_cast<int64_t>(episodes.size());
@@ -211,7 +211,9 @@ std::string OverviewText(const RunOverview& overview) {
     lines.Add("time", "{} simulated in {}", DurationText(overview.simulated_seconds),
               DurationText(overview.wall_seconds));
   }
-  if (overview.faults > 0) lines.Add("faults", "{} reward values were not finite", overview.faults);
+  if (overview.faults > 0)
+    lines.Add("faults", "{} rewards, or steps of learning, were not finite or too large",
+              overview.faults);
   if (overview.violations > 0) {
     lines.Add("violations", "{} times something that the task requires did not hold",
               overview.violations);

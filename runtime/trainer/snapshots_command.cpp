@@ -46,7 +46,10 @@ std::string WhatIsRecorded(const std::vector<int64_t>& recorded, int64_t episode
 
 int64_t ChooseEpisode(const std::filesystem::path& folder, const RunDatabase& database,
                       int64_t wanted) {
-  const std::vector<int64_t> recorded = database.ReadRecordedEpisodes();
+  std::vector<int64_t> recorded;
+  for (const RecordedEpisode& each : database.ReadRecordedEpisodes()) {
+    recorded.push_back(each.number);
+  }
   if (recorded.empty()) {
     throw UserError(fmt::format(
         "{}: no episode of this run is recorded yet; the first and the last always are, so wait "
@@ -94,7 +97,7 @@ void PrintTimes(const SnapshotsOptions& options, int64_t episode,
 
 void Snapshots(const SnapshotsOptions& options) {
   const RunDatabase database = RunDatabase::OpenToRead(options.folder);
-  const std::vector<robot::Link> links = ParseBody(database.ReadValue("body"));
+  const std::vector<robot::Link> links = ParseBody(database.ReadRun().body).value();
   if (links.empty()) {
     throw UserError(fmt::format("{}: the run does not say which shapes the robot has",
                                 options.folder.string()));

@@ -19,7 +19,7 @@ Motion MotionOf(int frames) {
 }
 
 struct Crawl {
-  std::vector<robot::Link> links = ParseBody(SampleRunRecord().body);
+  std::vector<robot::Link> links = ParseBody(SampleRunRecord().body).value();
   Motion motion = ReadMotion(SampleRecording(2, 0.3), static_cast<int>(links.size()));
 };
 

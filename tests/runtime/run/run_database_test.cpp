@@ -125,9 +125,22 @@ TEST_F(RunDatabaseTest, KeepsWhatShadowsSayApartFromTheActiveTask) {
 TEST_F(RunDatabaseTest, GivesBackChangesAndKeepsThemWhenEpisodesAreDeleted) {
   RunDatabase database = RunDatabase::Create(folder(), SampleRun());
   database.AddEpisode(SampleEpisode(1), {}, {});
-  const ChangeRecord set{0, 1, 250, "2026-01-02T03:04:05Z", "set", "set task.gain = 2", "{}"};
-  const ChangeRecord swap{0, 2, 0, "2026-01-02T03:04:06Z", "swap", "swap task: a \"b\"", "[1]"};
-  const ChangeRecord unload{0, 3, 0, "", "unload", "unload careful", "{}"};
+  const ChangeRecord set{0,
+                         1,
+                         250,
+                         "2026-01-02T03:04:05Z",
+                         "set",
+                         "set task.gain = 2",
+                         R"({"command": "set", "name": "task.gain", "value": 2})"};
+  const ChangeRecord swap{0,
+                          2,
+                          0,
+                          "2026-01-02T03:04:06Z",
+                          "swap",
+                          "swap task: a \"b\"",
+                          R"({"command": "swap", "name": "task", "task": 1})"};
+  const ChangeRecord unload{
+      0, 3, 0, "", "unload", "unload careful", R"({"command": "unload", "name": "careful"})"};
   EXPECT_EQ(database.AddChange(set), 1);
   EXPECT_EQ(database.AddChange(swap), 2);
   EXPECT_EQ(database.AddChange(unload), 3);
