@@ -15,7 +15,7 @@ std::string StateHash(const std::string& state);
 
 // Into a network of the same modules, started already. Throws UserError where the state is damaged
 // or belongs to other modules.
-// What is there for the modules in `left_out` is passed over.
+// The modules in `left_out` need not be the same: see Network::Load().
 void LoadModules(Network& network, const std::string& state,
                  const std::set<std::string>& left_out = {});
 

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "runtime/module/user_error.h"
 #include "runtime/run/iso_time.h"
+#include "runtime/run/record_error.h"
 #include "runtime/run/run_database_impl.h"
 #include "runtime/run/run_files.h"
 #include "runtime/run/run_schema.h"
@@ -16,6 +16,7 @@ constexpr int kSchemaVersion = 3;
 constexpr int kApplicationId = 0x74736b63;  // "tskc"
 
 constexpr const char* kOpening = "open the run";
+constexpr const char* kMaking = "make the run";
 
 std::filesystem::path DatabaseFile(const std::filesystem::path& folder) {
   return folder / "run.db";
@@ -51,6 +52,15 @@ FolderLock TakeLock(const std::filesystem::path& folder) {
   return std::move(*lock);
 }
 
+// A kill may leave the journal of a change to the whole file, such as that to another way of
+// writing it. Whoever writes takes that back by looking; whoever reads cannot, and so lets it be
+// done first.
+void TakeBackHalfAChange(const std::filesystem::path& file) {
+  std::filesystem::path journal = file;
+  if (!std::filesystem::exists(journal += "-journal")) return;
+  SqliteDatabase(file, SqliteAccess::kWrite).QueryInteger("PRAGMA user_version", kOpening);
+}
+
 std::unique_ptr<SqliteDatabase> OpenChecked(const std::filesystem::path& folder,
                                             SqliteAccess access) {
   if (!RunDatabase::Exists(folder)) {
@@ -58,6 +68,7 @@ std::unique_ptr<SqliteDatabase> OpenChecked(const std::filesystem::path& folder,
         fmt::format("{}: there is no run in this folder; `trainer train TASK --out {}` starts one",
                     folder.string(), folder.string()));
   }
+  if (access == SqliteAccess::kRead) TakeBackHalfAChange(DatabaseFile(folder));
   auto database = std::make_unique<SqliteDatabase>(DatabaseFile(folder), access);
   CheckSchema(*database);
   return database;
@@ -82,6 +93,16 @@ bool RunDatabase::Exists(const std::filesystem::path& folder) {
   return !error && size > 0;  // empty: its trainer was killed before the run was made
 }
 
+bool RunDatabase::IsUnfinished(const std::filesystem::path& folder) {
+  if (Exists(folder)) return false;
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with(DatabaseFile("").string()) || IsKeptPlugin(name)) return true;
+  }
+  return false;
+}
+
 void RunDatabase::CheckIsFree(const std::filesystem::path& folder) {
   if (!Exists(folder)) return;
   throw UserError(
@@ -96,26 +117,52 @@ RunDatabase RunDatabase::Create(const std::filesystem::path& folder, const RunRe
   impl->folder = folder;
   impl->lock = TakeLock(folder);
   CheckIsFree(folder);
-  impl->database = std::make_unique<SqliteDatabase>(DatabaseFile(folder), SqliteAccess::kCreate);
-  SqliteTransaction transaction(*impl->database, "make the run");
-  impl->database->Execute(fmt::format("PRAGMA application_id={}; PRAGMA user_version={};\n{}",
-                                      kApplicationId, kSchemaVersion, kRunSchema),
-                          "make the run");
-  impl->write.emplace(*impl->database);
-  impl->WriteRun(run);
-  transaction.Commit();
-  PrepareForWriting(*impl->database);
+  Impl::Make(folder, run);
+  impl->OpenToWrite();
   return RunDatabase(std::move(impl));
+}
+
+void RunDatabase::Impl::Make(const std::filesystem::path& folder, const RunRecord& run) {
+  const std::filesystem::path file = DatabaseFile(folder);
+  std::filesystem::path part = file;
+  part += ".part";
+  // A journal that is left from an attempt before would be taken for one of the new file.
+  for (const std::filesystem::path& each : {file, part}) {
+    for (const char* suffix : {"", "-journal", "-wal", "-shm"}) {
+      std::filesystem::path left = each;
+      std::error_code ignored;
+      std::filesystem::remove(left += suffix, ignored);
+    }
+  }
+  {
+    Impl made;
+    made.database = std::make_unique<SqliteDatabase>(part, SqliteAccess::kCreate);
+    SqliteTransaction transaction(*made.database, kMaking);
+    made.database->Execute(fmt::format("PRAGMA application_id={}; PRAGMA user_version={};\n{}",
+                                       kApplicationId, kSchemaVersion, kRunSchema),
+                           kMaking);
+    made.write.emplace(*made.database);
+    made.WriteRun(run);
+    transaction.Commit();
+  }
+  const std::error_code error = MoveFile(part, file);
+  if (!error) return;
+  throw RecordError(fmt::format("{}: cannot {}: {}; check the disk and the folder's permissions",
+                                file.string(), kMaking, error.message()));
+}
+
+void RunDatabase::Impl::OpenToWrite() {
+  database = OpenChecked(folder, SqliteAccess::kWrite);
+  PrepareForWriting(*database);
+  database->Execute(kRunSchema, kOpening);  // tables that an older version has not made
+  write.emplace(*database);
 }
 
 RunDatabase RunDatabase::Open(const std::filesystem::path& folder) {
   auto impl = std::make_unique<Impl>();
   impl->folder = folder;
   if (Exists(folder)) impl->lock = TakeLock(folder);
-  impl->database = OpenChecked(folder, SqliteAccess::kWrite);
-  PrepareForWriting(*impl->database);
-  impl->database->Execute(kRunSchema, kOpening);
-  impl->write.emplace(*impl->database);
+  impl->OpenToWrite();
   return RunDatabase(std::move(impl));
 }
 
@@ -255,6 +302,23 @@ void RunDatabase::SetLearnerCurves(const std::vector<CurveRecord>& curves) {
         .Run();
   }
   transaction.Commit();
+}
+
+int64_t RunDatabase::MoveChange(int64_t id, int64_t episode, int64_t step) {
+  SqliteStatement row(*impl_->database,
+                      "UPDATE change SET id = (SELECT max(id) FROM change) + 1, episode = ?, "
+                      "step = ? WHERE id = ? RETURNING id",
+                      "note where a change took effect");
+  row.Bind(episode, step, id);
+  const int64_t moved = row.Step() ? row.Integer(0) : id;
+  row.Run();
+  return moved;
+}
+
+void RunDatabase::RemoveChange(int64_t id) {
+  SqliteStatement(*impl_->database, "DELETE FROM change WHERE id = ?", "take a change back")
+      .Bind(id)
+      .Run();
 }
 
 void RunDatabase::DeleteEpisodesAfter(int64_t episode) {

@@ -1,8 +1,9 @@
 // The database of one run: DIR/run.db (schema.sql). One program writes it, any number read it at
 // the same time (write-ahead log). What was saved once stays, whatever happens to the trainer.
 //
-// All functions throw UserError, naming the file, what failed and the remedy. Those that read check
-// what they read: of a database that was damaged they give what is right, or throw.
+// All functions throw UserError, naming the file, what failed and the remedy: RecordError where it
+// cannot be read or written. Those that read check what they read: of a database that was damaged
+// they give what is right, or throw.
 #pragma once
 
 #include <filesystem>
@@ -17,15 +18,18 @@ namespace runtime {
 
 class RunDatabase {
  public:
-  // Makes the folder and a new run in it, in the state `running`. Refuses a folder that holds a
-  // run.
+  // Makes the folder and a new run in it, in the state `running`: all of it or, where the program
+  // is killed meanwhile, nothing that counts as a run. Refuses a folder that holds a run.
   static RunDatabase Create(const std::filesystem::path& folder, const RunRecord& run);
   // To go on with a run. Refuses a run that another trainer works on.
   static RunDatabase Open(const std::filesystem::path& folder);
   static RunDatabase OpenToRead(const std::filesystem::path& folder);
   // Whether `folder` holds a run; also one that cannot be read.
   static bool Exists(const std::filesystem::path& folder);
-  // Throws if it does.
+  // Whether a trainer was killed in it, or works in it, before its run was made. A run can be made
+  // there as in any folder without one.
+  static bool IsUnfinished(const std::filesystem::path& folder);
+  // Throws if it holds a run.
   static void CheckIsFree(const std::filesystem::path& folder);
 
   RunDatabase(RunDatabase&&) noexcept;
@@ -55,6 +59,9 @@ class RunDatabase {
   // What the learner is going to show of each episode, also where it has shown something else up to
   // now. Other values of an episode are not saved.
   void SetLearnerCurves(const std::vector<CurveRecord>& curves);
+  // Where in the run a change takes effect, after all that stand there already. Returns its new id.
+  int64_t MoveChange(int64_t id, int64_t episode, int64_t step);
+  void RemoveChange(int64_t id);
   // Deletes the episodes after `episode` with all that belongs to them. Changes stay.
   void DeleteEpisodesAfter(int64_t episode);
   // Also notes the time at which the run was finished or interrupted.

@@ -62,6 +62,10 @@ struct RunDatabase::Impl {
     sqlite3_exec(database->handle(), "PRAGMA journal_mode=DELETE", nullptr, nullptr, nullptr);
   }
 
+  // Under another name until all of it is there.
+  static void Make(const std::filesystem::path& folder, const RunRecord& run);
+  void OpenToWrite();
+
   std::filesystem::path folder;
   std::optional<FolderLock> lock;  // of a writer
   std::unique_ptr<SqliteDatabase> database;

@@ -15,18 +15,24 @@ namespace runtime {
 void MakeRunFolder(const std::filesystem::path& folder);
 
 // Copies the shared object into `folder` (made if need be) under a name that holds its hash;
-// returns this name. Throws UserError where it cannot be read or written.
+// returns this name when the disk has it. Throws UserError where it cannot be read or written.
 std::string KeepPlugin(const std::filesystem::path& plugin, const std::filesystem::path& folder);
 
-// The plugin in the run's folder. Throws UserError where it is gone or was changed.
+// The plugin in the run's folder. Throws RecordError where it is gone or was changed.
 std::filesystem::path FindKeptPlugin(const std::filesystem::path& folder, const std::string& name);
 
 // The robot with this description, which is written to `folder`/robot.toml for that.
 robot::RobotDescription ReadKeptRobot(const std::filesystem::path& folder,
                                       const std::string& description);
 
+// Whether a file of this name in a run's folder is one that KeepPlugin() has made, or began to.
+bool IsKeptPlugin(std::string_view name);
+
+// Renames, also on the disk. Returns why it could not be done.
+std::error_code MoveFile(const std::filesystem::path& from, const std::filesystem::path& to);
+
 // Writes under a temporary name in the same folder, then renames: no one ever sees, or maps, half a
-// file. Returns why it could not be done; then the old file is as it was.
+// file, even after a power cut. Returns why it could not be done; then the old file is as it was.
 std::error_code ReplaceFile(const std::filesystem::path& file, const std::string& bytes);
 
 // The same; throws UserError where it cannot be done.

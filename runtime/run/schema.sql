@@ -128,8 +128,9 @@ CREATE TABLE IF NOT EXISTS learner_value (
   PRIMARY KEY (episode, curve)
 ) WITHOUT ROWID;
 
--- What clients did to the run, in the order in which it took effect: the journal that is repeated
--- when the run goes on from a checkpoint. Stays when episodes are deleted for that.
+-- What clients did to the run, by episode, step and id in the order in which it took effect: the
+-- journal that is repeated when the run goes on from a checkpoint. Stays when episodes are deleted
+-- for that. A change that takes effect later when it is repeated is moved there, with another id.
 CREATE TABLE IF NOT EXISTS change (
   id INTEGER PRIMARY KEY,
   episode INTEGER NOT NULL,    -- in which it took effect; the next one, if between two episodes

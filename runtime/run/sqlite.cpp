@@ -5,12 +5,16 @@
 #include <cstring>
 #include <limits>
 
-#include "runtime/module/user_error.h"
+#include "runtime/run/record_error.h"
 
 namespace runtime {
 namespace {
 
-constexpr int kBusyMilliseconds = 2000;
+// How long another program may lock the file. Somebody who only looks need not wait for a backup to
+// end; a training that did not would be over.
+int Patience(SqliteAccess access) {  // [ms]
+  return access == SqliteAccess::kRead ? 2'000 : 30'000;
+}
 
 int OpenFlags(SqliteAccess access) {
   switch (access) {
@@ -36,7 +40,9 @@ std::string Explain(int code, int system_error) {
              "may write them";
     case SQLITE_BUSY:
     case SQLITE_LOCKED:
-      return "another program keeps the file locked; close that program";
+      return "another program, such as a database browser or a backup, keeps the file locked; "
+             "close "
+             "that program";
     case SQLITE_CORRUPT:
     case SQLITE_NOTADB:
     case SQLITE_ERROR:       // a table or a column is missing
@@ -65,7 +71,7 @@ SqliteDatabase::SqliteDatabase(std::filesystem::path file, SqliteAccess access)
   const int code = sqlite3_open_v2(file_.c_str(), &opened, OpenFlags(access), nullptr);
   handle_.reset(opened);
   if (code != SQLITE_OK) Fail(code, "open the run");
-  sqlite3_busy_timeout(handle(), kBusyMilliseconds);
+  sqlite3_busy_timeout(handle(), Patience(access));
 }
 
 void SqliteDatabase::Execute(const std::string& sql, std::string_view purpose) {
@@ -80,7 +86,7 @@ int64_t SqliteDatabase::QueryInteger(const std::string& sql, std::string_view pu
 
 void SqliteDatabase::Fail(int code, std::string_view purpose) const {
   const int system_error = handle() == nullptr ? 0 : sqlite3_system_errno(handle());
-  throw UserError(
+  throw RecordError(
       fmt::format("{}: cannot {}: {}", file_.string(), purpose, Explain(code, system_error)));
 }
 

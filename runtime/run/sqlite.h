@@ -1,4 +1,4 @@
-// SQLite with owners for its handles and UserErrors for its result codes.
+// SQLite with owners for its handles and RecordErrors for its result codes.
 #pragma once
 
 #include <sqlite3.h>
@@ -17,18 +17,18 @@ enum class SqliteAccess { kRead, kWrite, kCreate };
 
 class SqliteDatabase {
  public:
-  // Throws UserError where the file cannot be opened.
+  // Throws RecordError where the file cannot be opened.
   SqliteDatabase(std::filesystem::path file, SqliteAccess access);
 
   const std::filesystem::path& file() const { return file_; }
   sqlite3* handle() const { return handle_.get(); }
 
   // Runs any number of statements that return nothing of interest. `purpose` completes the sentence
-  // "cannot ..." of the error. Throws UserError, as everything that runs SQL here.
+  // "cannot ..." of the error. Throws RecordError, as everything that runs SQL here.
   void Execute(const std::string& sql, std::string_view purpose);
   int64_t QueryInteger(const std::string& sql, std::string_view purpose);
 
-  // Throws a UserError that names the file, what failed, why and the remedy.
+  // Throws a RecordError that names the file, what failed, why and the remedy.
   [[noreturn]] void Fail(int code, std::string_view purpose) const;
 
  private:

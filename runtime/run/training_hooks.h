@@ -16,7 +16,8 @@ class TrainingHooks {
   virtual ~TrainingHooks() = default;
 
   // Before the modules' state after episode `episode` is read (0: there is none): what was changed
-  // up to then must be changed again. Returns the modules that are left out this time.
+  // up to then must be changed again. Returns the modules of which the state may have another
+  // opinion whether they are there.
   virtual std::set<std::string> BeforeRestore(int64_t episode) = 0;
 
   // With the returns of all episodes that the run goes on from.

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "plugins/text/print.h"
+#include "runtime/run/folder_lock.h"
 #include "runtime/run/run_database.h"
 #include "runtime/run/stop_request.h"
 #include "runtime/trainer/commands.h"
@@ -27,15 +28,33 @@ bool ComesBefore(const std::filesystem::path& a, const std::filesystem::path& b)
   return std::pair(first.size(), first) < std::pair(second.size(), second);
 }
 
+// Those in `folder`, and in the folders in it that hold no run, in the order of their names. None
+// where `folder` is a run itself.
+std::vector<std::filesystem::path> FoldersBelow(const std::filesystem::path& folder) {
+  if (RunDatabase::Exists(folder)) return {};
+  std::vector<std::filesystem::path> folders;
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+    if (entry.is_directory(error)) folders.push_back(entry.path());
+  }
+  std::ranges::sort(folders, ComesBefore);
+  std::vector<std::filesystem::path> found;
+  for (const std::filesystem::path& each : folders) {
+    found.push_back(each);
+    std::ranges::copy(FoldersBelow(each), std::back_inserter(found));
+  }
+  return found;
+}
+
 // How far the `runs` of `folder` are; those that are not finished wait.
 std::vector<RunProgress> RunsToTrain(const std::filesystem::path& folder,
                                      const std::vector<std::filesystem::path>& runs) {
   std::vector<RunProgress> found;
   for (const std::filesystem::path& run : runs) {
-    RunProgress& progress =
-        found.emplace_back(ReadProgress(run, run.lexically_relative(folder).string()));
-    const bool is_finished = progress.state == RunProgressState::kFinished;
-    if (!is_finished) progress.state = RunProgressState::kWaiting;
+    RunProgress& progress = found.emplace_back(ReadProgressOrFailure(run, folder));
+    const bool is_over = progress.state == RunProgressState::kFinished ||
+                         progress.state == RunProgressState::kFailed;
+    if (!is_over) progress.state = RunProgressState::kWaiting;
   }
   return found;
 }
@@ -51,22 +70,35 @@ std::filesystem::path SeedFolder(const std::filesystem::path& folder, uint64_t s
 }
 
 std::vector<std::filesystem::path> FindRuns(const std::filesystem::path& folder) {
-  if (RunDatabase::Exists(folder)) return {};
-  std::vector<std::filesystem::path> folders;
-  std::error_code error;
-  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
-    if (entry.is_directory(error)) folders.push_back(entry.path());
-  }
-  std::ranges::sort(folders, ComesBefore);
   std::vector<std::filesystem::path> runs;
-  for (const std::filesystem::path& each : folders) {
-    if (RunDatabase::Exists(each)) {
-      runs.push_back(each);
-    } else {
-      std::ranges::copy(FindRuns(each), std::back_inserter(runs));
-    }
-  }
+  std::ranges::copy_if(FoldersBelow(folder), std::back_inserter(runs), RunDatabase::Exists);
   return runs;
+}
+
+void WarnOfUnfinishedRuns(const std::filesystem::path& folder) {
+  for (const std::filesystem::path& each : FoldersBelow(folder)) {
+    // While a trainer makes it, all is well.
+    if (!RunDatabase::IsUnfinished(each) || FolderLock::IsTaken(each)) continue;
+    fmt::print(
+        stderr,
+        "warning: {0}: no run: the trainer was ended while it made this one; `trainer study` "
+        "or `trainer train TASK --out {0}` makes it, or delete the folder\n",
+        each.string());
+  }
+}
+
+RunProgress ReadProgressOrFailure(const std::filesystem::path& run,
+                                  const std::filesystem::path& folder) {
+  const std::string name = run.lexically_relative(folder).string();
+  try {
+    return ReadProgress(run, name);
+  } catch (const UserError& error) {
+    fmt::print(stderr, "warning: {}\n", error.what());
+    RunProgress progress{run, name};
+    progress.state = RunProgressState::kFailed;
+    progress.failure = error.what();
+    return progress;
+  }
 }
 
 void AddJobsOption(CLI::App& command, int& jobs, const std::string& verb) {
@@ -83,6 +115,7 @@ int JobsOrCores(int jobs) {
 int TrainRuns(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& runs,
               int jobs, const OutputOptions& output) {
   jobs = JobsOrCores(jobs);
+  WarnOfUnfinishedRuns(folder);
   RunTablePrinter printer(output.style(), jobs, stdout, stderr);
   Supervisor supervisor(RunsToTrain(folder, runs), WordsToTrain, jobs, printer);
   printer.Follow(supervisor.runs());

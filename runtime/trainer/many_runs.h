@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "runtime/trainer/run_session.h"
+#include "runtime/workers/supervisor.h"
 
 namespace runtime {
 
@@ -17,6 +18,15 @@ std::filesystem::path SeedFolder(const std::filesystem::path& folder, uint64_t s
 // The runs in `folder`, and in the folders in it, in the order of their names with numbers taken as
 // numbers. None where `folder` is a run itself.
 std::vector<std::filesystem::path> FindRuns(const std::filesystem::path& folder);
+
+// Says on standard error which folders in `folder` a trainer began to make runs in, and was ended
+// before they were runs.
+void WarnOfUnfinishedRuns(const std::filesystem::path& folder);
+
+// How far the run of `folder` is; of one that cannot be read, that it has failed, and why, which is
+// also said on standard error.
+RunProgress ReadProgressOrFailure(const std::filesystem::path& run,
+                                  const std::filesystem::path& folder);
 
 // --jobs, on whose help `verb` says what is done to the runs: "train"; 0 stands for as many as
 // there are cores.

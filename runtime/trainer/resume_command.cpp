@@ -1,6 +1,7 @@
 #include <optional>
 
 #include "runtime/run/run_database.h"
+#include "runtime/trainer/call_error.h"
 #include "runtime/trainer/commands.h"
 #include "runtime/trainer/guard.h"
 #include "runtime/trainer/many_runs.h"
@@ -28,9 +29,15 @@ int ResumeOne(const ResumeOptions& options) {
 int ResumeMany(const ResumeOptions& options, const std::vector<std::filesystem::path>& runs) {
   if (options.episodes) {
     for (const std::filesystem::path& folder : runs) {
-      RunDatabase database = RunDatabase::Open(folder);
-      RunRecord run = database.ReadRun();
-      PlanEpisodes(options.episodes, database, run);
+      try {
+        RunDatabase database = RunDatabase::Open(folder);
+        RunRecord run = database.ReadRun();
+        PlanEpisodes(options.episodes, database, run);
+      } catch (const CallError&) {
+        throw;
+      } catch (const UserError&) {
+        // One that cannot be opened keeps none of the others from going on, and says why then.
+      }
     }
   }
   return TrainRuns(options.folder, runs, options.jobs, options.session.output);

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "plugins/text/print.h"
@@ -15,7 +16,7 @@ std::vector<RunProgress> ProgressOf(const std::filesystem::path& folder,
                                     const std::vector<std::filesystem::path>& runs) {
   std::vector<RunProgress> progress;
   for (const std::filesystem::path& run : runs) {
-    progress.push_back(ReadProgress(run, run.lexically_relative(folder).string()));
+    progress.push_back(ReadProgressOrFailure(run, folder));
   }
   return progress;
 }
@@ -63,13 +64,15 @@ void AddShowCommand(CLI::App& app, int& status) {
   command->add_option("DIR", options->folder, "folder of the run, or of many")->required();
   command->add_flag("--json", options->json, "print JSON");
   command->callback([options, &status] {
-    const std::vector<std::filesystem::path> runs = FindRuns(options->folder);
-    if (runs.empty()) {
-      ShowOne(options->folder, options->json);
-    } else {
-      ShowMany(ProgressOf(options->folder, runs), options->json);
-    }
     status = kSuccess;
+    WarnOfUnfinishedRuns(options->folder);
+    const std::vector<std::filesystem::path> runs = FindRuns(options->folder);
+    if (runs.empty()) return ShowOne(options->folder, options->json);
+    const std::vector<RunProgress> progress = ProgressOf(options->folder, runs);
+    ShowMany(progress, options->json);
+    const bool is_each_readable = std::ranges::find(progress, RunProgressState::kFailed,
+                                                    &RunProgress::state) == progress.end();
+    if (!is_each_readable) status = kFailed;
   });
 }
 

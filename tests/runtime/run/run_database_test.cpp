@@ -5,10 +5,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <cmath>
 #include <csignal>
 #include <fstream>
 #include <limits>
+#include <thread>
 
 #include "runtime/run/sqlite.h"
 #include "tests/runtime/run/error_of.h"
@@ -386,14 +388,42 @@ TEST_F(RunDatabaseTest, ReportsDamage) {
 }
 
 TEST_F(RunDatabaseTest, ReportsAProgramThatKeepsItLocked) {
+  RunDatabase::Create(folder(), SampleRun());
+  SqliteDatabase database(file(), SqliteAccess::kWrite);
+  sqlite3_busy_timeout(database.handle(), 1);  // [ms]
+  SqliteDatabase other(file(), SqliteAccess::kWrite);
+  other.Execute("BEGIN IMMEDIATE", "lock it");
+  EXPECT_THAT(ErrorOf([&] { SqliteTransaction(database, "save episode 1"); }),
+              AllOf(HasSubstr(file().string()), HasSubstr("episode 1"), HasSubstr("locked"),
+                    HasSubstr("close that program")));
+}
+
+TEST_F(RunDatabaseTest, WaitsForAProgramThatKeepsItLockedForAWhile) {
   RunDatabase database = RunDatabase::Create(folder(), SampleRun());
   SqliteDatabase other(file(), SqliteAccess::kWrite);
   other.Execute("BEGIN IMMEDIATE", "lock it");
-  EXPECT_THAT(ErrorOf([&] { database.AddEpisode(SampleEpisode(1), {}, {}); }),
-              AllOf(HasSubstr(file().string()), HasSubstr("episode 1"), HasSubstr("locked")));
-  other.Execute("ROLLBACK", "free it");
+  const std::jthread backup([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(2600));
+    other.Execute("ROLLBACK", "free it");
+  });
   database.AddEpisode(SampleEpisode(1), {}, {});
   EXPECT_EQ(database.ReadEpisodes().size(), 1u);
+}
+
+// Each of them is what a kill can leave behind.
+TEST_F(RunDatabaseTest, WhatIsHalfMadeIsNoRunAndCanBeMadeWhole) {
+  for (const char* name : {"", "plugin-0123456789abcdef.so.77.part", "plugin-0123456789abcdef.so",
+                           "run.db.part", "run.db.part-journal", "run.db", "run.db-journal"}) {
+    std::filesystem::remove_all(folder());
+    std::filesystem::create_directories(folder());
+    const std::string content = name == std::string("run.db") ? "" : std::string(5000, 'x');
+    if (*name != '\0') std::ofstream(folder() / name) << content;
+    EXPECT_FALSE(RunDatabase::Exists(folder())) << name;
+    EXPECT_EQ(RunDatabase::IsUnfinished(folder()), *name != '\0') << name;
+    EXPECT_EQ(ErrorOf([&] { RunDatabase::Create(folder(), SampleRun()); }), "") << name;
+    EXPECT_FALSE(RunDatabase::IsUnfinished(folder()));
+    EXPECT_EQ(RunDatabase::OpenToRead(folder()).ReadRun().seed, SampleRun().seed) << name;
+  }
 }
 
 TEST_F(RunDatabaseTest, ReportsAFullDisk) {

@@ -129,6 +129,43 @@ TEST_F(ManyRunsTest, ARunThatCannotGoOnIsGivenUpAndTheOthersFinish) {
   EXPECT_THAT(result.output, HasSubstr("seed3     failed            1/3 "));
 }
 
+TEST_F(ManyRunsTest, ARunThatWasNeverFinishedBeingMadeIsNotInTheWayOfTheOthers) {
+  ASSERT_EQ(TrainMany("many", 2, 1).exit_status, 0);
+  const std::filesystem::path half = folder() / "many" / "seed5";
+  int episodes = 1;
+  for (const char* name : {"plugin-0123456789abcdef.so.77.part", "plugin-0123456789abcdef.so",
+                           "run.db.part", "run.db"}) {
+    std::filesystem::remove_all(half);
+    std::filesystem::create_directory(half);
+    std::ofstream(half / name).close();
+    const auto warning = HasSubstr("warning: " + half.string() + ": no run: ");
+    const ProgramResult shown = Trainer({"show", RunFolder("many")});
+    EXPECT_EQ(shown.exit_status, 0);
+    EXPECT_THAT(shown.output, HasSubstr("\n2 finished   "));
+    EXPECT_THAT(shown.errors, warning) << name;
+    const ProgramResult resumed =
+        Trainer({"resume", RunFolder("many"), "--episodes", std::to_string(++episodes)});
+    EXPECT_EQ(resumed.exit_status, 0);
+    EXPECT_THAT(resumed.errors, warning) << name;
+  }
+  EXPECT_EQ(EpisodesOf("many/seed4"), 5u);
+  Train("many/seed5", 1, {"--seed", "5", "--quiet"});  // as the warning says
+  EXPECT_EQ(Trainer({"show", RunFolder("many")}).errors, "");
+}
+
+TEST_F(ManyRunsTest, NorIsOneThatCannotBeRead) {
+  ASSERT_EQ(TrainMany("many", 2, 1).exit_status, 0);
+  std::ofstream(folder() / "many" / "seed3" / "run.db") << std::string(5000, 'x');
+  const ProgramResult shown = Trainer({"show", RunFolder("many")});
+  EXPECT_EQ(shown.exit_status, 1);
+  EXPECT_THAT(shown.errors, HasSubstr("seed3/run.db: cannot open the run: the file is damaged"));
+  EXPECT_THAT(shown.output, HasSubstr("\n1 finished, 1 failed   "));
+  const ProgramResult resumed = Trainer({"resume", RunFolder("many"), "--episodes", "3"});
+  EXPECT_EQ(resumed.exit_status, 1);
+  EXPECT_THAT(resumed.errors, HasSubstr("seed3/run.db: cannot open the run: the file is damaged"));
+  EXPECT_EQ(EpisodesOf("many/seed4"), 3u);
+}
+
 TEST_F(ManyRunsTest, MoreRunsAreAddedToThoseThatAreThere) {
   ASSERT_EQ(TrainMany("many", 2, 1).exit_status, 0);
   const ProgramResult repeated = TrainMany("many", 2, 1);
