@@ -1,6 +1,7 @@
 #include "runtime/control/task_loader.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <utility>
 
@@ -17,8 +18,11 @@ constexpr const char* kTrainerHasEnded = "the trainer has ended";
 std::shared_ptr<const Plugin> LoadWatched(const std::filesystem::path& file,
                                           const std::filesystem::path& name) {
   struct Watched {
-    Watched() { ThePluginWatch().is_loading = true; }
-    ~Watched() { ThePluginWatch().is_loading = false; }
+    Watched() { ThePluginWatch().loading_thread = gettid(); }
+    ~Watched() {
+      ThePluginWatch().loading_thread = 0;
+      ++ThePluginWatch().loads;
+    }
   } const watched;
   return std::make_shared<const Plugin>(file, name);
 }

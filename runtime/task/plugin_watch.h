@@ -1,17 +1,22 @@
 // What is inside of a plugin at this moment, so that another process can tell after a crash.
 #pragma once
 
+#include <sys/types.h>
+
 #include <atomic>
 #include <cstdint>
 
 namespace runtime {
 
-// Written by the one thread that runs tasks; read by a guarding process if it lies in memory that
-// both share.
+// Read by a guarding process if it lies in memory that both share.
 struct PluginWatch {
-  std::atomic<int64_t> running = 0;      // TaskInstance::id() of what runs now; 0: no plugin does
-  std::atomic<int64_t> calls = 0;        // that have returned, so that one that loops is seen
-  std::atomic<bool> is_loading = false;  // a shared object, which can crash or loop as well
+  // Written by the one thread that runs tasks.
+  std::atomic<int64_t> running = 0;  // TaskInstance::id() of what runs now; 0: no plugin does
+  std::atomic<int64_t> calls = 0;    // that have returned, so that one that loops is seen
+  // Written by the one that loads them: the thread (gettid()) in which the code of a shared object
+  // runs while it is loaded, 0: in none; and how many were loaded before.
+  std::atomic<pid_t> loading_thread = 0;
+  std::atomic<int64_t> loads = 0;
 };
 
 namespace detail {
@@ -23,5 +28,21 @@ inline PluginWatch* the_watch = &own_watch;
 inline PluginWatch& ThePluginWatch() { return *detail::the_watch; }
 // `watch` outlives all task instances.
 inline void SetPluginWatch(PluginWatch& watch) { detail::the_watch = &watch; }
+
+// While it lives, the thread that runs tasks is inside of the task with this id.
+class InsideOfTask {
+ public:
+  explicit InsideOfTask(int64_t id) { watch_.running.store(id, std::memory_order_relaxed); }
+  InsideOfTask(const InsideOfTask&) = delete;
+  InsideOfTask& operator=(const InsideOfTask&) = delete;
+  ~InsideOfTask() {
+    watch_.running.store(0, std::memory_order_relaxed);
+    const int64_t calls = watch_.calls.load(std::memory_order_relaxed);
+    watch_.calls.store(calls + 1, std::memory_order_relaxed);
+  }
+
+ private:
+  PluginWatch& watch_ = ThePluginWatch();
+};
 
 }  // namespace runtime

@@ -136,11 +136,8 @@ void TaskInstance::StartEpisode() {
 }
 
 void TaskInstance::Enter(taskc_event_function function) {
-  PluginWatch& watch = ThePluginWatch();
-  watch.running.store(id_, std::memory_order_relaxed);
+  const InsideOfTask watched(id_);
   function(&frame_);
-  watch.running.store(0, std::memory_order_relaxed);
-  watch.calls.store(watch.calls.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
 }
 
 std::optional<TaskInstance::Outcome> TaskInstance::Call(int event, double time_step) {

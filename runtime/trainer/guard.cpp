@@ -8,11 +8,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
 #include <climits>
 #include <csignal>
 #include <cstring>
-#include <ctime>
 #include <fstream>
 #include <new>
 #include <optional>
@@ -22,18 +22,24 @@
 #include "plugins/text/print.h"
 #include "runtime/control/journal.h"
 #include "runtime/module/user_error.h"
+#include "runtime/run/record_error.h"
 #include "runtime/run/run_database.h"
 #include "runtime/task/plugin_watch.h"
+#include "runtime/trainer/commands.h"
+#include "runtime/trainer/loop_detector.h"
 
 namespace runtime {
 namespace {
 
 constexpr int kMillisecondsBetweenLooks = 500;
-constexpr double kPatience = 10;  // [s] of CPU time in one call of a plugin
+
+// How the child means to end. An exit status alone does not tell: any plugin can exit.
+enum class Intent { kNone, kEnd, kStartAgain };
 
 // What both processes see.
 struct SharedPage {
   PluginWatch watch;
+  std::atomic<Intent> intent = Intent::kNone;
   char run[PATH_MAX] = "";
 };
 
@@ -94,36 +100,6 @@ class PassedSignals {
   struct sigaction old_[3];
 };
 
-// [s] of CPU time that the process has used.
-double CpuTime(pid_t process) {
-  clockid_t clock;
-  timespec time{};
-  if (clock_getcpuclockid(process, &clock) != 0 || clock_gettime(clock, &time) != 0) return 0;
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
-
-// Whether one and the same call of a plugin is running for longer than it should.
-class LoopDetector {
- public:
-  explicit LoopDetector(pid_t process) : process_(process) {}
-
-  bool IsLooping(const PluginWatch& watch) {
-    const int64_t calls = watch.calls;
-    const bool is_inside = watch.running != 0 || watch.is_loading;
-    const double now = CpuTime(process_);
-    if (!is_inside || calls != calls_) {
-      calls_ = calls;
-      since_ = now;
-    }
-    return is_inside && now - since_ > kPatience;
-  }
-
- private:
-  pid_t process_;
-  int64_t calls_ = -1;
-  double since_ = 0;
-};
-
 // Waits for the child's end; kills it if a plugin does not come back. Returns whether it did that.
 bool WaitForEnd(pid_t child, const PluginWatch& watch) {
   const auto process = static_cast<int>(syscall(SYS_pidfd_open, child, 0));
@@ -172,14 +148,19 @@ End RunChild(bool& is_child) {
 }
 
 std::string Reason(const End& end) {
-  if (end.was_looping) return fmt::format("it did not come back within {} s", kPatience);
+  if (end.was_looping) {
+    return fmt::format("it did not come back within {} s", LoopDetector::kPatience);
+  }
+  if (WIFEXITED(end.status)) {
+    return fmt::format("it ended the program, with exit status {}", WEXITSTATUS(end.status));
+  }
   const int signal = WTERMSIG(end.status);
   return fmt::format("crash: {}", strsignal(signal));
 }
 
 // Not somebody's wish, nor the machine's need for memory.
 bool IsCrash(const End& end) {
-  if (!WIFSIGNALED(end.status)) return false;
+  if (end.was_looping || WIFEXITED(end.status)) return true;
   const int signal = WTERMSIG(end.status);
   return signal == SIGSEGV || signal == SIGBUS || signal == SIGFPE || signal == SIGILL ||
          signal == SIGABRT;
@@ -187,15 +168,11 @@ bool IsCrash(const End& end) {
 
 void Say(const std::string& text) { text::Print(stderr, "warning: {}\n", text); }
 
-// Whether the run can go on without what has brought its process down. Sees to it that it does.
-bool CanGoOn(const End& end) {
-  const bool exited = WIFEXITED(end.status);
-  if (exited && WEXITSTATUS(end.status) != kStartAgain) return false;
-  if (shared_page->run[0] == '\0') return false;
-  if (exited) return true;
-  if (!IsCrash(end) && !end.was_looping) return false;  // somebody has killed it
+// Sees to it that the run goes on without what has brought its process down. Returns whether it
+// can.
+bool RemoveCause(const End& end) {
   const PluginWatch& watch = shared_page->watch;
-  if (watch.is_loading) {
+  if (watch.loading_thread != 0) {
     Say(fmt::format("{}: a task could not be loaded ({}); going on without it", shared_page->run,
                     Reason(end)));
     return true;
@@ -215,6 +192,20 @@ bool CanGoOn(const End& end) {
                   shared_page->run, TaskWithId(database.ReadRun(), watch.running).task,
                   Reason(end)));
   return true;
+}
+
+bool CanGoOn(const End& end) {
+  const Intent intent = shared_page->intent;
+  if (intent != Intent::kNone) return intent == Intent::kStartAgain;
+  if (shared_page->run[0] == '\0' || !IsCrash(end)) return false;
+  try {
+    return RemoveCause(end);
+  } catch (const RecordError& error) {
+    throw UserError(
+        fmt::format("{0}: {1}, and that cannot be written down: {2}; then `trainer resume {0}` "
+                    "goes on from the last checkpoint",
+                    shared_page->run, Reason(end), error.what()));
+  }
 }
 
 std::string EpisodesText(int64_t first, int64_t last) {
@@ -245,11 +236,30 @@ bool WasStoppedAtOnce(const End& end) {
 }
 
 int StatusOf(const End& end) {
-  if (WIFEXITED(end.status)) return WEXITSTATUS(end.status);
+  if (WIFEXITED(end.status)) {
+    if (shared_page->intent != Intent::kNone) return WEXITSTATUS(end.status);
+    fmt::print(stderr,
+               "trainer: error: the program that trains has ended by itself (exit status {}), as "
+               "no task of taskc does; what was saved is kept\n",
+               WEXITSTATUS(end.status));
+    return kFailed;
+  }
   const int signal = WTERMSIG(end.status);
   std::signal(signal, SIG_DFL);
   raise(signal);  // whoever waits for us is to see what has happened
   return 128 + signal;
+}
+
+// In the child: whichever way `work` ends, that is the child's own end.
+template <class Work>
+int RunToTheEnd(const Work& work) {
+  struct Announcement {
+    ~Announcement() {
+      Intent none = Intent::kNone;
+      shared_page->intent.compare_exchange_strong(none, Intent::kEnd);
+    }
+  } const announcement;
+  return work();
 }
 
 }  // namespace
@@ -260,12 +270,12 @@ int RunGuarded(const std::function<int()>& train,
   shared_page = MakeSharedPage();
   bool is_child = false;
   End end = RunChild(is_child);
-  if (is_child) return train();
+  if (is_child) return RunToTheEnd(train);
   while (CanGoOn(end)) {
     const std::filesystem::path run = shared_page->run;
     new (shared_page) SharedPage;
     end = RunChild(is_child);
-    if (is_child) return again(run);
+    if (is_child) return RunToTheEnd([&] { return again(run); });
   }
   if (WasStoppedAtOnce(end) && shared_page->run[0] != '\0') SayWhatIsKept(shared_page->run);
   return StatusOf(end);
@@ -280,5 +290,10 @@ void TellGuard(const std::filesystem::path& run) {
 }
 
 bool IsGuarded() { return shared_page != nullptr; }
+
+int StartAgain() {
+  shared_page->intent = Intent::kStartAgain;
+  return kFailed;
+}
 
 }  // namespace runtime

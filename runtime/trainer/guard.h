@@ -6,15 +6,12 @@
 
 namespace runtime {
 
-// The exit status with which a guarded process asks to be started again from its last checkpoint.
-inline constexpr int kStartAgain = 75;
-
 // Runs `train` in a child process and waits for it: returns there and here, with its exit status,
 // or passes its exception on there. Signals go to the child.
 //
-// Where a task crashes in the child, or does not come back within 10 s of CPU time, the task goes
-// into quarantine in the run's record and a new child runs `again`. So does one after a crash while
-// a plugin was being loaded, and after kStartAgain. Any other end is the end.
+// Where a task crashes in the child, ends it, or does not come back within 10 s of CPU time, the
+// task goes into quarantine in the run's record and a new child runs `again`. So does one after the
+// same while a plugin was being loaded, and after StartAgain(). Any other end is the end.
 //
 // A process that is being debugged is not guarded: the debugger gets the crash.
 int RunGuarded(const std::function<int()>& train,
@@ -23,5 +20,8 @@ int RunGuarded(const std::function<int()>& train,
 // In the child: the run that is being trained, from the moment on at which it could go on.
 void TellGuard(const std::filesystem::path& run);
 bool IsGuarded();
+// Asks for a new child that goes on from the last checkpoint, once this one has ended; returns the
+// exit status with which it is to do that.
+int StartAgain();
 
 }  // namespace runtime

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "runtime/report/report.h"
+#include "runtime/run/record_error.h"
 #include "runtime/run/stop_request.h"
 #include "runtime/run/training.h"
 #include "runtime/server/server.h"
@@ -15,13 +16,14 @@ namespace runtime {
 namespace {
 
 // Where a change that somebody made has brought the network to a halt, the run goes on without it;
-// otherwise it ends.
+// otherwise it ends. Nobody's change is to blame for what the disk does.
 int Fail(const RunParts& run, LiveRun& live, Progress& progress, const UserError& error) {
   const std::string name = run.folder.string();
-  if (live.BlameLastChange(error.what())) {
+  const bool is_of_record = dynamic_cast<const RecordError*>(&error) != nullptr;
+  if (!is_of_record && live.BlameLastChange(error.what())) {
     progress.Warn(fmt::format(
         "warning: {}; the last change is taken back, from the last checkpoint on", error.what()));
-    if (IsGuarded()) return kStartAgain;
+    if (IsGuarded()) return StartAgain();
   }
   throw UserError(fmt::format(
       "{}; what was saved is kept, and `trainer resume {}` goes on from the last checkpoint",
