@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include "runtime/control/parameter_json.h"
+#include "runtime/run/record_error.h"
 #include "runtime/run/run_files.h"
+#include "runtime/task/plugin_watch.h"
 
 namespace runtime {
 namespace {
@@ -67,9 +69,18 @@ void ChangeMaker::Do(const Change& change, int64_t episode) {
 
 std::unique_ptr<TaskInstance> ChangeMaker::MakeInstance(int64_t task) const {
   const TaskRecord& record = TaskWithId(run_, task);
-  auto plugin =
-      std::make_shared<const Plugin>(FindKeptPlugin(folder_, record.plugin), record.task_file);
-  return std::make_unique<TaskInstance>(std::move(plugin), task);
+  return std::make_unique<TaskInstance>(LoadKept(record), task);
+}
+
+// It could be loaded when it was kept.
+std::shared_ptr<const Plugin> ChangeMaker::LoadKept(const TaskRecord& task) const {
+  const std::filesystem::path file = FindKeptPlugin(folder_, task.plugin);
+  const InsideOfTask watched(task.id);  // its code runs already while it is loaded
+  try {
+    return std::make_shared<const Plugin>(file, task.task_file);
+  } catch (const UserError& error) {
+    throw RecordError(error.what());
+  }
 }
 
 // The task that is there already stays, with its previous one: only what was learned from it may be

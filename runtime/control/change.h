@@ -38,11 +38,13 @@ class ChangeMaker {
   ChangeMaker(LiveNetwork& network, Schedules& schedules, const RunRecord& run,
               std::filesystem::path folder);
 
-  // `episode`: the first one that a schedule sets. Throws UserError, and changes nothing then.
+  // `episode`: the first one that a schedule sets. Throws UserError, and changes nothing then;
+  // RecordError where a plugin that the run has kept cannot be loaded.
   void Do(const Change& change, int64_t episode);
 
  private:
   std::unique_ptr<TaskInstance> MakeInstance(int64_t task) const;
+  std::shared_ptr<const Plugin> LoadKept(const TaskRecord& task) const;
   void Swap(const Change& change);
   void Rollback(const Change& change);
   void Promote(const Change& change);

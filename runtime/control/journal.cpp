@@ -64,6 +64,19 @@ std::optional<ChangeRecord> Journal::TakeDue(const RunPosition& position) {
   return std::nullopt;
 }
 
+std::optional<ChangeRecord> Journal::TakeDueNow(const RunPosition& position) {
+  std::optional<ChangeRecord> change = TakeDue(position);
+  if (!change) return change;
+  // What comes after one that was moved to the end of this position stays after it.
+  const bool is_late = PositionOf(*change) < position;
+  if (!is_late && moved_to_ != position) return change;
+  change->id = database_.MoveChange(change->id, position.episode, position.step);
+  change->episode = position.episode;
+  change->step = position.step;
+  moved_to_ = position;
+  return change;
+}
+
 ChangeRecord Journal::AddDone(const RunPosition& position, const std::string& kind,
                               const std::string& text, const std::string& data) {
   ChangeRecord change;
@@ -81,6 +94,8 @@ void Journal::AddDue(const RunPosition& position, const std::string& kind, const
   ChangeRecord change = AddDone(position, kind, text, data);
   due_.insert(std::ranges::upper_bound(due_, position, {}, PositionOf), std::move(change));
 }
+
+void Journal::Remove(const ChangeRecord& change) { database_.RemoveChange(change.id); }
 
 void Journal::Quarantine(const RunPosition& position, const ChangeRecord& change,
                          const std::string& why) {

@@ -23,9 +23,10 @@ struct RunPosition {
   int64_t next_whole_episode() const { return step == 0 ? episode : episode + 1; }
 };
 
-// A change stands in the run's record from the moment it is accepted, with the position at which it
-// takes effect. So a run that goes on from a checkpoint meets the same changes at the same places,
-// and one that has an effect only in the next episode is not lost with the program.
+// A change stands in the run's record before it takes effect, with the position at which it does.
+// So a run that goes on from a checkpoint meets the same changes at the same places, and one that
+// has an effect only in the next episode is not lost with the program. By position and then id, the
+// changes stand in the order in which they took effect.
 class Journal {
  public:
   // Reads what the record has. `database` outlives this object.
@@ -34,6 +35,10 @@ class Journal {
   // Of the changes up to `position` that were not taken yet, the first. Changes that are in
   // quarantine are passed over. What was taken is in the run's record only.
   std::optional<ChangeRecord> TakeDue(const RunPosition& position);
+  // The same for a change that takes effect at `position` now. That is later than it stands in the
+  // record where an episode was to be repeated and, because of what was changed meanwhile, has
+  // ended before: then the change stands there from now on, with another id.
+  std::optional<ChangeRecord> TakeDueNow(const RunPosition& position);
   // Whether there may be one: as cheap as can be.
   bool has_due(const RunPosition& position) const {
     return !due_.empty() && PositionOf(due_.front()) <= position;
@@ -42,12 +47,14 @@ class Journal {
   // What is still to be done, in its order.
   const std::deque<ChangeRecord>& due() const { return due_; }
 
-  // Writes down a change that takes effect now.
+  // Writes down a change that is about to take effect.
   ChangeRecord AddDone(const RunPosition& position, const std::string& kind,
                        const std::string& text, const std::string& data);
   // Writes down a change that is taken when it is due, after all others of its position.
   void AddDue(const RunPosition& position, const std::string& kind, const std::string& text,
               const std::string& data);
+  // The last one that was added could not be done.
+  void Remove(const ChangeRecord& change);
   // A change that did harm is never done again.
   void Quarantine(const RunPosition& position, const ChangeRecord& change, const std::string& why);
 
@@ -65,6 +72,7 @@ class Journal {
 
   RunDatabase& database_;
   std::deque<ChangeRecord> due_;  // by position, then id
+  RunPosition moved_to_;          // where a change was moved to last
   std::vector<ChangeRecord> passed_over_;
   std::set<int64_t> bad_tasks_;
   std::set<int64_t> bad_changes_;

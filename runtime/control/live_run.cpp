@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "runtime/run/progress.h"
+#include "runtime/run/record_error.h"
 
 namespace runtime {
 namespace {
@@ -73,27 +73,37 @@ void LiveRun::Handle(Request request, ReplyHandler reply) {
 // ---- the thread that trains
 
 std::set<std::string> LiveRun::BeforeRestore(int64_t episode) {
-  for (int64_t each = 1; each <= episode; ++each) RepeatEpisode(each);
+  for (const EpisodeRecord& each : run_.database.ReadEpisodes()) {
+    if (each.number <= episode) RepeatEpisode(each);
+  }
   position_ = {episode + 1, 0};
   episodes_done_ = episode;
   recent_.clear();
   network_has_changed_ = false;
-  std::set<std::string> left_out;
-  for (const ChangeRecord& change : journal_.passed_over()) {
-    const bool adds_a_module = change.kind == "load" || change.kind == "module_add";
-    if (adds_a_module) left_out.insert(Change(Json::parse(change.data)).text("name"));
+  for (const ChangeRecord& change : journal_.passed_over()) NoteNotAgain(change);
+  return not_again_;
+}
+
+// A checkpoint may have another opinion of whether its module is there.
+void LiveRun::NoteNotAgain(const ChangeRecord& change) {
+  for (const char* kind : {"load", "module_add", "unload", "module_remove"}) {
+    if (change.kind == kind) not_again_.insert(Change(Json::parse(change.data)).text("name"));
   }
-  return left_out;
 }
 
 // Schedules go on with every episode: which of them ended, and when, depends on what was changed
-// meanwhile.
-void LiveRun::RepeatEpisode(int64_t episode) {
-  position_ = {episode, 0};
-  RepeatDueChanges();
-  schedules_.Apply(episode, network_);
-  position_ = {episode, std::numeric_limits<int64_t>::max()};
-  RepeatDueChanges();
+// meanwhile. After the last step nothing was changed any more, whatever was planned for later.
+void LiveRun::RepeatEpisode(const EpisodeRecord& episode) {
+  RepeatPast({episode.number, 0});
+  schedules_.Apply(episode.number, network_);
+  RepeatPast({episode.number, episode.steps - 1});
+}
+
+void LiveRun::RepeatPast(const RunPosition& position) {
+  position_ = position;
+  while (const std::optional<ChangeRecord> change = journal_.TakeDue(position_)) {
+    if (TryAgain(*change)) NoteNotAgain(*change);
+  }
 }
 
 bool LiveRun::AtSafePoint(int64_t episode, int64_t step) {
@@ -101,7 +111,7 @@ bool LiveRun::AtSafePoint(int64_t episode, int64_t step) {
   const bool has_something_to_do = step == 0 || journal_.has_due(position_) ||
                                    queue_.has_requests() || counts_ || state_ == State::kPaused;
   if (!has_something_to_do) return false;
-  RepeatDueChanges();
+  DoDueChanges();
   CountDown();
   ServeQueue();
   while (state_ == State::kPaused && !stops()) {
@@ -120,16 +130,25 @@ void LiveRun::CountDown() {
   SetState(State::kPaused);
 }
 
-void LiveRun::RepeatDueChanges() {
-  while (const std::optional<ChangeRecord> change = journal_.TakeDue(position_)) {
-    try {
-      Do(*change);
-    } catch (const std::exception& error) {
-      const std::string text =
-          fmt::format("warning: {}: not done again: {}", change->text, error.what());
-      progress_.Warn(text);
-      OnWarning(text);
-    }
+void LiveRun::DoDueChanges() {
+  while (const std::optional<ChangeRecord> change = journal_.TakeDueNow(position_)) {
+    // What the run has gone on without now, it goes on without whenever it is repeated.
+    if (const auto why = TryAgain(*change)) journal_.Quarantine(position_, *change, *why);
+  }
+}
+
+std::optional<std::string> LiveRun::TryAgain(const ChangeRecord& record) {
+  try {
+    Do(record);
+    return std::nullopt;
+  } catch (const RecordError&) {
+    throw;  // would be done if its plugin were there: the run must not go on without it
+  } catch (const std::exception& error) {
+    const std::string text =
+        fmt::format("warning: {}: not done again: {}", record.text, error.what());
+    progress_.Warn(text);
+    OnWarning(text);
+    return error.what();
   }
 }
 
@@ -157,8 +176,15 @@ std::string LiveRun::Make(const Change& change, bool now) {
     journal_.AddDue(next_start, change.kind(), text(), change.data().dump());
     return fmt::format("episode {}", next_start.episode);
   }
-  maker_.Do(change, position_.next_whole_episode());
-  NoteDone(journal_.AddDone(position_, change.kind(), text(), change.data().dump()));
+  const ChangeRecord record =
+      journal_.AddDone(position_, change.kind(), text(), change.data().dump());
+  try {
+    maker_.Do(change, position_.next_whole_episode());
+  } catch (...) {
+    journal_.Remove(record);
+    throw;
+  }
+  NoteDone(record);
   return "now";
 }
 
@@ -202,7 +228,7 @@ void LiveRun::AfterEpisode(const EpisodeRecord& episode, const ReturnStatistics&
 bool LiveRun::PlanMore(int64_t episodes_done) {
   if (when_done_ == WhenDone::kEnd) return false;
   position_ = {episodes_done + 1, 0};
-  RepeatDueChanges();  // before others come that take effect here
+  DoDueChanges();  // before others come that take effect here
   SetState(State::kFinished);
   while (run_.record.episodes_planned <= episodes_done && !stops()) {
     queue_.WaitFor(kBetweenLooks);

@@ -71,10 +71,14 @@ class LiveRun : public RequestHandler, public TrainingHooks {
   bool stops() const { return stop_was_asked_for_ || stop_.signal() != 0; }
   void Publish(nlohmann::json event);
 
-  // What was done from outside in an episode that need not be run again.
-  void RepeatEpisode(int64_t episode);
-  // Does what is due here; where something cannot be done, says so and goes on.
-  void RepeatDueChanges();
+  // What was done from outside in an episode that need not be run again. Writes nothing.
+  void RepeatEpisode(const EpisodeRecord& episode);
+  void RepeatPast(const RunPosition& position);
+  void NoteNotAgain(const ChangeRecord& change);
+  // Does what is due here.
+  void DoDueChanges();
+  // Where it cannot be done, says so and returns why.
+  std::optional<std::string> TryAgain(const ChangeRecord& record);
   void Do(const ChangeRecord& record);
   void NoteDone(const ChangeRecord& record);
   void ServeQueue();
@@ -98,8 +102,8 @@ class LiveRun : public RequestHandler, public TrainingHooks {
   void CheckIsGood(const TaskRecord& task) const;
   // The record of a task, which may be an older one of the same version.
   const TaskRecord& RecordTask(TaskRecord task);
-  // Writes a change down, after doing it if it is to take effect here. Returns "now" or
-  // "episode 13". Throws UserError where it cannot be done; then it is not written down.
+  // Writes a change down, and does it then if it is to take effect here. Returns "now" or
+  // "episode 13". Throws UserError where it cannot be written or done; then it is neither.
   std::string Make(const Change& change, bool now);
   void CountDown();
 
@@ -123,6 +127,7 @@ class LiveRun : public RequestHandler, public TrainingHooks {
   bool stop_was_asked_for_ = false;
   std::vector<ReplyHandler> waiting_for_checkpoint_;
   std::vector<ChangeRecord> recent_;  // done in this episode or the one before
+  std::set<std::string> not_again_;   // modules that came or went with a change not done again
 
   int64_t episodes_done_ = 0;
   EpisodeRecord last_episode_;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <map>
 #include <sstream>
 
 #include "runtime/module/suggestion.h"
@@ -197,28 +198,29 @@ void Network::Save(std::ostream& stream) const {
 }
 
 void Network::Load(std::istream& stream, const std::set<std::string>& left_out) {
-  uint64_t unread = ReadLength(stream);
-  const auto read_name = [&] {
-    --unread;
-    return ReadText(stream);
-  };
+  std::map<std::string, std::string> states;
+  for (uint64_t unread = ReadLength(stream); unread > 0; --unread) {
+    std::string name = ReadText(stream);
+    states[std::move(name)] = ReadText(stream);
+  }
   for (const auto& module : modules_) {
-    std::string name = unread > 0 ? read_name() : "";
-    for (; name != module->name() && left_out.contains(name); name = unread > 0 ? read_name() : "")
-      ReadText(stream);
-    if (name != module->name()) {
+    const auto found = states.find(module->name());
+    if (found == states.end() && left_out.contains(module->name())) continue;
+    if (found == states.end()) {
       throw UserError(
           fmt::format("the checkpoint has no state for the module `{}`", module->name()));
     }
-    std::istringstream state(ReadText(stream));
+    std::istringstream state(std::move(found->second));
+    states.erase(found);
     module->Load(state);
     if (state.fail()) {
       throw UserError(fmt::format("the checkpoint of the module `{}` is damaged", module->name()));
     }
   }
-  for (; unread > 0; ReadText(stream)) {
-    if (left_out.contains(read_name())) continue;
-    throw UserError("the checkpoint is of an agent with more modules");
+  for (const auto& [name, state] : states) {
+    if (!left_out.contains(name)) {
+      throw UserError("the checkpoint is of an agent with more modules");
+    }
   }
 }
 

@@ -83,8 +83,8 @@ class Network {
 
   // The state of all modules, so that a network of the same modules goes on where this one is.
   void Save(std::ostream& stream) const;
-  // Throws UserError where the state is damaged or of other modules. That of the modules in
-  // `left_out` is passed over.
+  // Throws UserError where the state is damaged or of other modules. Those in `left_out` may be
+  // missing in the network (their state is passed over) or in the state (they stay as they are).
   void Load(std::istream& stream, const std::set<std::string>& left_out = {});
 
  private:

@@ -238,10 +238,10 @@ bool WasStoppedAtOnce(const End& end) {
 int StatusOf(const End& end) {
   if (WIFEXITED(end.status)) {
     if (shared_page->intent != Intent::kNone) return WEXITSTATUS(end.status);
-    fmt::print(stderr,
-               "trainer: error: the program that trains has ended by itself (exit status {}), as "
-               "no task of taskc does; what was saved is kept\n",
-               WEXITSTATUS(end.status));
+    text::Print(stderr,
+                "trainer: error: the program that trains has ended by itself (exit status {}), as "
+                "no task of taskc does; what was saved is kept\n",
+                WEXITSTATUS(end.status));
     return kFailed;
   }
   const int signal = WTERMSIG(end.status);

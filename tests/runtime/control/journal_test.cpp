@@ -61,6 +61,34 @@ TEST_F(JournalTest, WhatIsDoneAlreadyIsOnlyWrittenDown) {
   EXPECT_THAT(TakeAll(again, kEnd), ElementsAre("now", "later"));
 }
 
+TEST_F(JournalTest, WhatTakesEffectLaterStandsWhereItDoes) {
+  Add(journal_, {4, 0}, "b");
+  Add(journal_, {3, 700}, "a");
+  Add(journal_, {4, 0}, "c");
+  Add(journal_, {4, 3}, "e");
+  for (const char* text : {"a", "b", "c"}) {
+    const std::optional<ChangeRecord> change = journal_.TakeDueNow({4, 0});
+    ASSERT_TRUE(change.has_value());
+    EXPECT_EQ(change->text, text);
+    EXPECT_EQ(std::pair(change->episode, change->step), std::pair(4L, 0L));
+  }
+  EXPECT_EQ(journal_.TakeDueNow({4, 2}), std::nullopt);
+  journal_.AddDone({4, 2}, "set", "d", "{}");
+  EXPECT_EQ(journal_.TakeDueNow({4, 3})->id, 4);  // where it stood
+  Journal again(database_);
+  EXPECT_FALSE(again.has_due({3, 700}));
+  EXPECT_THAT(TakeAll(again, {4, 0}), ElementsAre("a", "b", "c"));
+  EXPECT_THAT(TakeAll(again, kEnd), ElementsAre("d", "e"));
+}
+
+TEST_F(JournalTest, WhatCouldNotBeDoneIsTakenOutOfIt) {
+  journal_.AddDone({1, 1}, "set", "good", "{}");
+  journal_.Remove(journal_.AddDone({1, 2}, "set", "bad", "{}"));
+  journal_.AddDone({1, 3}, "set", "better", "{}");
+  Journal again(database_);
+  EXPECT_THAT(TakeAll(again, kEnd), ElementsAre("good", "better"));
+}
+
 TEST_F(JournalTest, IsReadAgainInTheSameOrder) {
   Add(journal_, {5, 0}, "c");
   Add(journal_, {4, 7}, "a");

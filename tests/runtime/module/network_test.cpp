@@ -223,6 +223,19 @@ TEST(NetworkState, ModulesCanBeLeftOut) {
   }
 }
 
+TEST(NetworkState, AModuleThatItDoesNotKnowStaysAsItIs) {
+  Network saved;
+  saved.Add(std::make_unique<Keeper>("a", '1'));
+  saved.Add(std::make_unique<Keeper>("c", '3'));
+  std::stringstream state;
+  saved.Save(state);
+  Network loaded;
+  for (const char* name : {"a", "b", "c"}) loaded.Add(std::make_unique<Keeper>(name));
+  loaded.Load(state, {"b"});
+  EXPECT_EQ(static_cast<Keeper&>(loaded.Find("b")).value, '0');
+  EXPECT_EQ(static_cast<Keeper&>(loaded.Find("c")).value, '3');
+}
+
 class Recorder : public Module {
  public:
   Recorder(std::string name, const Context& context)
