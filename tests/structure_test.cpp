@@ -43,7 +43,7 @@ const std::map<std::string, Folders> kMayInclude = {
     {"compiler/report", {"compiler/source"}},
     {"compiler/testing",
      {"compiler/build", "compiler/check", "compiler/emit", "compiler/evaluate", "compiler/source",
-      "compiler/syntax", "plugins/cache"}},
+      "compiler/syntax", "plugins/cache", "plugins/robot"}},
     {"compiler/document",
      {"compiler/analyze", "compiler/bounds", "compiler/check", "compiler/gains", "compiler/report",
       "compiler/source", "compiler/syntax", "plugins/robot"}},

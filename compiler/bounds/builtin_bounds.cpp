@@ -1,6 +1,7 @@
 #include "compiler/bounds/builtin_bounds.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <utility>
 
 #include "compiler/bounds/expression_bounds.h"
@@ -77,9 +78,8 @@ class BuiltinCalculation {
         return Select();
       case Builtin::kVector:
         return Vector();
-      default:
-        return Box(type_.scalar == Scalar::kReal ? kAnything : AnyOf(type_.scalar));
     }
+    std::abort();
   }
 
  private:

@@ -11,7 +11,7 @@
 namespace compiler {
 namespace {
 
-std::string NameOf(Builtin function) {
+std::string NameOf(std::variant<Builtin, Composite> function) {
   for (const std::string& name : BuiltinNames())
     if (FindBuiltin(name)->function == function) return name;
   return "";

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <utility>
 
 #include "compiler/bounds/expression_bounds.h"
@@ -148,9 +149,36 @@ bool Narrowing::Assume(const BuiltinCall& call, bool truth) {
       return truth ? AssumeEach(conditions, true) : AssumeSome(conditions, false);
     case Builtin::kNone:
       return truth ? AssumeEach(conditions, false) : AssumeSome(conditions, true);
-    default:
+    case Builtin::kCount:
+    case Builtin::kSum:
+    case Builtin::kNorm:
+    case Builtin::kDot:
+    case Builtin::kCross:
+    case Builtin::kAbs:
+    case Builtin::kMin:
+    case Builtin::kMax:
+    case Builtin::kClamp:
+    case Builtin::kSqrt:
+    case Builtin::kExp:
+    case Builtin::kLog:
+    case Builtin::kTanh:
+    case Builtin::kSin:
+    case Builtin::kCos:
+    case Builtin::kAtan2:
+    case Builtin::kTan:
+    case Builtin::kAsin:
+    case Builtin::kAcos:
+    case Builtin::kAtan:
+    case Builtin::kPow:
+    case Builtin::kSign:
+    case Builtin::kFloor:
+    case Builtin::kCeil:
+    case Builtin::kRound:
+    case Builtin::kSelect:
+    case Builtin::kVector:
       return true;
   }
+  std::abort();
 }
 
 bool Narrowing::AssumeEach(const CheckedExpression& conditions, bool truth) {
@@ -247,9 +275,36 @@ bool Narrowing::Restrict(const BuiltinCall& call, const Interval& range) {
         if (!RestrictElement(first, i, side)) return false;
       return true;
     }
-    default:
+    case Builtin::kAny:
+    case Builtin::kAll:
+    case Builtin::kNone:
+    case Builtin::kCount:
+    case Builtin::kSum:
+    case Builtin::kNorm:
+    case Builtin::kDot:
+    case Builtin::kCross:
+    case Builtin::kClamp:
+    case Builtin::kSqrt:
+    case Builtin::kExp:
+    case Builtin::kLog:
+    case Builtin::kTanh:
+    case Builtin::kSin:
+    case Builtin::kCos:
+    case Builtin::kAtan2:
+    case Builtin::kTan:
+    case Builtin::kAsin:
+    case Builtin::kAcos:
+    case Builtin::kAtan:
+    case Builtin::kPow:
+    case Builtin::kSign:
+    case Builtin::kFloor:
+    case Builtin::kCeil:
+    case Builtin::kRound:
+    case Builtin::kSelect:
+    case Builtin::kVector:
       return true;
   }
+  std::abort();
 }
 
 bool Narrowing::RestrictElement(const CheckedExpression& expression, uint32_t element,

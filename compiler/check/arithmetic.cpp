@@ -1,6 +1,7 @@
 #include "compiler/check/arithmetic.h"
 
 #include <cmath>
+#include <cstdlib>
 
 namespace compiler {
 namespace {
@@ -57,33 +58,74 @@ Number JoinAll(std::span<const Number> values, const Join& join) {
   return joined;
 }
 
-// The functions that ints have as well.
+double Magnitude(double value) { return std::abs(value); }
+int64_t Magnitude(int64_t value) { return value < 0 ? Subtract(0, value) : value; }
+
+// Functions of reals are never asked for with ints: the checker makes reals of them first.
 template <typename Number>
-Number OfNumbers(Builtin function, std::span<const Number> values) {
+Number Apply(Builtin function, std::span<const Number> values) {
+  const Number x = values[0];
+  const auto of = [](double result) { return static_cast<Number>(result); };
   switch (function) {
     case Builtin::kAny:
       return JoinAll(values, [](Number a, Number b) -> Number { return a != 0 || b != 0; });
     case Builtin::kNone:
-      return OfNumbers(Builtin::kAny, values) == 0;
+      return Apply(Builtin::kAny, values) == 0;
     case Builtin::kAll:
       return JoinAll(values, [](Number a, Number b) -> Number { return a != 0 && b != 0; });
     case Builtin::kCount:
     case Builtin::kSum:
       return JoinAll(values,
                      [](Number a, Number b) { return Calculate(BinaryOperator::kAdd, a, b); });
+    case Builtin::kAbs:
+      return Magnitude(x);
     case Builtin::kMin:
       return JoinAll(values, Smaller<Number>);
     case Builtin::kMax:
       return JoinAll(values, Larger<Number>);
     case Builtin::kClamp:
-      return Smaller(Larger(values[0], values[1]), values[2]);
+      return Smaller(Larger(x, values[1]), values[2]);
+    case Builtin::kSqrt:
+      return of(std::sqrt(x));
+    case Builtin::kExp:
+      return of(std::exp(x));
+    case Builtin::kLog:
+      return of(std::log(x));
+    case Builtin::kTanh:
+      return of(std::tanh(x));
+    case Builtin::kSin:
+      return of(std::sin(x));
+    case Builtin::kCos:
+      return of(std::cos(x));
+    case Builtin::kAtan2:
+      return of(std::atan2(x, values[1]));
+    case Builtin::kTan:
+      return of(std::tan(x));
+    case Builtin::kAsin:
+      return of(std::asin(x));
+    case Builtin::kAcos:
+      return of(std::acos(x));
+    case Builtin::kAtan:
+      return of(std::atan(x));
+    case Builtin::kPow:
+      return of(std::pow(x, values[1]));
     case Builtin::kSign:
-      return values[0] > 0 ? Number{1} : values[0] < 0 ? Number{-1} : values[0];
+      return x > 0 ? Number{1} : x < 0 ? Number{-1} : x;
+    case Builtin::kFloor:
+      return of(std::floor(x));
+    case Builtin::kCeil:
+      return of(std::ceil(x));
+    case Builtin::kRound:
+      return of(std::round(x));
     case Builtin::kSelect:
-      return values[0] != 0 ? values[1] : values[2];
-    default:
-      return 0;
+      return x != 0 ? values[1] : values[2];
+    case Builtin::kNorm:
+    case Builtin::kDot:
+    case Builtin::kCross:
+    case Builtin::kVector:
+      break;  // their arguments have a shape
   }
+  std::abort();
 }
 
 }  // namespace
@@ -129,48 +171,11 @@ int64_t Calculate(BinaryOperator op, int64_t left, int64_t right) {
 }
 
 double Calculate(Builtin function, std::span<const double> values) {
-  const double x = values[0];
-  switch (function) {
-    case Builtin::kAbs:
-      return std::abs(x);
-    case Builtin::kSqrt:
-      return std::sqrt(x);
-    case Builtin::kExp:
-      return std::exp(x);
-    case Builtin::kLog:
-      return std::log(x);
-    case Builtin::kTanh:
-      return std::tanh(x);
-    case Builtin::kSin:
-      return std::sin(x);
-    case Builtin::kCos:
-      return std::cos(x);
-    case Builtin::kAtan2:
-      return std::atan2(x, values[1]);
-    case Builtin::kTan:
-      return std::tan(x);
-    case Builtin::kAsin:
-      return std::asin(x);
-    case Builtin::kAcos:
-      return std::acos(x);
-    case Builtin::kAtan:
-      return std::atan(x);
-    case Builtin::kPow:
-      return std::pow(x, values[1]);
-    case Builtin::kFloor:
-      return std::floor(x);
-    case Builtin::kCeil:
-      return std::ceil(x);
-    case Builtin::kRound:
-      return std::round(x);
-    default:
-      return OfNumbers(function, values);
-  }
+  return Apply(function, values);
 }
 
 int64_t Calculate(Builtin function, std::span<const int64_t> values) {
-  if (function == Builtin::kAbs) return values[0] < 0 ? Subtract(0, values[0]) : values[0];
-  return OfNumbers(function, values);
+  return Apply(function, values);
 }
 
 }  // namespace compiler

@@ -22,7 +22,8 @@ bool Holds(BinaryOperator comparison, double left, double right);
 
 // A function of the given values: the arguments of `clamp`, the elements of an array for `sum`.
 // What joins many values joins them from the left. At least one value; only functions whose
-// arguments can be written in one row like that, so neither `norm` nor `dot` nor `cross`.
+// arguments can be written in one row like that, so neither `norm` nor `dot` nor `cross` nor a
+// vector.
 double Calculate(Builtin function, std::span<const double> values);
 int64_t Calculate(Builtin function, std::span<const int64_t> values);
 

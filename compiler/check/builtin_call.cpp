@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
 
 #include "compiler/check/fold.h"
 #include "compiler/check/report.h"
@@ -33,17 +34,21 @@ class BuiltinCheck {
     const auto unit = ResultUnit();
     if (!unit) return std::nullopt;
     ConvertArguments();
-    if (builtin_.composite != Composite::kNone) return Replaced(*unit);
-    return Build(ResultType(), *unit);
+    if (const auto* composite = std::get_if<Composite>(&builtin_.function))
+      return Replaced(*composite, *unit);
+    return Build(std::get<Builtin>(builtin_.function), ResultType(), *unit);
   }
 
  private:
   CheckedExpression& argument(size_t i) { return arguments_[i].expression; }
   const Type& type(size_t i) { return arguments_[i].expression.type; }
 
+  bool Is(std::variant<Builtin, Composite> function) const { return builtin_.function == function; }
+  bool IsComposite() const { return std::holds_alternative<Composite>(builtin_.function); }
+  // `min`, `max`: of one vector or array, or of several numbers.
+  bool IsExtremum() const { return builtin_.arguments == kScalars && builtin_.min_arguments == 1; }
   ArgumentRule rule() const {
-    const bool is_extremum = builtin_.arguments == kScalars && builtin_.min_arguments == 1;
-    return is_extremum && arguments_.size() == 1 ? kNumbers : builtin_.arguments;
+    return IsExtremum() && arguments_.size() == 1 ? kNumbers : builtin_.arguments;
   }
 
   bool CheckCount() {
@@ -66,7 +71,7 @@ class BuiltinCheck {
     if (!fits) return false;
     if (rule() == kTwoRows) return AreOfOneType(0, 1);
     if (rule() == kChoice) return AreOfOneType(1, 2);
-    return builtin_.composite != Composite::kTolerance || HasMargin();
+    return !Is(Composite::kTolerance) || HasMargin();
   }
 
   // But for the difference between ints and reals.
@@ -164,8 +169,7 @@ class BuiltinCheck {
   std::string HelpForType(const Type& type) const {
     if (rule() == kConditions) return "compare it, as in `x > 0`";
     if (IsBool(type)) return "`count` tells how many conditions are true";
-    if (builtin_.function == Builtin::kNorm && IsScalar(type))
-      return "the magnitude of a single number is `abs(x)`";
+    if (Is(Builtin::kNorm) && IsScalar(type)) return "the magnitude of a single number is `abs(x)`";
     return "";
   }
 
@@ -272,8 +276,8 @@ class BuiltinCheck {
   void ConvertArguments() {
     const ArgumentRule applied = rule();
     if (applied == kChoice) return ConvertChoice();
-    const bool keeps_ints = builtin_.composite == Composite::kNone &&
-                            (applied == kNumbers || applied == kElements || applied == kScalars);
+    const bool keeps_ints =
+        !IsComposite() && (applied == kNumbers || applied == kElements || applied == kScalars);
     if (applied == kConditions || (keeps_ints && AllInts())) return;
     for (Operand& operand : arguments_) operand.expression = ToReal(std::move(operand.expression));
   }
@@ -287,7 +291,7 @@ class BuiltinCheck {
   Type ResultType() {
     switch (rule()) {
       case kConditions:
-        return ScalarType(builtin_.function == Builtin::kCount ? Scalar::kInt : Scalar::kBool);
+        return ScalarType(Is(Builtin::kCount) ? Scalar::kInt : Scalar::kBool);
       case kNumbers:
         return ScalarType(type(0).scalar);
       case kTwoVec3:
@@ -309,26 +313,26 @@ class BuiltinCheck {
     return ScalarType(Scalar::kReal);
   }
 
-  std::optional<CheckedExpression> Replaced(const Unit& unit) {
+  std::optional<CheckedExpression> Replaced(Composite function, const Unit& unit) {
     std::vector<CheckedExpression> values;
     for (Operand& operand : arguments_) values.push_back(std::move(operand.expression));
-    return Expand(builtin_.composite, span_, unit, std::move(values), diagnostics_);
+    return Expand(function, span_, unit, std::move(values), diagnostics_);
   }
 
-  std::optional<CheckedExpression> Build(const Type& result, const Unit& unit) {
-    const bool nests = builtin_.function == Builtin::kMin || builtin_.function == Builtin::kMax;
-    while (nests && arguments_.size() > 2) {
-      auto inner = Call(result, unit, 2);
+  std::optional<CheckedExpression> Build(Builtin function, const Type& result, const Unit& unit) {
+    while (IsExtremum() && arguments_.size() > 2) {
+      auto inner = Call(function, result, unit, 2);
       if (!inner) return std::nullopt;
       arguments_.erase(arguments_.begin());
       argument(0) = std::move(*inner);
     }
-    return Call(result, unit, arguments_.size());
+    return Call(function, result, unit, arguments_.size());
   }
 
   // The call with the first `count` arguments.
-  std::optional<CheckedExpression> Call(const Type& result, const Unit& unit, size_t count) {
-    BuiltinCall call{builtin_.function, {}};
+  std::optional<CheckedExpression> Call(Builtin function, const Type& result, const Unit& unit,
+                                        size_t count) {
+    BuiltinCall call{function, {}};
     for (size_t i = 0; i < count; ++i)
       call.arguments.push_back(std::make_unique<CheckedExpression>(std::move(argument(i))));
     return Fold({span_, result, unit, std::move(call)}, diagnostics_);

@@ -1,8 +1,9 @@
-// The functions of the language: one table of names, arguments and units.
+// What the checker knows of the functions of the language; the list is builtin_table.def.
 #pragma once
 
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "compiler/check/checked_task.h"
@@ -47,13 +48,12 @@ enum class UnitRule {
 
 struct BuiltinDescription {
   std::string_view name;
-  Builtin function;
+  std::variant<Builtin, Composite> function;  // what a call becomes
   size_t min_arguments;
   size_t max_arguments;
   ArgumentRule arguments;
   UnitRule units;
-  std::string_view usage;                  // how a call is written: "clamp(x, low, high)"
-  Composite composite = Composite::kNone;  // what a call is replaced by; else `function`
+  std::string_view usage;  // how a call is written: "clamp(x, low, high)"
 };
 
 // The function called `name`, or null.

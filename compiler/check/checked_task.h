@@ -96,37 +96,11 @@ struct CheckedBinary {
   CheckedExpressionPtr right;
 };
 
+// From the one list in builtin_table.def.
 enum class Builtin {
-  kAny,
-  kAll,
-  kNone,
-  kCount,
-  kSum,
-  kNorm,
-  kDot,
-  kCross,
-  kAbs,
-  kMin,
-  kMax,
-  kClamp,
-  kSqrt,
-  kExp,
-  kLog,
-  kTanh,
-  kSin,
-  kCos,
-  kAtan2,
-  kTan,
-  kAsin,
-  kAcos,
-  kAtan,
-  kPow,
-  kSign,  // -1, 0 or 1, of each element
-  kFloor,
-  kCeil,
-  kRound,   // half away from 0
-  kSelect,  // the second argument where the first is true, else the third
-  kVector   // its arguments, scalars, as the elements of a vector or a quaternion
+#define BUILTIN(id, name, least, most, arguments, units, usage) id,
+#include "compiler/check/builtin_table.def"
+  kVector  // its arguments, scalars, as the elements of a vector or a quaternion
 };
 struct BuiltinCall {
   Builtin function;

@@ -1,5 +1,6 @@
 #include "compiler/check/composites.h"
 
+#include <cstdlib>
 #include <limits>
 #include <numbers>
 #include <utility>
@@ -44,8 +45,6 @@ class Expansion {
  private:
   CheckedExpression Equation(Composite function) {
     switch (function) {
-      case Composite::kNone:
-        break;
       case Composite::kMean:
         return Mean();
       case Composite::kNormalize:
@@ -75,7 +74,7 @@ class Expansion {
       case Composite::kTolerance:
         return Tolerance();
     }
-    return Argument(0);
+    std::abort();
   }
 
   CheckedExpression Mean() {

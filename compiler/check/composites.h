@@ -24,19 +24,10 @@
 
 namespace compiler {
 
+// From the one list in builtin_table.def.
 enum class Composite {
-  kNone,  // a function that stays a call
-  kMean,
-  kNormalize,
-  kRotate,
-  kInverse,
-  kTranspose,
-  kRoll,
-  kPitch,
-  kYaw,
-  kAngleBetween,
-  kWrap,
-  kTolerance
+#define COMPOSITE(id, name, least, most, arguments, units, usage) id,
+#include "compiler/check/builtin_table.def"
 };
 
 // The equation of a call, with checked arguments of reals; its type, and the unit as given.

@@ -67,19 +67,13 @@ bool SensorCatalog::IsRoot(std::string_view name) const {
   });
 }
 
-bool IsSensorOfRobots(std::string_view name) {
-  return std::ranges::any_of(robot::Sensors(), [name](const robot::SensorDescription& sensor) {
-    return sensor.name == name;
-  });
-}
+bool IsSensorOfRobots(std::string_view name) { return robot::FindSensor(name) != nullptr; }
 
 std::string DeclarationOf(std::string_view name) {
-  for (const robot::SensorDescription& sensor : robot::Sensors()) {
-    if (sensor.name != name || sensor.type.find('[') != std::string_view::npos) continue;
-    const std::string unit = sensor.unit.empty() ? "" : fmt::format(" [{}]", sensor.unit);
-    return fmt::format("sensor {}: {}{}", sensor.name, sensor.type, unit);
-  }
-  return "";
+  const robot::SensorDescription* sensor = robot::FindSensor(name);
+  if (sensor == nullptr || sensor->type.find('[') != std::string_view::npos) return "";
+  const std::string unit = sensor->unit.empty() ? "" : fmt::format(" [{}]", sensor->unit);
+  return fmt::format("sensor {}: {}{}", sensor->name, sensor->type, unit);
 }
 
 }  // namespace compiler

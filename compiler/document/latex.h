@@ -55,7 +55,8 @@ std::string NameToLatex(std::string_view name);
 std::string TextToLatex(std::string_view text);
 std::string NumberToLatex(double value);
 
-// A call of a builtin or of the task's own function. The arguments are there.
+// A call of a builtin or of the task's own function. There are arguments; how many has not been
+// checked.
 Formula CallFormula(std::string_view function, const std::vector<Formula>& arguments);
 
 }  // namespace compiler

@@ -339,11 +339,9 @@ class PageWriter {
   }
 
   std::string MeaningOf(const std::string& sensor) const {
-    if (!task_.robot.empty()) {
-      for (const robot::SensorDescription& description : robot::Sensors()) {
-        if (description.name == sensor) return std::string(description.doc);
-      }
-    }
+    const robot::SensorDescription* of_robot =
+        task_.robot.empty() ? nullptr : robot::FindSensor(sensor);
+    if (of_robot != nullptr) return std::string(of_robot->doc);
     for (const SensorDeclaration* declaration : All<SensorDeclaration>(tree_)) {
       if (declaration->name.text == sensor) return declaration->doc;
     }

@@ -4,11 +4,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <utility>
 
+#include "compiler/emit/chain.h"
 #include "compiler/emit/cpp_literal.h"
 #include "compiler/emit/overloaded.h"
-#include "compiler/emit/reduction.h"
 
 namespace compiler {
 namespace {
@@ -130,18 +131,16 @@ void ExpressionEmitter::PrepareElementwise(const CheckedExpression& expression) 
 }
 
 void ExpressionEmitter::PrepareCall(const CheckedExpression& expression, const BuiltinCall& call) {
-  if (call.function == Builtin::kVector) {
-    for (const CheckedExpressionPtr& argument : call.arguments) Prepare(*argument, Use::kOnce);
-    return;
-  }
-  bool is_reduction = IsReduction(call);
-  if (!is_reduction && call.function != Builtin::kCross) return PrepareElementwise(expression);
-  bool uses_once = call.function != Builtin::kCross && call.function != Builtin::kNorm;
+  const std::optional<Chain> chain = ChainOf(call);
+  const bool is_cross = call.function == Builtin::kCross;
+  const bool is_vector = call.function == Builtin::kVector;
+  if (!chain && !is_cross && !is_vector) return PrepareElementwise(expression);
+  const bool is_squared = chain && chain->term == Chain::Term::kSquare;
   for (const CheckedExpressionPtr& argument : call.arguments) {
-    Prepare(*argument, uses_once ? Use::kOnce : Use::kRepeatedly);
+    Prepare(*argument, is_cross || is_squared ? Use::kRepeatedly : Use::kOnce);
   }
-  if (is_reduction && call.arguments.front()->type.size() > kWrittenOut) {
-    NameLongReduction(expression, call);
+  if (chain && call.arguments.front()->type.size() > kWrittenOut) {
+    NameLongChain(expression, call, *chain);
   }
 }
 
@@ -177,17 +176,17 @@ void ExpressionEmitter::NameResult(const CheckedExpression& expression, const Fu
   named_[&expression] = name;
 }
 
-void ExpressionEmitter::NameLongReduction(const CheckedExpression& expression,
-                                          const BuiltinCall& call) {
+void ExpressionEmitter::NameLongChain(const CheckedExpression& expression, const BuiltinCall& call,
+                                      const Chain& chain) {
   std::string name = names_.Add("part");
   Scalar scalar = expression.type.scalar;
-  CppText first = ReductionTerm(call.function, ArgumentElements(call, {}));
-  CppText next = ReductionTerm(call.function, ArgumentElements(call, {.variable = "i"}));
+  CppText first = ChainTerm(chain.term, ArgumentElements(call, {}));
+  CppText next = ChainTerm(chain.term, ArgumentElements(call, {.variable = "i"}));
   parts_.push_back(fmt::format("{} {} = {};", CppType(scalar), name, first.text));
   parts_.push_back(fmt::format("for (int i = 1; i < {}; ++i) {} = {};",
                                call.arguments.front()->type.size(), name,
-                               Combine(call.function, scalar, {name}, next, helpers_).text));
-  CppText result = FinishReduction(call.function, {name});
+                               Combine(chain.join, scalar, {name}, next, helpers_).text));
+  CppText result = FinishChain(chain.finish, {name});
   if (result.text != name) parts_.push_back(fmt::format("{} = {};", name, result.text));
   named_[&expression] = name;
 }
@@ -272,63 +271,54 @@ CppText ExpressionEmitter::ElementOf(const CheckedBinary& node, const Index& ind
 
 CppText ExpressionEmitter::ElementOf(const BuiltinCall& node, const CheckedExpression& expression,
                                      const Index& index) {
-  if (IsReduction(node)) return Reduction(node, expression.type.scalar);
-  if (node.function == Builtin::kCross) return Cross(node, index);
-  if (node.function == Builtin::kVector) return AsReal(*node.arguments[index.number], {});
-  std::vector<CppText> arguments = ArgumentElements(node, index);
-  Scalar scalar = expression.type.scalar;
-  bool is_int = scalar == Scalar::kInt;
-  auto library_call = [&](Helper helper) { return CallText(helpers_.Use(helper), arguments); };
-  switch (node.function) {
-    case Builtin::kAbs:
-      return CallText(is_int ? "__builtin_llabs" : "__builtin_fabs", arguments);
-    case Builtin::kSqrt:
-      return CallText("__builtin_sqrt", arguments);
-    case Builtin::kExp:
-      return library_call(Helper::kExp);
-    case Builtin::kLog:
-      return library_call(Helper::kLog);
-    case Builtin::kTanh:
-      return library_call(Helper::kTanh);
-    case Builtin::kSin:
-      return library_call(Helper::kSin);
-    case Builtin::kCos:
-      return library_call(Helper::kCos);
-    case Builtin::kAtan2:
-      return library_call(Helper::kAtan2);
-    case Builtin::kTan:
-      return library_call(Helper::kTan);
-    case Builtin::kAsin:
-      return library_call(Helper::kAsin);
-    case Builtin::kAcos:
-      return library_call(Helper::kAcos);
-    case Builtin::kAtan:
-      return library_call(Helper::kAtan);
-    case Builtin::kPow:
-      return library_call(Helper::kPow);
-    case Builtin::kSign:
-      return library_call(is_int ? Helper::kSignInt : Helper::kSign);
-    case Builtin::kFloor:
-      return CallText("__builtin_floor", arguments);
-    case Builtin::kCeil:
-      return CallText("__builtin_ceil", arguments);
-    case Builtin::kRound:
-      return CallText("__builtin_round", arguments);
-    case Builtin::kSelect:
-      return {
-          fmt::format("({} ? {} : {})", arguments[0].text, arguments[1].text, arguments[2].text)};
-    case Builtin::kClamp: {
-      CppText raised = Combine(Builtin::kMax, scalar, arguments[0], arguments[1], helpers_);
-      return Combine(Builtin::kMin, scalar, raised, arguments[2], helpers_);
-    }
-    default:
-      break;  // min and max of several values
-  }
+  const Scalar scalar = expression.type.scalar;
+  const bool is_int = scalar == Scalar::kInt;
+  if (const auto chain = ChainOf(node)) return Reduced(node, *chain, scalar);
+  return std::visit(Overloaded{
+                        [&](const Chain& chain) { return Joined(node, chain.join, scalar, index); },
+                        [&](const CompilerFunction& function) {
+                          return CallText(is_int ? function.integer : function.real,
+                                          ArgumentElements(node, index));
+                        },
+                        [&](const HelperFunction& function) {
+                          return CallText(helpers_.Use(is_int ? function.integer : function.real),
+                                          ArgumentElements(node, index));
+                        },
+                        [&](WrittenOut form) { return Written(form, node, scalar, index); },
+                    },
+                    EmissionOf(node.function));
+}
+
+CppText ExpressionEmitter::Joined(const BuiltinCall& call, Chain::Join join, Scalar scalar,
+                                  const Index& index) {
+  const std::vector<CppText> arguments = ArgumentElements(call, index);
   CppText result = arguments.front();
   for (size_t i = 1; i < arguments.size(); ++i) {
-    result = Combine(node.function, scalar, result, arguments[i], helpers_);
+    result = Combine(join, scalar, result, arguments[i], helpers_);
   }
   return result;
+}
+
+CppText ExpressionEmitter::Written(WrittenOut form, const BuiltinCall& call, Scalar scalar,
+                                   const Index& index) {
+  switch (form) {
+    case WrittenOut::kClamp: {
+      const std::vector<CppText> arguments = ArgumentElements(call, index);
+      const CppText raised =
+          Combine(Chain::Join::kMax, scalar, arguments[0], arguments[1], helpers_);
+      return Combine(Chain::Join::kMin, scalar, raised, arguments[2], helpers_);
+    }
+    case WrittenOut::kCross:
+      return Cross(call, index);
+    case WrittenOut::kSelect: {
+      const std::vector<CppText> arguments = ArgumentElements(call, index);
+      return {
+          fmt::format("({} ? {} : {})", arguments[0].text, arguments[1].text, arguments[2].text)};
+    }
+    case WrittenOut::kVector:
+      return AsReal(*call.arguments[index.number], {});
+  }
+  std::abort();
 }
 
 CppText ExpressionEmitter::Call(const FunctionCall& call) {
@@ -377,13 +367,13 @@ CppText ExpressionEmitter::AsReal(const CheckedExpression& expression, const Ind
           Precedence::kPrefix};
 }
 
-CppText ExpressionEmitter::Reduction(const BuiltinCall& call, Scalar scalar) {
-  CppText result = ReductionTerm(call.function, ArgumentElements(call, {}));
+CppText ExpressionEmitter::Reduced(const BuiltinCall& call, const Chain& chain, Scalar scalar) {
+  CppText result = ChainTerm(chain.term, ArgumentElements(call, {}));
   for (uint32_t i = 1; i < call.arguments.front()->type.size(); ++i) {
-    CppText term = ReductionTerm(call.function, ArgumentElements(call, {.number = i}));
-    result = Combine(call.function, scalar, result, term, helpers_);
+    CppText term = ChainTerm(chain.term, ArgumentElements(call, {.number = i}));
+    result = Combine(chain.join, scalar, result, term, helpers_);
   }
-  return FinishReduction(call.function, result);
+  return FinishChain(chain.finish, result);
 }
 
 CppText ExpressionEmitter::Cross(const BuiltinCall& call, const Index& index) {

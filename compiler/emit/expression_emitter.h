@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "compiler/check/checked_task.h"
+#include "compiler/emit/builtin_emission.h"
 #include "compiler/emit/cpp_text.h"
 #include "compiler/emit/helper_functions.h"
 #include "compiler/emit/unique_names.h"
@@ -59,7 +60,8 @@ class ExpressionEmitter {
   void PrepareCall(const CheckedExpression& expression, const FunctionCall& call);
   void NameValue(const CheckedExpression& expression);
   void NameResult(const CheckedExpression& expression, const FunctionCall& call);
-  void NameLongReduction(const CheckedExpression& expression, const BuiltinCall& call);
+  void NameLongChain(const CheckedExpression& expression, const BuiltinCall& call,
+                     const Chain& chain);
   void NameIndices(const CheckedExpression& expression, const Elements& elements);
   std::vector<CppText> AllElements(const CheckedExpression& expression, uint32_t count);
 
@@ -76,7 +78,9 @@ class ExpressionEmitter {
   std::string ArrayOf(const CheckedExpression& expression) const;
   std::vector<CppText> ArgumentElements(const BuiltinCall& call, const Index& index);
   CppText AsReal(const CheckedExpression& expression, const Index& index);
-  CppText Reduction(const BuiltinCall& call, Scalar scalar);
+  CppText Reduced(const BuiltinCall& call, const Chain& chain, Scalar scalar);
+  CppText Joined(const BuiltinCall& call, Chain::Join join, Scalar scalar, const Index& index);
+  CppText Written(WrittenOut form, const BuiltinCall& call, Scalar scalar, const Index& index);
   CppText Cross(const BuiltinCall& call, const Index& index);
   CppText Subscript(const std::string& name, const Type& type, const Index& index) const;
 

@@ -1,6 +1,7 @@
 #include "compiler/evaluate/builtins.h"
 
 #include <cmath>
+#include <cstdlib>
 
 #include "compiler/check/arithmetic.h"
 
@@ -61,7 +62,7 @@ Value ApplyToAll(Builtin function, const std::vector<Value>& arguments) {
 
 }  // namespace
 
-Value Apply(Builtin function, const std::vector<Value>& arguments, const Type& type) {
+Value Apply(Builtin function, const std::vector<Value>& arguments) {
   switch (function) {
     case Builtin::kNorm: {
       const Reals v = ToReals(arguments[0]);
@@ -75,10 +76,35 @@ Value Apply(Builtin function, const std::vector<Value>& arguments, const Type& t
       return ToReals(arguments[0])[0] != 0 ? arguments[1] : arguments[2];
     case Builtin::kVector:
       return Joined(arguments);
-    default:
-      break;
+    case Builtin::kAbs:
+    case Builtin::kSign:
+      return ApplyToEach(function, arguments[0]);
+    case Builtin::kAny:
+    case Builtin::kAll:
+    case Builtin::kNone:
+    case Builtin::kCount:
+    case Builtin::kSum:
+    case Builtin::kMin:
+    case Builtin::kMax:
+    case Builtin::kClamp:
+    case Builtin::kSqrt:
+    case Builtin::kExp:
+    case Builtin::kLog:
+    case Builtin::kTanh:
+    case Builtin::kSin:
+    case Builtin::kCos:
+    case Builtin::kAtan2:
+    case Builtin::kTan:
+    case Builtin::kAsin:
+    case Builtin::kAcos:
+    case Builtin::kAtan:
+    case Builtin::kPow:
+    case Builtin::kFloor:
+    case Builtin::kCeil:
+    case Builtin::kRound:
+      return ApplyToAll(function, arguments);
   }
-  return type.size() > 1 ? ApplyToEach(function, arguments[0]) : ApplyToAll(function, arguments);
+  std::abort();
 }
 
 }  // namespace compiler

@@ -1,6 +1,7 @@
 #include "compiler/gains/scaling.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <numeric>
 #include <type_traits>
 #include <utility>
@@ -92,9 +93,29 @@ Scaling ExpressionScaling::OfBuiltin(const BuiltinCall& call, const ScalingOfRea
     case Builtin::kClamp:
       // |p x| is p |x|, and the larger of p x and p y is p times that of x and y, unless p < 0.
       return task_.params[param_].minimum >= 0 ? together : Opaque(together);
-    default:
+    case Builtin::kAny:
+    case Builtin::kAll:
+    case Builtin::kNone:
+    case Builtin::kCount:
+    case Builtin::kSqrt:
+    case Builtin::kExp:
+    case Builtin::kLog:
+    case Builtin::kTanh:
+    case Builtin::kSin:
+    case Builtin::kCos:
+    case Builtin::kAtan2:
+    case Builtin::kTan:
+    case Builtin::kAsin:
+    case Builtin::kAcos:
+    case Builtin::kAtan:
+    case Builtin::kPow:
+    case Builtin::kSign:
+    case Builtin::kFloor:
+    case Builtin::kCeil:
+    case Builtin::kRound:
       return Opaque(together);
   }
+  std::abort();
 }
 
 Scaling ExpressionScaling::OfFunction(const FunctionCall& call, const ScalingOfReads& reads) {

@@ -1,34 +1,15 @@
 #include "compiler/testing/rest_values.h"
 
-#include <string_view>
+#include "plugins/robot/sensors.h"
 
 namespace compiler {
-namespace {
 
-struct Upright {
-  std::string_view sensor;
-  Reals value;
-};
-
-const std::vector<Upright>& BaseUpright() {
-  static const std::vector<Upright> upright = {
-      {"base.orientation", {1, 0, 0, 0}},
-      {"base.rotation", {1, 0, 0, 0, 1, 0, 0, 0, 1}},
-      {"base.forward", {1, 0, 0}},
-      {"base.left", {0, 1, 0}},
-      {"base.up", {0, 0, 1}},
-  };
-  return upright;
-}
-
-}  // namespace
-
+// A task that declares its own sensors may give them the names and shapes of a robot's.
 Value RestValue(const CheckedSensor& sensor) {
-  const bool is_real = sensor.type.scalar == Scalar::kReal;
-  for (const Upright& upright : BaseUpright()) {
-    const bool has_its_shape = is_real && sensor.type.size() == upright.value.size();
-    if (sensor.name == upright.sensor && has_its_shape) return upright.value;
-  }
+  const robot::SensorDescription* known = robot::FindSensor(sensor.name);
+  const bool is_known = known != nullptr && sensor.type.scalar == Scalar::kReal &&
+                        sensor.type.size() == known->at_rest.size();
+  if (is_known) return Reals(known->at_rest.begin(), known->at_rest.end());
   return Filled(sensor.type.scalar, sensor.type.size(), 0);
 }
 

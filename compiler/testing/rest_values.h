@@ -6,7 +6,7 @@
 
 namespace compiler {
 
-// 0 or false, but for the base's attitude: it stands upright, its axes along the world's.
+// As plugins/robot/sensors.h says of the sensor of this name and shape; 0 or false of others.
 Value RestValue(const CheckedSensor& sensor);
 
 // The length of the step that begins or ends with `event` [s]; 0 for other events.

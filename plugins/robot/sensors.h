@@ -33,10 +33,16 @@ struct SensorDescription {
   std::string_view type;  // in the task language: "vec3", "real[joint]", "bool[link]"
   std::string_view unit;  // "m/s"; "" for a plain number
   std::string_view doc;   // with its frame
+  // The elements while the robot stands upright and still, its axes along the world's; empty: all 0
+  // or false.
+  std::span<const double> at_rest;
 };
 
 // In the order of SensorId.
 std::span<const SensorDescription> Sensors();
+
+// The sensor called `name`, or null.
+const SensorDescription* FindSensor(std::string_view name);
 
 // The number of elements that a sensor of this type has for this robot: 3 for "vec3", 9 for "mat3",
 // the number of links for "bool[link]".

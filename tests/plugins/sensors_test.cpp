@@ -5,6 +5,7 @@
 
 #include <map>
 #include <set>
+#include <vector>
 
 namespace robot {
 namespace {
@@ -38,6 +39,27 @@ TEST(Sensors, ElementCountFollowsTypeAndRobot) {
   for (const SensorDescription& sensor : Sensors()) {
     EXPECT_EQ(ElementCount(sensor, robot), counts.at(sensor.name)) << sensor.name;
   }
+}
+
+TEST(Sensors, RestWithTheBaseUpright) {
+  const std::map<std::string_view, std::vector<double>> upright = {
+      {"base.orientation", {1, 0, 0, 0}},
+      {"base.rotation", {1, 0, 0, 0, 1, 0, 0, 0, 1}},
+      {"base.forward", {1, 0, 0}},
+      {"base.left", {0, 1, 0}},
+      {"base.up", {0, 0, 1}}};
+  for (const SensorDescription& sensor : Sensors()) {
+    const auto known = upright.find(sensor.name);
+    EXPECT_EQ(std::vector(sensor.at_rest.begin(), sensor.at_rest.end()),
+              known == upright.end() ? std::vector<double>{} : known->second)
+        << sensor.name;
+  }
+}
+
+TEST(Sensors, AreFoundByName) {
+  ASSERT_NE(FindSensor("base.velocity"), nullptr);
+  EXPECT_EQ(FindSensor("base.velocity")->id, SensorId::kBaseVelocity);
+  EXPECT_EQ(FindSensor("base"), nullptr);
 }
 
 class RangesTest : public testing::Test {

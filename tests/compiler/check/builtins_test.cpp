@@ -1,6 +1,9 @@
 #include "compiler/check/builtins.h"
 
+#include <gmock/gmock.h>
+
 #include "tests/compiler/check/checked_source.h"
+#include "tests/compiler/golden.h"
 
 namespace compiler {
 namespace {
@@ -106,9 +109,19 @@ TEST(Builtins, LimitTheSizeOfWhatTheyRepeat) {
 
 TEST(Builtins, AreFoundByName) {
   ASSERT_NE(FindBuiltin("clamp"), nullptr);
-  EXPECT_EQ(FindBuiltin("clamp")->function, Builtin::kClamp);
+  EXPECT_EQ(std::get<Builtin>(FindBuiltin("clamp")->function), Builtin::kClamp);
   EXPECT_EQ(FindBuiltin("Clamp"), nullptr);
   EXPECT_EQ(BuiltinNames().size(), 44u);
+}
+
+TEST(Builtins, AreDocumented) {
+  const std::string page = golden::ReadFile(SOURCE_DIR "/docs/language.md");
+  const size_t begin = page.find("\n### Functions\n");
+  ASSERT_NE(begin, std::string::npos);
+  const std::string section = page.substr(begin, page.find("\n## ", begin) - begin);
+  for (const std::string& name : BuiltinNames()) {
+    EXPECT_THAT(section, testing::HasSubstr("`" + name + "(")) << "docs/language.md";
+  }
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // docs/diagnostics.md keeps its word: the first example of each section provokes the diagnostic,
 // the second does not.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <string>
@@ -7,6 +8,7 @@
 #include <vector>
 
 #include "compiler/source/diagnostic_table.h"
+#include "plugins/robot/sensors.h"
 #include "tests/compiler/check/checked_source.h"
 #include "tests/compiler/golden.h"
 
@@ -69,6 +71,13 @@ TEST(DiagnosticsPage, ExamplesProvokeWhatTheyExplain) {
     EXPECT_THAT(better, testing::Not(testing::Contains(code))) << examples[1];
     EXPECT_THAT(better, testing::Each(testing::StartsWith("W"))) << examples[1];
   }
+}
+
+TEST(Documentation, NamesEverySensor) {
+  const std::string page = golden::ReadFile(SOURCE_DIR "/docs/language.md");
+  const std::string section = page.substr(page.find("\n## Sensors\n"));
+  for (const robot::SensorDescription& sensor : robot::Sensors())
+    EXPECT_THAT(section, testing::HasSubstr(fmt::format("`{}`", sensor.name)));
 }
 
 TEST(Documentation, ExamplesAreFreeOfErrors) {

@@ -80,6 +80,10 @@ TEST(Latex, WritesFunctionsAsMathematicsDoes) {
   EXPECT_EQ(Latex("dot(a, b) + 1"), "a \\cdot b + 1");
   EXPECT_EQ(Latex("pow(x + 1, 2)"), "\\left(x + 1\\right)^{2}");
   EXPECT_EQ(Latex("exp(-x)"), "\\exp\\left(-x\\right)");
+  EXPECT_EQ(Latex("inverse(q)"), "q^{-1}");
+  EXPECT_EQ(Latex("transpose(a + b)"), "\\left(a + b\\right)^{\\top}");
+  EXPECT_EQ(Latex("angle_between(v, w)"), "\\operatorname{angle\\_between}\\left(v,\\; w\\right)");
+  EXPECT_EQ(Latex("norm(v, w)"), "\\operatorname{norm}\\left(v,\\; w\\right)");
   EXPECT_EQ(Latex("my_own(a, b)"), "\\operatorname{my\\_own}\\left(a,\\; b\\right)");
 }
 

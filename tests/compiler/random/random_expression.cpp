@@ -179,6 +179,7 @@ RandomExpressions::Text RandomExpressions::Make(const Type& type, const Unit& un
   }
   if (type.shape == Shape::kMatrix) return MakeMatrix(type, unit, depth);
   if (type.shape == Shape::kQuaternion) {
+    if (random_.OneIn(6)) return {Constructed("quat", 4, {}, depth)};
     const std::string read = Read(type, {});
     return {random_.OneIn(3) ? fmt::format("inverse({})", read) : read};
   }
@@ -372,6 +373,9 @@ RandomExpressions::Text RandomExpressions::MakeRow(const Type& type, const Unit&
     return {read};
   }
   if (type == kVec3 && depth > 0 && random_.OneIn(4)) return MakeVec3(unit, depth);
+  if (is_vector && depth > 0 && random_.OneIn(6)) {
+    return {Constructed(ToString(type), type.rows, unit, depth)};
+  }
   const Type element = ScalarType(type.scalar);
   switch (depth <= 0 ? 0 : random_.Below(7)) {
     case 0: {
@@ -418,8 +422,14 @@ RandomExpressions::Text RandomExpressions::MakeVec3(const Unit& unit, int depth)
   if (IsPlain(unit) && random_.OneIn(2)) {
     return {fmt::format("normalize({})", Make(kVec3, RandomUnit(), depth - 1).text)};
   }
-  return {fmt::format("vec3({}, {}, {})", VariableReal(unit, depth - 1),
-                      VariableReal(unit, depth - 1), VariableReal(unit, depth - 1))};
+  return {Constructed("vec3", 3, unit, depth)};
+}
+
+std::string RandomExpressions::Constructed(const std::string& type, uint32_t size, const Unit& unit,
+                                           int depth) {
+  std::string parts = VariableReal(unit, depth - 1);
+  for (uint32_t i = 1; i < size; ++i) parts += ", " + VariableReal(unit, depth - 1);
+  return fmt::format("{}({})", type, parts);
 }
 
 RandomExpressions::Text RandomExpressions::MakeMatrix(const Type& type, const Unit& unit,

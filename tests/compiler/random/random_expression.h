@@ -58,6 +58,8 @@ class RandomExpressions {
   Text MakeReduction(const Unit& unit, int depth);
   Text MakeRow(const Type& type, const Unit& unit, int depth);
   Text MakeVec3(const Unit& unit, int depth);
+  // A vector or quaternion out of its elements.
+  std::string Constructed(const std::string& type, uint32_t size, const Unit& unit, int depth);
   Text MakeMatrix(const Type& type, const Unit& unit, int depth);
   Text Literal(Scalar scalar, const Unit& unit);
   // Not a constant.
