@@ -14,7 +14,7 @@
 #include <thread>
 #include <vector>
 
-#include "bench/plugin_host.h"
+#include "plugins/host/task_frame.h"
 #include "plugins/robot/robot_description.h"
 #include "runtime/agent/agent.h"
 #include "runtime/client/client.h"
@@ -63,15 +63,15 @@ void EventOfThePlugin(benchmark::State& state) {
   Humanoid humanoid;
   humanoid.Isolate();
   const taskc_plugin& table = humanoid.task().plugin();
-  std::vector<const void*> sensors;
+  host::TaskFrame task(table);
   for (uint32_t i = 0; i < table.sensor_count; ++i) {
     auto& port = dynamic_cast<SensorOut&>(humanoid.environment().FindPort(table.sensors[i].name));
-    sensors.push_back(port().data);
+    task.sensor(i) = port().data;
   }
-  PluginHost host(table, std::move(sensors));
+  task.Initialize();
   const taskc_event_function volatile function = table.events[TASKC_END_OF_TIME_STEP];
   for (auto _ : state) {
-    taskc_frame* frame = host.NextFrame(0.005);
+    taskc_frame* frame = task.Next(0.005);
     function(frame);
     benchmark::DoNotOptimize(frame->reward);
   }

@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "bench/plugin_host.h"
 #include "bench/random_motion.h"
+#include "plugins/host/task_frame.h"
 #include "runtime/simulation/robot_sensors.h"
 #include "runtime/task/plugin.h"
 
@@ -59,10 +59,8 @@ class Scene {
     for (RobotSensor* sensor : read_) benchmark::DoNotOptimize(sensor->Read().data);
   }
 
-  std::vector<const void*> Places() {
-    std::vector<const void*> places;
-    for (RobotSensor* sensor : found_) places.push_back(sensor->Read().data);
-    return places;
+  void Bind(host::TaskFrame& frame) {
+    for (size_t i = 0; i < found_.size(); ++i) frame.sensor(i) = found_[i]->Read().data;
   }
 
  private:
@@ -87,13 +85,14 @@ void Sensing(benchmark::State& state, const char* task) {
 void Callback(benchmark::State& state, const char* task) {
   const taskc_plugin& plugin = LoadTask(task).table();
   Scene scene(plugin);
-  PluginHost host(plugin, scene.Places());
+  host::TaskFrame frame(plugin);
+  scene.Bind(frame);
+  frame.Initialize();
   const taskc_event_function callback = plugin.events[TASKC_END_OF_TIME_STEP];
   for (auto _ : state) {
     benchmark::ClobberMemory();
-    taskc_frame* frame = host.NextFrame(0.005);
-    callback(frame);
-    benchmark::DoNotOptimize(frame->reward);
+    callback(frame.Next(0.005));
+    benchmark::DoNotOptimize(frame.frame().reward);
   }
 }
 

@@ -3,7 +3,7 @@ find_package(fmt REQUIRED)
 
 project_program(taskc_bench
   SOURCES ${CMAKE_CURRENT_LIST_DIR}/taskc_bench.cpp
-  LIBRARIES compiler_build compiler_emit compiler_syntax fmt::fmt robot taskc_abi
+  LIBRARIES compiler_build compiler_emit compiler_syntax fmt::fmt robot task_host
     benchmark::benchmark ${CMAKE_DL_LIBS})
 target_compile_definitions(taskc_bench PRIVATE
   SOURCE_DIR="${CMAKE_SOURCE_DIR}" TASKC="$<TARGET_FILE:taskc>")

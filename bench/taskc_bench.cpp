@@ -17,7 +17,6 @@
 #include <string>
 #include <vector>
 
-#include "bench/plugin_host.h"
 #include "compiler/build/build_plugin.h"
 #include "compiler/build/file_io.h"
 #include "compiler/build/plugin_cache.h"
@@ -25,6 +24,7 @@
 #include "compiler/emit/emit.h"
 #include "compiler/source/file_reader.h"
 #include "compiler/syntax/parse.h"
+#include "plugins/host/task_frame.h"
 
 namespace emitted {
 #include "crawling_callback.inc"
@@ -271,23 +271,23 @@ const void* FindSensor(const Sensors& sensors, std::string_view name) {
   throw std::runtime_error(fmt::format("the task reads {}, which is not measured here", name));
 }
 
-std::vector<const void*> PlacesOf(const taskc_plugin& plugin, const Sensors& sensors) {
-  std::vector<const void*> places;
-  for (const taskc_sensor& sensor : std::span(plugin.sensors, plugin.sensor_count)) {
-    places.push_back(FindSensor(sensors, sensor.name));
+void Bind(const Sensors& sensors, host::TaskFrame& task) {
+  for (uint32_t i = 0; i < task.plugin().sensor_count; ++i) {
+    task.sensor(i) = FindSensor(sensors, task.plugin().sensors[i].name);
   }
-  return places;
 }
 
 template <class Callback>
 void CallWithPlugin(benchmark::State& state, const Callback& callback) {
   Sensors own_sensors;
   Sensors& sensors = Opaque(own_sensors);
-  PluginHost host(LoadTask(), PlacesOf(LoadTask(), sensors));
+  host::TaskFrame task(LoadTask());
+  Bind(sensors, task);
+  task.Initialize();
   for (auto _ : state) {
     sensors.Advance();
     benchmark::ClobberMemory();
-    taskc_frame* frame = host.NextFrame(kTimeStep);
+    taskc_frame* frame = task.Next(kTimeStep);
     callback(frame);
     benchmark::DoNotOptimize(frame->reward);
     benchmark::DoNotOptimize(frame->end);

@@ -16,6 +16,7 @@ using Folders = std::set<std::string>;
 // Each folder of sources, and what it may include besides itself.
 const std::map<std::string, Folders> kMayInclude = {
     {"plugins/abi", {}},
+    {"plugins/host", {}},
     {"plugins/text", {}},
     {"plugins/file", {}},
     {"plugins/command_line", {"plugins/text"}},
@@ -43,7 +44,7 @@ const std::map<std::string, Folders> kMayInclude = {
     {"compiler/report", {"compiler/source"}},
     {"compiler/testing",
      {"compiler/build", "compiler/check", "compiler/emit", "compiler/evaluate", "compiler/source",
-      "compiler/syntax", "plugins/cache", "plugins/robot"}},
+      "compiler/syntax", "plugins/cache", "plugins/host", "plugins/robot"}},
     {"compiler/document",
      {"compiler/analyze", "compiler/bounds", "compiler/check", "compiler/gains", "compiler/report",
       "compiler/source", "compiler/syntax", "plugins/robot"}},
@@ -55,7 +56,8 @@ const std::map<std::string, Folders> kMayInclude = {
       "plugins/watch"}},
 
     {"runtime/module", {"plugins/robot", "plugins/text"}},
-    {"runtime/task", {"plugins/file", "plugins/robot", "plugins/seal", "runtime/module"}},
+    {"runtime/task",
+     {"plugins/file", "plugins/host", "plugins/robot", "plugins/seal", "runtime/module"}},
     {"runtime/agent", {"plugins/file", "runtime/module"}},
     {"runtime/simulation", {"plugins/robot", "runtime/module"}},
     {"runtime/learning",

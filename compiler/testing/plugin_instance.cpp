@@ -1,12 +1,10 @@
 #include "compiler/testing/plugin_instance.h"
 
+#include <algorithm>
 #include <cstring>
-#include <span>
 
 namespace compiler {
 namespace {
-
-size_t SizeOf(taskc_int32 scalar) { return scalar == TASKC_BOOL ? 1 : 8; }
 
 void Store(std::byte* place, taskc_int32 scalar, const Value& value) {
   std::visit(
@@ -39,64 +37,28 @@ Value Load(const std::byte* place, taskc_int32 scalar, size_t count) {
 
 }  // namespace
 
-PluginInstance::PluginInstance(const taskc_plugin& plugin) : plugin_(plugin) {
-  constexpr size_t kBlock = sizeof(Block);
-  for (const taskc_sensor& sensor : std::span(plugin.sensors, plugin.sensor_count)) {
-    const size_t bytes = sensor.rows * sensor.columns * SizeOf(sensor.scalar);
-    sensors_.emplace_back((bytes + kBlock - 1) / kBlock);
-    sensor_pointers_.push_back(sensors_.back().data());
+PluginInstance::PluginInstance(const taskc_plugin& plugin) : host_(plugin) {
+  for (uint32_t i = 0; i < plugin.sensor_count; ++i) {
+    sensors_.emplace_back(host::SizeInBytes(plugin.sensors[i]));
+    host_.sensor(i) = sensors_.back().data();
   }
-  for (const taskc_param& param : std::span(plugin.params, plugin.param_count)) {
-    params_.push_back(param.initial);
-  }
-  memory_.resize((plugin.memory_size + kBlock - 1) / kBlock);
   // A plugin may not rely on zeroes.
-  for (Block& block : memory_) std::memset(block.bytes, 0xEE, kBlock);
-  terms_.resize(plugin.term_count);
-  metrics_.resize(plugin.metric_count);
-  logs_.resize(plugin.log_count);
-  frame_.sensors = sensor_pointers_.data();
-  frame_.params = params_.data();
-  frame_.memory = memory_.data();
-  frame_.terms = terms_.data();
-  frame_.metrics = metrics_.data();
-  frame_.logs = logs_.data();
-  Prepare(0);
-  plugin_.initialize(&frame_);
+  std::ranges::fill(host_.memory(), std::byte{0xEE});
+  host_.Initialize();
 }
 
 void PluginInstance::SetSensor(size_t sensor, const Value& value) {
-  Store(sensors_[sensor].front().bytes, plugin_.sensors[sensor].scalar, value);
-}
-
-std::byte* PluginInstance::PlaceOf(size_t memory) const {
-  return static_cast<std::byte*>(frame_.memory) + plugin_.memory[memory].offset;
+  Store(sensors_[sensor].data(), host_.plugin().sensors[sensor].scalar, value);
 }
 
 void PluginInstance::SetMemory(size_t memory, const Value& value) {
-  Store(PlaceOf(memory), plugin_.memory[memory].scalar, value);
+  const taskc_memory& entry = host_.plugin().memory[memory];
+  Store(host_.Bytes(entry).data(), entry.scalar, value);
 }
 
 Value PluginInstance::Memory(size_t memory) const {
-  const taskc_memory& entry = plugin_.memory[memory];
-  return Load(PlaceOf(memory), entry.scalar, entry.rows * entry.columns);
-}
-
-void PluginInstance::Prepare(double time_step) {
-  frame_.time_step = time_step;
-  frame_.reward = 0;
-  frame_.end = -1;
-  frame_.fault = -1;
-  frame_.violation = -1;
-}
-
-void PluginInstance::Fire(size_t event, double time_step) {
-  Prepare(time_step);
-  if (plugin_.events[event] != nullptr) plugin_.events[event](&frame_);
-}
-
-void PluginInstance::Measure() {
-  if (plugin_.measure != nullptr) plugin_.measure(&frame_);
+  const taskc_memory& entry = host_.plugin().memory[memory];
+  return Load(host_.Bytes(entry).data(), entry.scalar, entry.rows * entry.columns);
 }
 
 }  // namespace compiler

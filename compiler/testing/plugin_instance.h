@@ -1,4 +1,4 @@
-// One host of a plugin: the memory that it works on.
+// A plugin at work on values of the evaluator's kind.
 #pragma once
 
 #include <taskc/plugin.h>
@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "compiler/evaluate/value.h"
+#include "plugins/host/task_frame.h"
 
 namespace compiler {
 
@@ -17,35 +18,20 @@ class PluginInstance {
 
   // Indices are those of the plugin's tables; a value has as many elements as the entry says.
   void SetSensor(size_t sensor, const Value& value);
-  void SetParam(size_t param, double value) { params_[param] = value; }
+  void SetParam(size_t param, double value) { host_.params()[param] = value; }
   void SetMemory(size_t memory, const Value& value);
   Value Memory(size_t memory) const;
 
   // An event that the task does not have does nothing.
-  void Fire(size_t event, double time_step);
-  void Measure();
+  void Fire(int event, double time_step) { host_.Call(event, time_step); }
+  void Measure() { host_.Measure(); }
 
   // What the last callback did.
-  const taskc_frame& frame() const { return frame_; }
+  const taskc_frame& frame() const { return host_.frame(); }
 
  private:
-  // Aligned as the ABI demands.
-  struct alignas(16) Block {
-    std::byte bytes[16];
-  };
-  // What the ABI asks of a host before each call.
-  void Prepare(double time_step);
-  std::byte* PlaceOf(size_t memory) const;
-
-  const taskc_plugin& plugin_;
-  std::vector<std::vector<Block>> sensors_;
-  std::vector<const void*> sensor_pointers_;
-  std::vector<double> params_;
-  std::vector<Block> memory_;
-  std::vector<double> terms_;
-  std::vector<double> metrics_;
-  std::vector<taskc_log_state> logs_;
-  taskc_frame frame_{};
+  host::TaskFrame host_;
+  std::vector<host::AlignedBytes> sensors_;
 };
 
 }  // namespace compiler

@@ -61,7 +61,7 @@ void SideBySide::SetMemory(uint32_t memory, const Value& value) {
 }
 
 void SideBySide::Fire(EventKind event, double time_step) {
-  plugin_.Fire(static_cast<size_t>(event), time_step);
+  plugin_.Fire(static_cast<int>(event), time_step);
   plugin_.Measure();
   evaluator_.Fire(event, time_step);
   evaluator_.Measure();

@@ -9,8 +9,8 @@
 #include <string>
 #include <string_view>
 
+#include "plugins/host/task_frame.h"
 #include "runtime/module/user_error.h"
-#include "runtime/task/scalar_size.h"
 
 namespace runtime {
 namespace {
@@ -80,7 +80,7 @@ class TableCheck {
   }
 
   void CheckShape(std::string_view name, int32_t scalar, uint32_t rows, uint32_t columns) const {
-    Require(ScalarSize(scalar) != 0, fmt::format("`{}` has no known type of scalar", name));
+    Require(host::ScalarSize(scalar) != 0, fmt::format("`{}` has no known type of scalar", name));
     Require(rows > 0 && columns > 0 && rows <= kLargestCount && columns <= kLargestCount,
             fmt::format("`{}` has {} x {} elements", name, rows, columns));
   }
@@ -145,8 +145,8 @@ class TableCheck {
       CheckShape(variable.name, variable.scalar, variable.rows, variable.columns);
       Require(variable.scope >= TASKC_PER_RUN && variable.scope <= TASKC_PER_ACTION,
               fmt::format("the variable `{}` has no known scope", variable.name));
-      const uint64_t end = variable.offset + SizeInBytes(variable);
-      Require(end <= table_.memory_size && variable.offset % ScalarSize(variable.scalar) == 0,
+      const uint64_t end = variable.offset + host::SizeInBytes(variable);
+      Require(end <= table_.memory_size && variable.offset % host::ScalarSize(variable.scalar) == 0,
               fmt::format("the variable `{}` lies outside of the memory", variable.name));
     }
   }

@@ -63,13 +63,9 @@ void ForEachSame(std::span<const Item> now, std::span<const Item> old, Action ac
 TaskInstance::TaskInstance(std::shared_ptr<const Plugin> plugin, int64_t id)
     : plugin_(std::move(plugin)),
       id_(id),
-      memory_(table()),
+      host_(table()),
+      memory_(host_),
       params_(table().param_count),
-      sensor_data_(table().sensor_count),
-      param_values_(table().param_count),
-      term_sums_(table().term_count),
-      measured_(table().metric_count),
-      log_states_(table().log_count),
       reducer_({table().metrics, table().metric_count}),
       logged_(table().log_count),
       faults_(table().term_count),
@@ -80,18 +76,8 @@ TaskInstance::TaskInstance(std::shared_ptr<const Plugin> plugin, int64_t id)
        std::span(table().requirements, table().requirement_count)) {
     violation_reasons_.push_back(fmt::format("requirement: {}", requirement.reason));
   }
-  BindFrame();
   if (table().initialize != nullptr) Enter(table().initialize);
   StartEpisode();
-}
-
-void TaskInstance::BindFrame() {
-  frame_.sensors = sensor_data_.data();
-  frame_.params = param_values_.data();
-  frame_.memory = memory_.data();
-  frame_.terms = term_sums_.data();
-  frame_.metrics = measured_.data();
-  frame_.logs = log_states_.data();
 }
 
 std::vector<Parameter> TaskInstance::Params() {
@@ -115,9 +101,9 @@ std::vector<Parameter> TaskInstance::Params() {
 void TaskInstance::PassParams() {
   for (size_t i = 0; i < params_.size(); ++i) {
     const taskc_int32 scalar = table().params[i].scalar;
-    param_values_[i] = scalar == TASKC_BOOL  ? static_cast<double>(params_[i].flag)
-                       : scalar == TASKC_INT ? static_cast<double>(params_[i].integer)
-                                             : params_[i].real;
+    host_.params()[i] = scalar == TASKC_BOOL  ? static_cast<double>(params_[i].flag)
+                        : scalar == TASKC_INT ? static_cast<double>(params_[i].integer)
+                                              : params_[i].real;
   }
 }
 
@@ -126,59 +112,54 @@ void TaskInstance::SetParam(size_t index, double value) {
 }
 
 void TaskInstance::StartEpisode() {
-  std::fill(term_sums_.begin(), term_sums_.end(), 0.0);
+  host_.Clear();
   std::fill(faults_.begin(), faults_.end(), Incidents());
   fault_count_ = 0;
   std::fill(violations_.begin(), violations_.end(), Incidents());
-  std::fill(log_states_.begin(), log_states_.end(), taskc_log_state());
   reducer_.StartEpisode();
   time_ = 0;
 }
 
 void TaskInstance::Enter(taskc_event_function function) {
   const InsideOfTask watched(id_);
-  function(&frame_);
+  function(&host_.frame());
 }
 
 std::optional<TaskInstance::Outcome> TaskInstance::Call(int event, double time_step) {
   const taskc_event_function function = table().events[event];
   if (function == nullptr) return std::nullopt;
-  frame_.time_step = time_step;
-  frame_.reward = 0;
-  frame_.end = -1;
-  frame_.fault = -1;
-  frame_.violation = -1;
+  host_.Next(time_step);
   Enter(function);
   CountFault();
   CountViolation();
-  return Outcome{frame_.reward, EndReached()};
+  return Outcome{host_.frame().reward, EndReached()};
 }
 
 std::optional<EpisodeEnd> TaskInstance::EndReached() const {
-  if (IsIndex(frame_.violation, table().requirement_count)) {
-    const auto requirement = static_cast<size_t>(frame_.violation);
+  if (IsIndex(host_.frame().violation, table().requirement_count)) {
+    const auto requirement = static_cast<size_t>(host_.frame().violation);
     return EpisodeEnd{EndKind::kTruncated, violation_reasons_[requirement].c_str()};
   }
-  if (!IsIndex(frame_.end, table().end_count)) return std::nullopt;
-  const taskc_end& end = table().ends[frame_.end];
+  if (!IsIndex(host_.frame().end, table().end_count)) return std::nullopt;
+  const taskc_end& end = table().ends[host_.frame().end];
   return EpisodeEnd{KindOf(end), end.reason};
 }
 
 void TaskInstance::CountFault() {
-  if (IsIndex(frame_.fault, table().term_count)) {
-    Count(faults_[static_cast<size_t>(frame_.fault)], time_);
+  if (IsIndex(host_.frame().fault, table().term_count)) {
+    Count(faults_[static_cast<size_t>(host_.frame().fault)], time_);
     ++fault_count_;
   }
-  const bool is_paid = std::abs(frame_.reward) <= TASKC_LARGEST_REWARD;
+  const bool is_paid = std::abs(host_.frame().reward) <= TASKC_LARGEST_REWARD;
   if (!is_paid) {
-    frame_.reward = 0;
+    host_.frame().reward = 0;
     ++fault_count_;
   }
 }
 
 void TaskInstance::CountViolation() {
-  if (!IsIndex(frame_.violation, table().requirement_count)) return;
-  Count(violations_[static_cast<size_t>(frame_.violation)], time_);
+  if (!IsIndex(host_.frame().violation, table().requirement_count)) return;
+  Count(violations_[static_cast<size_t>(host_.frame().violation)], time_);
 }
 
 void TaskInstance::Measure() {
@@ -187,14 +168,14 @@ void TaskInstance::Measure() {
 
 void TaskInstance::EndTimeStep() {
   Measure();
-  reducer_.EndTimeStep(measured_);
+  reducer_.EndTimeStep(host_.metrics());
 }
 
 void TaskInstance::EndEpisode() {
   Measure();
-  reducer_.EndEpisode(measured_);
+  reducer_.EndEpisode(host_.metrics());
   for (size_t i = 0; i < logged_.size(); ++i) {
-    logged_[i] = LogValue(table().logs[i].reduction, log_states_[i]);
+    logged_[i] = LogValue(table().logs[i].reduction, host_.logs()[i]);
   }
 }
 
@@ -209,7 +190,7 @@ void TaskInstance::TakeOverParams(const TaskInstance& old) {
     const taskc_param& param = table().params[i];
     for (size_t j = 0; j < old.params_.size(); ++j) {
       const taskc_param& before = old.table().params[j];
-      const double value = old.param_values_[j];
+      const double value = old.host_.params()[j];
       const bool is_same = std::string_view(param.name) == before.name &&
                            std::string_view(param.unit) == before.unit &&
                            param.scalar == before.scalar;
@@ -223,12 +204,12 @@ void TaskInstance::TakeOverParams(const TaskInstance& old) {
 void TaskInstance::TakeOverSums(const TaskInstance& old) {
   ForEachSame(std::span(table().terms, table().term_count),
               std::span(old.table().terms, old.table().term_count), [&](size_t i, size_t j) {
-                term_sums_[i] = old.term_sums_[j];
+                host_.terms()[i] = old.host_.terms()[j];
                 faults_[i] = old.faults_[j];
               });
   ForEachSame(std::span(table().logs, table().log_count),
               std::span(old.table().logs, old.table().log_count),
-              [&](size_t i, size_t j) { log_states_[i] = old.log_states_[j]; });
+              [&](size_t i, size_t j) { host_.logs()[i] = old.host_.logs()[j]; });
   ForEachSame(std::span(table().metrics, table().metric_count),
               std::span(old.table().metrics, old.table().metric_count),
               [&](size_t i, size_t j) { reducer_.TakeOver(i, old.reducer_, j); });
@@ -240,7 +221,7 @@ void TaskInstance::Save(std::ostream& stream) const {
   SaveNumber(stream, table().param_count);
   for (uint32_t i = 0; i < table().param_count; ++i) {
     SaveText(stream, table().params[i].name);
-    SaveNumber(stream, param_values_[i]);
+    SaveNumber(stream, host_.params()[i]);
   }
   memory_.Save(stream);
 }

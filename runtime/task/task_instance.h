@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "plugins/host/task_frame.h"
 #include "runtime/module/module.h"
 #include "runtime/module/values.h"
 #include "runtime/task/metric_reducer.h"
@@ -51,7 +52,7 @@ class TaskInstance {
   void PassParams();
 
   // Where the event functions look for the data of sensor number `index`.
-  const void** sensor_data(size_t index) { return &sensor_data_[index]; }
+  const void** sensor_data(size_t index) { return &host_.sensor(index); }
 
   void StartEpisode();
   // Calls the function of an event, if the task has one.
@@ -62,7 +63,7 @@ class TaskInstance {
   void EndTimeStep();
   void EndEpisode();
 
-  std::span<const double> term_sums() const { return term_sums_; }
+  std::span<const double> term_sums() const { return host_.terms(); }
   std::span<const Incidents> faults() const { return faults_; }
   int64_t fault_count() const { return fault_count_; }
   std::span<const Incidents> violations() const { return violations_; }
@@ -88,7 +89,6 @@ class TaskInstance {
     double real = 0;
   };
 
-  void BindFrame();
   void SetParam(size_t index, double value);
   void TakeOverParams(const TaskInstance& old);
   void TakeOverSums(const TaskInstance& old);
@@ -101,16 +101,9 @@ class TaskInstance {
 
   std::shared_ptr<const Plugin> plugin_;
   int64_t id_;
+  host::TaskFrame host_;
   TaskMemory memory_;
   std::vector<Param> params_;
-
-  // What the frame points to.
-  std::vector<const void*> sensor_data_;
-  std::vector<double> param_values_;
-  std::vector<double> term_sums_;
-  std::vector<double> measured_;
-  std::vector<taskc_log_state> log_states_;
-  taskc_frame frame_{};
 
   MetricReducer reducer_;
   std::vector<double> logged_;

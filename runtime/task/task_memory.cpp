@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cstring>
+#include <utility>
 
 #include "runtime/module/sensor_data.h"
 #include "runtime/task/saved_values.h"
-#include "runtime/task/scalar_size.h"
 
 namespace runtime {
 namespace {
@@ -16,21 +16,11 @@ std::string TypeAndUnit(const taskc_memory& variable) {
 
 }  // namespace
 
-TaskMemory::TaskMemory(const taskc_plugin& table)
-    : variables_(table.memory, table.memory_count),
-      blocks_((table.memory_size + sizeof(Block) - 1) / sizeof(Block)) {
+TaskMemory::TaskMemory(host::TaskFrame& host)
+    : host_(host), variables_(host.plugin().memory, host.plugin().memory_count) {
   for (const taskc_memory& variable : variables_) {
     if (variable.scope == TASKC_PER_RUN) kept_.push_back(variable);
   }
-}
-
-std::span<std::byte> TaskMemory::Bytes(const taskc_memory& variable) {
-  return {reinterpret_cast<std::byte*>(blocks_.data()) + variable.offset, SizeInBytes(variable)};
-}
-
-std::span<const std::byte> TaskMemory::Bytes(const taskc_memory& variable) const {
-  return {reinterpret_cast<const std::byte*>(blocks_.data()) + variable.offset,
-          SizeInBytes(variable)};
 }
 
 const taskc_memory* TaskMemory::FindSame(std::span<const taskc_memory> variables,
@@ -38,7 +28,7 @@ const taskc_memory* TaskMemory::FindSame(std::span<const taskc_memory> variables
                                          size_t size) {
   const auto found = std::ranges::find_if(variables, [&](const taskc_memory& candidate) {
     return candidate.name == name && TypeAndUnit(candidate) == type &&
-           SizeInBytes(candidate) == size;
+           host::SizeInBytes(candidate) == size;
   });
   return found == variables.end() ? nullptr : &*found;
 }
@@ -46,17 +36,17 @@ const taskc_memory* TaskMemory::FindSame(std::span<const taskc_memory> variables
 void TaskMemory::TakeOver(const TaskMemory& old, bool all) {
   for (const taskc_memory& variable :
        all ? old.variables_ : std::span<const taskc_memory>(old.kept_)) {
-    const std::span<const std::byte> bytes = old.Bytes(variable);
+    const std::span<const std::byte> bytes = old.host_.Bytes(variable);
     const taskc_memory* same = FindSame(all ? variables_ : std::span<const taskc_memory>(kept_),
                                         variable.name, TypeAndUnit(variable), bytes.size());
-    if (same != nullptr) std::memcpy(Bytes(*same).data(), bytes.data(), bytes.size());
+    if (same != nullptr) std::memcpy(host_.Bytes(*same).data(), bytes.data(), bytes.size());
   }
 }
 
 void TaskMemory::Save(std::ostream& stream) const {
   SaveNumber(stream, static_cast<uint32_t>(kept_.size()));
   for (const taskc_memory& variable : kept_) {
-    const std::span<const std::byte> bytes = Bytes(variable);
+    const std::span<const std::byte> bytes = std::as_const(host_).Bytes(variable);
     SaveText(stream, variable.name);
     SaveText(stream, TypeAndUnit(variable));
     SaveText(stream, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
@@ -71,7 +61,7 @@ void TaskMemory::Load(std::istream& stream) {
     const std::string content = LoadText(stream);
     const taskc_memory* variable = FindSame(kept_, name, type, content.size());
     if (variable == nullptr) continue;
-    std::memcpy(Bytes(*variable).data(), content.data(), content.size());
+    std::memcpy(host_.Bytes(*variable).data(), content.data(), content.size());
   }
 }
 

@@ -30,7 +30,8 @@ class CompiledTask {
   const taskc_plugin* plugin_ = nullptr;
 };
 
-// One host of a plugin, as small as a host can be.
+// One host of a plugin, as small as a host can be. It knows nothing but taskc/plugin.h: were it
+// made of plugins/host, a mistake that the emitter and that library share could not be seen here.
 class Instance {
  public:
   explicit Instance(const CompiledTask& task);

@@ -1,0 +1,30 @@
+#include "plugins/host/task_frame.h"
+
+#include <algorithm>
+
+namespace host {
+
+TaskFrame::TaskFrame(const taskc_plugin& plugin)
+    : plugin_(plugin),
+      sensors_(plugin.sensor_count),
+      memory_(plugin.memory_size),
+      terms_(plugin.term_count),
+      metrics_(plugin.metric_count),
+      logs_(plugin.log_count) {
+  for (const taskc_param& param : std::span(plugin.params, plugin.param_count)) {
+    params_.push_back(param.initial);
+  }
+  frame_.sensors = sensors_.data();
+  frame_.params = params_.data();
+  frame_.memory = memory_.data();
+  frame_.terms = terms_.data();
+  frame_.metrics = metrics_.data();
+  frame_.logs = logs_.data();
+}
+
+void TaskFrame::Clear() {
+  std::ranges::fill(terms_, 0.0);
+  std::ranges::fill(logs_, taskc_log_state());
+}
+
+}  // namespace host
