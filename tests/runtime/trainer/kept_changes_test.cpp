@@ -52,8 +52,9 @@ TEST_F(KeptChangesTest, AChangeThatTakesEffectLaterSurvivesTheNextKill) {
     EXPECT_EQ(Ask({"get", "task.gain"})["value"], 3);
     EXPECT_EQ(TaskNamed("shadow")["task"], "leaning");
     const std::string next = std::to_string(episode + 1);
-    EXPECT_THAT(Changes(), ElementsAre("2:0 swap", "2:0 set", std::to_string(episode) + ":0 set",
-                                       next + ":0 set", next + ":0 load"));
+    EXPECT_THAT(Changes(),
+                ElementsAre(HasSubstr(":0 swap"), HasSubstr(":0 set"),
+                            std::to_string(episode) + ":0 set", next + ":0 set", next + ":0 load"));
     Kill();
     ServeAgain();
   }
@@ -87,7 +88,7 @@ TEST_F(KeptChangesTest, NobodyIsToBlameForAFullDisk) {
   EXPECT_EQ(failed.exit_status, 1);
   EXPECT_THAT(failed.errors, AllOf(HasSubstr("run.db: cannot save episode"),
                                    HasSubstr("trainer resume"), Not(HasSubstr("taken back"))));
-  EXPECT_THAT(Changes(), ElementsAre("2:0 set"));
+  EXPECT_THAT(Changes(), ElementsAre(HasSubstr(":0 set")));
   ExpectTheSameFromTheRecord(6);
 }
 
@@ -102,7 +103,7 @@ TEST_F(KeptChangesTest, NorForAProgramThatLocksTheDatabaseForAWhile) {
     other.Execute("ROLLBACK", "free it");
   }
   EXPECT_GE(Ask({"save"})["episode"], 2);
-  EXPECT_THAT(Changes(), ElementsAre("2:0 set"));
+  EXPECT_THAT(Changes(), ElementsAre(HasSubstr(":0 set")));
   EXPECT_EQ(Stop().exit_status, 0);
 }
 

@@ -8,11 +8,11 @@
 #endif
 
 static void end_of_time_step(taskc_frame* frame) {
-  taskc_int64* steps = (taskc_int64*)frame->memory;
-  if (++*steps == 3) exit(STATUS);
+  taskc_int64* calls = (taskc_int64*)frame->memory;
+  if (++*calls == 3) exit(STATUS);
 }
 
-static const taskc_memory variables[] = {{"steps", "int", "", TASKC_INT, 1, 1, TASKC_PER_RUN, 0}};
+static const taskc_memory variables[] = {{"calls", "int", "", TASKC_INT, 1, 1, TASKC_PER_RUN, 0}};
 
 static void initialize(taskc_frame* frame) { *(taskc_int64*)frame->memory = 0; }
 
