@@ -1,7 +1,7 @@
 // The seal of a plugin: its own SHA-256, written behind it, where the dynamic linker does not look.
-// A changed byte can crash the linker or the task, and the code of a library runs while it is loaded,
-// so the seal is looked at before. It is no signature: it says that taskc has built the plugin, or
-// that its user has sealed it by `taskc seal`, and that it has not changed since.
+// A changed byte can crash the linker or the task, and the code of a library runs while it is
+// loaded, so the seal is looked at before. It is no signature: it says that taskc has built the
+// plugin, or that its user has sealed it by `taskc seal`, and that it has not changed since.
 #pragma once
 
 #include <string>

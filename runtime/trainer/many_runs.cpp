@@ -79,7 +79,7 @@ void WarnOfUnfinishedRuns(const std::filesystem::path& folder) {
   for (const std::filesystem::path& each : FoldersBelow(folder)) {
     // While a trainer makes it, all is well.
     if (!RunDatabase::IsUnfinished(each) || FolderLock::IsTaken(each)) continue;
-    fmt::print(
+    text::Print(
         stderr,
         "warning: {0}: no run: the trainer was ended while it made this one; `trainer study` "
         "or `trainer train TASK --out {0}` makes it, or delete the folder\n",
@@ -93,7 +93,7 @@ RunProgress ReadProgressOrFailure(const std::filesystem::path& run,
   try {
     return ReadProgress(run, name);
   } catch (const UserError& error) {
-    fmt::print(stderr, "warning: {}\n", error.what());
+    text::Print(stderr, "warning: {}\n", error.what());
     RunProgress progress{run, name};
     progress.state = RunProgressState::kFailed;
     progress.failure = error.what();
