@@ -63,7 +63,7 @@ class ChildProcessTest : public testing::Test {
 TEST_F(ChildProcessTest, CapturesWhatIsWanted) {
   const std::vector<std::string> words = {"sh", "-c", "echo out; echo error >&2; exit 3"};
   EXPECT_EQ(RunChild(words, Captured::kOutputOnly).captured, "out\n");
-  EXPECT_EQ(RunChild(words, Captured::kMessages).captured, "error\n");
+  EXPECT_EQ(RunChild(words, Captured::kMessages).captured, "out\nerror\n");
   EXPECT_FALSE(RunChild(words, Captured::kMessages).is_success);
   testing::internal::CaptureStdout();
   testing::internal::CaptureStderr();
