@@ -113,7 +113,8 @@ std::string KeepPlugin(const std::filesystem::path& plugin, const std::filesyste
   const std::string bytes = ReadText(plugin);
   MakeRunFolder(folder);
   const std::string name = PluginName(bytes);
-  if (std::filesystem::exists(folder / name, error) && ReadText(folder / name) == bytes) {
+  std::error_code ignored;
+  if (std::filesystem::exists(folder / name, ignored) && ReadText(folder / name) == bytes) {
     SyncFolder(folder);  // whoever wrote it may have been killed before
   } else {
     WriteFile(folder / name, bytes);
