@@ -78,8 +78,8 @@ const std::map<std::string, Folders> kMayInclude = {
     {"runtime/client", {"runtime/control", "runtime/module", "runtime/server"}},
     {"runtime/workers", {"plugins/text", "runtime/module", "runtime/run"}},
     {"runtime/trainer",
-     {"plugins/command_line", "plugins/robot", "plugins/watch", "runtime/agent", "runtime/behavior",
-      "runtime/client", "runtime/control", "runtime/module", "runtime/picture",
+     {"plugins/command_line", "plugins/robot", "plugins/text", "plugins/watch", "runtime/agent",
+      "runtime/behavior", "runtime/client", "runtime/control", "runtime/module", "runtime/picture",
       "runtime/preference", "runtime/report", "runtime/run", "runtime/server", "runtime/simulation",
       "runtime/study", "runtime/task", "runtime/workers"}},
 };
