@@ -94,12 +94,12 @@ TEST_F(ServeTest, ARunIsLookedAtChangedAndStopped) {
   ChildProcess trainer(Words("train"));
   ASSERT_TRUE(IsAnswering());
   EXPECT_EQ(ValueOf("status")["state"], "running");
-  EXPECT_EQ(ValueOf("set", {{"name", "task.limit"}, {"value", "0.2 s"}})["value"], 0.2);
+  EXPECT_EQ(ValueOf("set", {{"name", "task.limit"}, {"value", "0.25 s"}})["value"], 0.25);
   EXPECT_EQ(
       ValueOf("swap",
-              {{"name", "task"}, {"file", TaskFile("leaning")}, {"now", true}})["takes_effect"],
+              {{"name", "task"}, {"file", TaskFile("upright")}, {"now", true}})["takes_effect"],
       "now");
-  EXPECT_EQ(ValueOf("get", {{"name", "task.limit"}})["value"], 0.2);
+  EXPECT_EQ(ValueOf("get", {{"name", "task.limit"}})["value"], 0.25);
   ValueOf("stop");
   EXPECT_EQ(trainer.Wait().exit_status, 0);
   EXPECT_FALSE(std::filesystem::exists(folder() / "run" / "control.sock"));
