@@ -27,7 +27,9 @@ class InstallTest : public testing::Test {
   void SetUp() override {
     std::filesystem::permissions(folder_.path(), std::filesystem::perms(0755));
     std::filesystem::create_directory(work_);
-    if (is_root_) ASSERT_EQ(chown(work_.c_str(), kNobody, kNobody), 0);
+    if (is_root_) {
+      ASSERT_EQ(chown(work_.c_str(), kNobody, kNobody), 0);
+    }
     ASSERT_NO_FATAL_FAILURE(ConfigureLikeTheQuickstart());
     const ProgramResult installed =
         RunProgram({CMAKE, "--install", build_.string(), "--prefix", prefix_.string()});
