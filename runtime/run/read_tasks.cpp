@@ -21,7 +21,7 @@ std::vector<TaskRecord> ReadHeads(const SqliteDatabase& database) {
     task.module = row.Name(1);
     task.task = row.Name(2);
     task.task_file = row.Name(3);
-    task.task_hash = row.Name(4);
+    task.task_hash = row.Text(4);
     task.plugin = row.Text(5);
     task.compiler = row.Text(6);
   }

@@ -132,8 +132,8 @@ std::vector<ChangeRecord> RunDatabase::ReadChanges() const {
   TableReader row(*impl_->database, "change", "id, episode, step, at, kind, text, data",
                   "ORDER BY id");
   while (row.Next()) {
-    const auto next = static_cast<int64_t>(changes.size()) + 1;
-    changes.push_back({row.Whole(0, next, next), row.Whole(1, 1),
+    const int64_t after = changes.empty() ? 0 : changes.back().id;
+    changes.push_back({row.Whole(0, after + 1), row.Whole(1, 1),
                        row.Whole(2, 0, std::numeric_limits<int64_t>::max()), row.Text(3),
                        row.Name(4), row.Text(5), row.Text(6)});
     const std::string wrong =

@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <nlohmann/json.hpp>
+
 #include "tests/runtime/run/sample_run.h"
 #include "tests/runtime/run/temporary_folder.h"
 
@@ -12,6 +14,7 @@ using testing::ElementsAre;
 using testing::SizeIs;
 
 constexpr RunPosition kEnd{1'000'000, 0};
+constexpr const char* kSet = R"({"command": "set", "name": "task.limit", "value": 1})";
 
 class JournalTest : public testing::Test {
  protected:
@@ -21,8 +24,9 @@ class JournalTest : public testing::Test {
     return texts;
   }
   void Add(Journal& journal, const RunPosition& position, const std::string& text,
-           const std::string& data = "{}") {
-    journal.AddDue(position, "set", text, data);
+           const std::string& data = kSet) {
+    const std::string kind = nlohmann::json::parse(data).at("command");
+    journal.AddDue(position, kind, text, data);
   }
 
   TemporaryFolder folder_;
@@ -52,7 +56,7 @@ TEST_F(JournalTest, TheyComeByPositionAndThenInTheOrderInWhichTheyWereMade) {
 
 TEST_F(JournalTest, WhatIsDoneAlreadyIsOnlyWrittenDown) {
   Add(journal_, {2, 0}, "later");
-  const ChangeRecord added = journal_.AddDone({1, 4}, "set", "now", "{}");
+  const ChangeRecord added = journal_.AddDone({1, 4}, "set", "now", kSet);
   EXPECT_EQ(added.id, 2);
   EXPECT_EQ(added.episode, 1);
   EXPECT_EQ(added.step, 4);
@@ -73,7 +77,7 @@ TEST_F(JournalTest, WhatTakesEffectLaterStandsWhereItDoes) {
     EXPECT_EQ(std::pair(change->episode, change->step), std::pair(4L, 0L));
   }
   EXPECT_EQ(journal_.TakeDueNow({4, 2}), std::nullopt);
-  journal_.AddDone({4, 2}, "set", "d", "{}");
+  journal_.AddDone({4, 2}, "set", "d", kSet);
   EXPECT_EQ(journal_.TakeDueNow({4, 3})->id, 4);  // where it stood
   Journal again(database_);
   EXPECT_FALSE(again.has_due({3, 700}));
@@ -82,9 +86,9 @@ TEST_F(JournalTest, WhatTakesEffectLaterStandsWhereItDoes) {
 }
 
 TEST_F(JournalTest, WhatCouldNotBeDoneIsTakenOutOfIt) {
-  journal_.AddDone({1, 1}, "set", "good", "{}");
-  journal_.Remove(journal_.AddDone({1, 2}, "set", "bad", "{}"));
-  journal_.AddDone({1, 3}, "set", "better", "{}");
+  journal_.AddDone({1, 1}, "set", "good", kSet);
+  journal_.Remove(journal_.AddDone({1, 2}, "set", "bad", kSet));
+  journal_.AddDone({1, 3}, "set", "better", kSet);
   Journal again(database_);
   EXPECT_THAT(TakeAll(again, kEnd), ElementsAre("good", "better"));
 }
@@ -118,10 +122,10 @@ TEST_F(JournalTest, NorIsAnyThatBringsATaskInQuarantine) {
   RunDatabase& database = database_;
   ASSERT_EQ(database.AddTask(SampleVersion()), 2);
   database.AddEpisode(SampleEpisode(1), {}, {});
-  Add(journal_, {1, 3}, "swap to 2", R"({"command": "swap", "task": 2})");
-  Add(journal_, {1, 4}, "back to 1", R"({"command": "rollback", "task": 1})");
-  Add(journal_, {1, 5}, "set", R"({"command": "set"})");
-  Add(journal_, {1, 6}, "back to 2", R"({"command": "rollback", "task": 2})");
+  Add(journal_, {1, 3}, "swap to 2", R"({"command": "swap", "name": "task", "task": 2})");
+  Add(journal_, {1, 4}, "back to 1", R"({"command": "rollback", "name": "task", "task": 1})");
+  Add(journal_, {1, 5}, "set", kSet);
+  Add(journal_, {1, 6}, "back to 2", R"({"command": "rollback", "name": "task", "task": 2})");
   QuarantineTask(database, 2, "crash: Segmentation fault");
   Journal again(database);
   EXPECT_THAT(again.bad_tasks(), ElementsAre(2));

@@ -58,8 +58,10 @@ std::vector<float> Frames(size_t count) {
 class WriteReportTest : public testing::Test {
  protected:
   WriteReportTest() {
-    run_.body = R"([{"name": "body", "shape": "box", "size": [1, 1, 1]},
-                    {"name": "foot", "shape": "sphere", "radius": 1}])";
+    run_.body =
+        R"([{"name": "body", "shape": "box", "size": [1, 1, 1], "radius": 0, "length": 0, "axis": 0},
+            {"name": "foot", "shape": "sphere", "size": [0, 0, 0], "radius": 1, "length": 0,
+             "axis": 0}])";
   }
   RunDatabase Create() { return RunDatabase::Create(folder(), run_); }
   json Data() { return DataOfPage(WriteReport(folder())); }
@@ -286,7 +288,7 @@ TEST_F(WriteReportTest, SaysHowManyRecordingsDidNotFit) {
 }
 
 TEST_F(WriteReportTest, ARunWithoutShapesHasNoReplay) {
-  run_.body = "nonsense";
+  run_.body = "[]";
   RunDatabase database = Create();
   database.AddEpisode(Episode(1, 0), TwoLinks(Frames(1)), std::nullopt);
   const json data = Data();

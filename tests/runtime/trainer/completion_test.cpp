@@ -66,7 +66,7 @@ TEST_F(CompletionTest, OffersValuesInBash) {
   EXPECT_THAT(Completed("trainer train --episodes "), IsEmpty());
   EXPECT_THAT(Completed("trainer show "), ElementsAre("runs"));
   EXPECT_THAT(Completed("trainer agent show walking.task --format "),
-              ElementsAre("dot", "json", "text", "toml"));
+              ElementsAre("dot", "text", "toml"));
 }
 
 // The other shells may not be there: their scripts name what bash's does.
