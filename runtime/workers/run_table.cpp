@@ -175,6 +175,10 @@ void RunTablePrinter::Finish() {
   std::fflush(output_);
 }
 
+void RunTablePrinter::OnStart() {
+  if (live_.is_on_terminal()) Refresh(true);
+}
+
 void RunTablePrinter::OnLine(const RunProgress& run, std::string_view json) {
   if (style_ == ProgressStyle::kJson) {
     // The worker's object with one more member in front.

@@ -42,6 +42,7 @@ class RunTablePrinter : public SupervisorListener {
   // Takes the table off the terminal, to which something else is going to be printed.
   void Erase();
 
+  void OnStart() override;
   void OnLine(const RunProgress& run, std::string_view json) override;
   void OnMessage(const RunProgress& run, std::string_view text) override;
   void OnStopping(bool at_once) override;

@@ -79,12 +79,14 @@ bool Supervisor::Run(const StopRequest& stop) {
 }
 
 void Supervisor::StartWorkers() {
+  const size_t before = running_.size();
   for (RunProgress& run : runs_) {
-    if (running_.size() >= jobs_) return;
+    if (running_.size() >= jobs_) break;
     if (run.state != RunProgressState::kWaiting) continue;
     run.state = RunProgressState::kRunning;
     running_.push_back(std::make_unique<Job>(run, words_));
   }
+  if (running_.size() > before) listener_.OnStart();
 }
 
 void Supervisor::Wait() {

@@ -41,6 +41,8 @@ RunProgress ReadProgress(const std::filesystem::path& folder, std::string name);
 class SupervisorListener {
  public:
   virtual ~SupervisorListener() = default;
+  // Runs that have waited are running now.
+  virtual void OnStart() = 0;
   // `json`: a line of the worker, of an episode (see EpisodeJson()) or what came out in the end.
   virtual void OnLine(const RunProgress& run, std::string_view json) = 0;
   // What a worker prints on standard error, and what became of it.
