@@ -164,10 +164,17 @@ void Supervisor::OnEnd(Job& job) {
 }
 
 void Supervisor::StopWorkers(const StopRequest& stop) {
+  constexpr std::chrono::seconds kPause{1};
   const int wanted = stop.is_urgent() ? 2 : (stop.signal() != 0 ? 1 : 0);
-  if (signals_sent_ >= wanted) return;
-  ++signals_sent_;  // one at a time: two that arrive together are one
-  listener_.OnStopping(signals_sent_ == 2);
+  const auto now = std::chrono::steady_clock::now();
+  if (signals_sent_ < wanted) {
+    ++signals_sent_;
+    listener_.OnStopping(signals_sent_ == 2);
+  } else if (wanted < 2 || now - last_signal_ < kPause) {
+    return;
+  }
+  // Two that reach a worker together are one for it: the second is repeated until it has ended.
+  last_signal_ = now;
   for (const auto& job : running_) job->worker.Send(stop.signal());
 }
 

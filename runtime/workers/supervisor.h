@@ -2,6 +2,7 @@
 // reaches another.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -85,6 +86,7 @@ class Supervisor {
   void OnEnd(Job& job);
   void StopWorkers(const StopRequest& stop);
   bool is_stopping() const { return signals_sent_ > 0; }
+  std::chrono::steady_clock::time_point last_signal_;
 
   std::vector<RunProgress> runs_;
   const WorkerWords words_;
