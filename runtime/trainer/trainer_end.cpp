@@ -17,9 +17,14 @@ namespace {
 constexpr std::chrono::milliseconds kBetweenLooks{100};
 constexpr int kLooks = 100;  // 10 s: a trainer that starts again restores its checkpoint first
 
-// What a trainer notes when it ends by itself; after a crash the run counts as running.
+// What a trainer notes when it ends by itself; after a crash the run counts as running, also where
+// its record cannot be read for a moment.
 bool HasEndedByItself(const std::filesystem::path& run) {
-  return RunDatabase::OpenToRead(run).ReadValue("state") != RunStateName(RunState::kRunning);
+  try {
+    return RunDatabase::OpenToRead(run).ReadValue("state") != RunStateName(RunState::kRunning);
+  } catch (const UserError&) {
+    return false;
+  }
 }
 
 bool ComesBack(const std::filesystem::path& run) {
@@ -31,13 +36,13 @@ bool ComesBack(const std::filesystem::path& run) {
 }
 
 void WaitForEnd(const std::filesystem::path& run) {
-  try {
-    do {
+  do {
+    try {
       FollowEvents(run, [](const nlohmann::json&) {});
-    } while (ComesBack(run));
-  } catch (const std::exception&) {
-    // No trainer, or no run: then it has ended.
-  }
+    } catch (const std::exception&) {
+      // It has ended, or is only about to listen again.
+    }
+  } while (ComesBack(run));
 }
 
 }  // namespace

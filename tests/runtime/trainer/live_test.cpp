@@ -167,7 +167,7 @@ TEST_F(LiveTest, WatchOutlivesACrashOfTheTrainer) {
   std::ofstream(file, std::ios::app) << "// another\n";
   EXPECT_TRUE(watch.WaitForLines(2));
   Stop();
-  EXPECT_THAT(watch.Wait().output, HasSubstr("mine.task takes effect: episode "));
+  EXPECT_THAT(watch.Wait().output, HasSubstr("mine.task takes effect: "));
 }
 
 TEST_F(LiveTest, AShadowIsEvaluatedOnTheSameSteps) {
