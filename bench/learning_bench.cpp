@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "runtime/learning/boltzmann.h"
-#include "runtime/learning/bubble_net.h"
-#include "runtime/learning/q_lambda.h"
+#include "runtime/training/learning/boltzmann.h"
+#include "runtime/training/learning/bubble_net.h"
+#include "runtime/training/learning/q_lambda.h"
 
 namespace runtime {
 namespace {

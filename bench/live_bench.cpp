@@ -16,12 +16,12 @@
 
 #include "plugins/host/task_frame.h"
 #include "plugins/robot/robot_description.h"
-#include "runtime/agent/agent.h"
-#include "runtime/client/client.h"
-#include "runtime/control/live_network.h"
-#include "runtime/module/user_error.h"
-#include "runtime/run/module_types.h"
-#include "runtime/simulation/robot_environment.h"
+#include "runtime/base/user_error.h"
+#include "runtime/core/agent/agent.h"
+#include "runtime/live/client/client.h"
+#include "runtime/live/control/live_network.h"
+#include "runtime/training/run/module_types.h"
+#include "runtime/training/simulation/robot_environment.h"
 
 namespace runtime {
 namespace {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "bench/random_motion.h"
-#include "runtime/simulation/world.h"
+#include "runtime/training/simulation/world.h"
 
 namespace runtime {
 namespace {

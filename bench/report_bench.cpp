@@ -7,18 +7,18 @@
 #include <string>
 #include <vector>
 
-#include "runtime/behavior/motion.h"
-#include "runtime/picture/snapshot_strip.h"
-#include "runtime/report/report.h"
-#include "runtime/run/body_json.h"
-#include "runtime/run/run_database.h"
-#include "runtime/study/preference_fit.h"
-#include "runtime/study/study_report.h"
-#include "tests/runtime/report/sample_run.h"
-#include "tests/runtime/run/sample_run.h"
-#include "tests/runtime/run/temporary_folder.h"
-#include "tests/runtime/study/sample_preferences.h"
-#include "tests/runtime/study/sample_study.h"
+#include "runtime/analysis/behavior/motion.h"
+#include "runtime/analysis/picture/snapshot_strip.h"
+#include "runtime/analysis/report/report.h"
+#include "runtime/analysis/study/preference_fit.h"
+#include "runtime/analysis/study/study_report.h"
+#include "runtime/training/run/body_json.h"
+#include "runtime/training/run/run_database.h"
+#include "tests/runtime/analysis/report/sample_run.h"
+#include "tests/runtime/analysis/study/sample_preferences.h"
+#include "tests/runtime/analysis/study/sample_study.h"
+#include "tests/runtime/training/run/sample_run.h"
+#include "tests/runtime/training/run/temporary_folder.h"
 
 namespace runtime {
 namespace {

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "bench/random_motion.h"
-#include "runtime/simulation/robot_environment.h"
+#include "runtime/training/simulation/robot_environment.h"
 
 namespace {
 

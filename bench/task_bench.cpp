@@ -14,8 +14,8 @@
 
 #include "bench/random_motion.h"
 #include "plugins/host/task_frame.h"
-#include "runtime/simulation/robot_sensors.h"
-#include "runtime/task/plugin.h"
+#include "runtime/core/task/plugin.h"
+#include "runtime/training/simulation/robot_sensors.h"
 
 namespace runtime {
 namespace {

@@ -17,13 +17,13 @@
 #include <string>
 #include <vector>
 
-#include "compiler/build/build_plugin.h"
-#include "compiler/build/file_io.h"
-#include "compiler/build/plugin_cache.h"
 #include "compiler/check/check.h"
 #include "compiler/emit/emit.h"
 #include "compiler/source/file_reader.h"
 #include "compiler/syntax/parse.h"
+#include "compiler/toolchain/build_plugin.h"
+#include "compiler/toolchain/file_io.h"
+#include "compiler/toolchain/plugin_cache.h"
 #include "plugins/host/task_frame.h"
 
 namespace emitted {

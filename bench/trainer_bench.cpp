@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/simulation/profile.h"
+#include "runtime/training/simulation/profile.h"
 
 namespace runtime {
 namespace {

@@ -5,8 +5,8 @@
 
 #include "compiler/check/check.h"
 #include "compiler/emit/emit.h"
-#include "compiler/evaluate/evaluator.h"
 #include "compiler/format/format.h"
+#include "compiler/interpret/evaluator.h"
 #include "compiler/source/sources.h"
 #include "compiler/syntax/parse.h"
 #include "fuzz/corpus.h"

@@ -6,8 +6,8 @@
 #include <fstream>
 #include <sstream>
 
-#include "tests/runtime/run/temporary_folder.h"
 #include "tests/runtime/trainer/child_process.h"
+#include "tests/runtime/training/run/temporary_folder.h"
 
 namespace {
 

@@ -15,73 +15,78 @@ using Folders = std::set<std::string>;
 
 // Each folder of sources, and what it may include besides itself.
 const std::map<std::string, Folders> kMayInclude = {
+    {"base/text", {}},
+    {"base/file", {}},
+    {"base/seal", {}},
+    {"base/watch", {}},
+    {"base/cache", {}},
+    {"base/command_line", {"base/text"}},
+
     {"plugins/abi", {}},
     {"plugins/host", {}},
-    {"plugins/text", {}},
-    {"plugins/file", {}},
-    {"plugins/command_line", {"plugins/text"}},
-    {"plugins/seal", {}},
-    {"plugins/watch", {}},
-    {"plugins/cache", {}},
-    {"plugins/robot", {"plugins/file", "plugins/text"}},
+    {"plugins/robot", {"base/file", "base/text"}},
 
-    {"compiler/source", {"plugins/file", "plugins/seal", "plugins/text"}},
-    {"compiler/syntax", {"compiler/source", "plugins/text"}},
-    {"compiler/format", {"compiler/source", "compiler/syntax", "plugins/text"}},
-    {"compiler/compose", {"compiler/source", "compiler/syntax", "plugins/file", "plugins/text"}},
-    {"compiler/check", {"compiler/source", "compiler/syntax", "plugins/robot", "plugins/text"}},
+    {"compiler/source", {"base/file", "base/seal", "base/text"}},
+    {"compiler/syntax", {"base/text", "compiler/source"}},
+    {"compiler/format", {"base/text", "compiler/source", "compiler/syntax"}},
+    {"compiler/compose", {"base/file", "base/text", "compiler/source", "compiler/syntax"}},
+    {"compiler/check", {"base/text", "compiler/source", "compiler/syntax", "plugins/robot"}},
     {"compiler/analyze",
      {"compiler/bounds", "compiler/check", "compiler/compose", "compiler/source", "compiler/syntax",
       "plugins/robot"}},
     {"compiler/language_server",
-     {"compiler/analyze", "compiler/bounds", "compiler/check", "compiler/format", "compiler/source",
-      "compiler/syntax", "plugins/robot", "plugins/text"}},
-    {"compiler/bounds", {"compiler/check", "compiler/source", "compiler/syntax", "plugins/text"}},
+     {"base/text", "compiler/analyze", "compiler/bounds", "compiler/check", "compiler/format",
+      "compiler/source", "compiler/syntax", "plugins/robot"}},
+    {"compiler/bounds", {"compiler/check", "compiler/source"}},
     {"compiler/gains", {"compiler/check"}},
     {"compiler/emit", {"compiler/check", "compiler/source", "compiler/syntax"}},
-    {"compiler/build", {"compiler/source", "plugins/cache", "plugins/file", "plugins/seal"}},
-    {"compiler/evaluate", {"compiler/check"}},
+    {"compiler/toolchain", {"base/cache", "base/file", "base/seal", "compiler/source"}},
+    {"compiler/interpret", {"compiler/check"}},
     {"compiler/report", {"compiler/source"}},
-    {"compiler/testing",
-     {"compiler/build", "compiler/check", "compiler/emit", "compiler/evaluate", "compiler/source",
-      "compiler/syntax", "plugins/cache", "plugins/host", "plugins/robot"}},
+    {"compiler/task_tests",
+     {"base/cache", "compiler/check", "compiler/emit", "compiler/interpret", "compiler/source",
+      "compiler/syntax", "compiler/toolchain", "plugins/host", "plugins/robot"}},
     {"compiler/document",
      {"compiler/analyze", "compiler/bounds", "compiler/check", "compiler/gains", "compiler/report",
-      "compiler/source", "compiler/syntax", "plugins/robot"}},
+      "compiler/syntax", "plugins/robot"}},
     {"compiler/driver",
-     {"compiler/analyze", "compiler/bounds", "compiler/build", "compiler/check",
-      "compiler/document", "compiler/emit", "compiler/format", "compiler/language_server",
-      "compiler/report", "compiler/source", "compiler/syntax", "compiler/testing",
-      "plugins/command_line", "plugins/file", "plugins/robot", "plugins/seal", "plugins/text",
-      "plugins/watch"}},
+     {"base/command_line", "base/file", "base/seal", "base/text", "base/watch", "compiler/analyze",
+      "compiler/bounds", "compiler/document", "compiler/emit", "compiler/format",
+      "compiler/language_server", "compiler/report", "compiler/source", "compiler/syntax",
+      "compiler/task_tests", "compiler/toolchain", "plugins/robot"}},
 
-    {"runtime/module", {"plugins/robot", "plugins/text"}},
-    {"runtime/task",
-     {"plugins/file", "plugins/host", "plugins/robot", "plugins/seal", "runtime/module"}},
-    {"runtime/agent", {"plugins/file", "runtime/module"}},
-    {"runtime/simulation", {"plugins/robot", "runtime/module"}},
-    {"runtime/learning",
-     {"plugins/cache", "plugins/file", "plugins/robot", "plugins/seal", "runtime/module"}},
-    {"runtime/run",
-     {"plugins/file", "plugins/robot", "plugins/seal", "plugins/text", "runtime/learning",
-      "runtime/module", "runtime/simulation", "runtime/task"}},
-    {"runtime/behavior", {"plugins/robot", "runtime/run"}},
-    {"runtime/picture", {"plugins/robot", "runtime/behavior"}},
-    {"runtime/report", {"runtime/module", "runtime/run"}},
-    {"runtime/preference", {"runtime/control", "runtime/module", "runtime/run"}},
-    {"runtime/study",
-     {"runtime/behavior", "runtime/control", "runtime/module", "runtime/picture",
-      "runtime/preference", "runtime/report", "runtime/run"}},
-    {"runtime/control",
-     {"runtime/learning", "runtime/module", "runtime/run", "runtime/simulation", "runtime/task"}},
-    {"runtime/server", {"runtime/control", "runtime/module"}},
-    {"runtime/client", {"runtime/control", "runtime/module", "runtime/server"}},
-    {"runtime/workers", {"plugins/text", "runtime/module", "runtime/run"}},
+    {"runtime/base", {"base/text"}},
+    {"runtime/core/module", {"plugins/robot", "runtime/base"}},
+    {"runtime/core/task",
+     {"base/file", "base/seal", "plugins/host", "plugins/robot", "runtime/base",
+      "runtime/core/module"}},
+    {"runtime/core/agent", {"base/file", "runtime/base", "runtime/core/module"}},
+    {"runtime/training/learning",
+     {"base/cache", "base/file", "base/seal", "plugins/robot", "runtime/base",
+      "runtime/core/module"}},
+    {"runtime/training/simulation", {"plugins/robot", "runtime/core/module"}},
+    {"runtime/training/run",
+     {"base/file", "base/seal", "base/text", "plugins/robot", "runtime/base", "runtime/core/module",
+      "runtime/core/task", "runtime/training/learning", "runtime/training/simulation"}},
+    {"runtime/live/control",
+     {"runtime/base", "runtime/core/module", "runtime/core/task", "runtime/training/learning",
+      "runtime/training/run", "runtime/training/simulation"}},
+    {"runtime/live/server", {"runtime/base", "runtime/live/control"}},
+    {"runtime/live/client", {"runtime/base", "runtime/live/control", "runtime/live/server"}},
+    {"runtime/live/workers", {"base/text", "runtime/base", "runtime/training/run"}},
+    {"runtime/analysis/behavior", {"plugins/robot", "runtime/training/run"}},
+    {"runtime/analysis/picture", {"plugins/robot", "runtime/analysis/behavior"}},
+    {"runtime/analysis/report", {"runtime/base", "runtime/training/run"}},
+    {"runtime/analysis/study",
+     {"runtime/analysis/behavior", "runtime/analysis/picture", "runtime/analysis/preference",
+      "runtime/analysis/report", "runtime/base", "runtime/training/run"}},
+    {"runtime/analysis/preference", {"runtime/base", "runtime/training/run"}},
     {"runtime/trainer",
-     {"plugins/command_line", "plugins/robot", "plugins/text", "plugins/watch", "runtime/agent",
-      "runtime/behavior", "runtime/client", "runtime/control", "runtime/module", "runtime/picture",
-      "runtime/preference", "runtime/report", "runtime/run", "runtime/server", "runtime/simulation",
-      "runtime/study", "runtime/task", "runtime/workers"}},
+     {"base/command_line", "base/text", "base/watch", "plugins/robot", "runtime/analysis/behavior",
+      "runtime/analysis/picture", "runtime/analysis/preference", "runtime/analysis/report",
+      "runtime/analysis/study", "runtime/base", "runtime/core/agent", "runtime/core/module",
+      "runtime/core/task", "runtime/live/client", "runtime/live/control", "runtime/live/server",
+      "runtime/live/workers", "runtime/training/run", "runtime/training/simulation"}},
 };
 
 bool IsSource(const std::filesystem::path& file) {
@@ -94,7 +99,8 @@ std::string FolderOf(const std::filesystem::path& file) {
 }
 
 Folders IncludedBy(const std::filesystem::path& file) {
-  static const std::regex kInclude("^#include \"((?:compiler|plugins|runtime|tests)/\\w+)/.*");
+  static const std::regex kInclude(
+      "^#include \"((?:base|compiler|plugins|runtime)/[\\w/]+)/\\w+\\.h\".*");
   Folders folders;
   std::ifstream in(file);
   std::smatch match;
@@ -106,7 +112,7 @@ Folders IncludedBy(const std::filesystem::path& file) {
 
 TEST(Structure, FoldersIncludeOnlyWhatTheyMay) {
   int files = 0;
-  for (const char* top : {"plugins", "compiler", "runtime"}) {
+  for (const char* top : {"base", "plugins", "compiler", "runtime"}) {
     for (const auto& entry :
          std::filesystem::recursive_directory_iterator(std::filesystem::path(SOURCE_DIR) / top)) {
       if (!IsSource(entry.path())) continue;
@@ -125,15 +131,15 @@ TEST(Structure, FoldersIncludeOnlyWhatTheyMay) {
 }
 
 // Where text is printed as it is: what is a file's content, what is colored, and where the cursor
-// goes. All else is for a person and goes through plugins/text/print.h.
+// goes. All else is for a person and goes through base/text/print.h.
 const std::set<std::string> kPrintsRaw = {
     "compiler/driver/emit_verb.cpp", "compiler/driver/fmt_verb.cpp", "compiler/driver/session.cpp",
-    "plugins/text/print.h", "runtime/run/live_text.cpp"};
+    "base/text/print.h", "runtime/training/run/live_text.cpp"};
 
 TEST(Structure, NoOneElsesEscapeSequenceReachesATerminal) {
   static const std::regex kRaw(
       R"(fmt::print\(|std::cout <<|std::cerr <<|std::(f?printf|f?puts)\()");
-  for (const char* top : {"plugins", "compiler", "runtime"}) {
+  for (const char* top : {"base", "plugins", "compiler", "runtime"}) {
     for (const auto& entry :
          std::filesystem::recursive_directory_iterator(std::filesystem::path(SOURCE_DIR) / top)) {
       const std::string name = std::filesystem::relative(entry.path(), SOURCE_DIR).string();
@@ -144,6 +150,63 @@ TEST(Structure, NoOneElsesEscapeSequenceReachesATerminal) {
       }
     }
   }
+}
+
+// "runtime/core" for runtime/core/module, "base" for base/text.
+std::string GroupOf(const std::string& folder) {
+  const size_t end = folder.find('/');
+  return folder.starts_with("runtime/") ? folder.substr(0, folder.find('/', end + 1))
+                                        : folder.substr(0, end);
+}
+
+std::map<std::string, Folders> GroupsOf(const std::map<std::string, Folders>& folders) {
+  std::map<std::string, Folders> groups;
+  for (const auto& [folder, included] : folders) {
+    Folders& group = groups[GroupOf(folder)];
+    for (const std::string& each : included) {
+      if (GroupOf(each) != GroupOf(folder)) group.insert(GroupOf(each));
+    }
+  }
+  return groups;
+}
+
+// The names between backticks, without the slash at their end.
+Folders NamesIn(const std::string& text) {
+  static const std::regex kName("`([a-z/]+)/`");
+  Folders names;
+  for (std::sregex_iterator name(text.begin(), text.end(), kName), end; name != end; ++name) {
+    names.insert((*name)[1]);
+  }
+  return names;
+}
+
+// The rows of the table with the head "| folder | may include |" in docs/architecture.md.
+std::map<std::string, Folders> DocumentedGroups() {
+  std::map<std::string, Folders> groups;
+  std::ifstream in(std::filesystem::path(SOURCE_DIR) / "docs/architecture.md");
+  bool is_inside = false;
+  for (std::string line; std::getline(in, line);) {
+    if (line == "| folder | may include |") {
+      is_inside = true;
+    } else if (is_inside && line.starts_with("| `")) {
+      const size_t second = line.find('|', 1);
+      const std::string group = *NamesIn(line.substr(0, second)).begin();
+      groups[group] = NamesIn(line.substr(second));
+    } else if (is_inside && !line.starts_with("|---")) {
+      break;
+    }
+  }
+  return groups;
+}
+
+TEST(Structure, IsAsItIsDocumented) {
+  const std::map<std::string, Folders> groups = GroupsOf(kMayInclude);
+  std::map<std::string, Folders> documented = DocumentedGroups();
+  Folders& program = documented["runtime/trainer"];
+  EXPECT_EQ(program, Folders{"compiler"}) << "all but this";
+  program = groups.at("runtime/trainer");
+  EXPECT_FALSE(program.contains("compiler"));
+  EXPECT_EQ(groups, documented);
 }
 
 // An order in which every folder comes after all that it may include proves that there is no

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "base/text/nearest_name.h"
 #include "compiler/source/diagnostic.h"
-#include "plugins/text/nearest_name.h"
 
 namespace compiler {
 

@@ -10,10 +10,10 @@
 #include <utility>
 #include <vector>
 
+#include "base/file/read.h"
+#include "base/text/nearest_name.h"
 #include "compiler/compose/extend.h"
 #include "compiler/syntax/parse.h"
-#include "plugins/file/read.h"
-#include "plugins/text/nearest_name.h"
 
 namespace compiler {
 namespace {

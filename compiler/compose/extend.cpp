@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/text/nearest_name.h"
 #include "compiler/compose/copy_expression.h"
-#include "plugins/text/nearest_name.h"
 
 namespace compiler {
 namespace {

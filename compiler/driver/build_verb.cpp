@@ -1,11 +1,11 @@
 // taskc build FILE.task
 #include <memory>
 
-#include "compiler/build/build_plugin.h"
-#include "compiler/build/file_io.h"
-#include "compiler/build/plugin_cache.h"
 #include "compiler/driver/verb.h"
 #include "compiler/emit/emit.h"
+#include "compiler/toolchain/build_plugin.h"
+#include "compiler/toolchain/file_io.h"
+#include "compiler/toolchain/plugin_cache.h"
 
 namespace compiler {
 namespace {

@@ -4,12 +4,12 @@
 
 #include <CLI/CLI.hpp>
 
-#include "compiler/build/internal_error.h"
+#include "base/command_line/wrong_call.h"
 #include "compiler/driver/crash_report.h"
 #include "compiler/driver/print_error.h"
 #include "compiler/driver/session.h"
 #include "compiler/driver/verb.h"
-#include "plugins/command_line/wrong_call.h"
+#include "compiler/toolchain/internal_error.h"
 #include "plugins/robot/robot_description.h"
 
 namespace compiler {

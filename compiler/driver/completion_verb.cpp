@@ -3,10 +3,10 @@
 
 #include <memory>
 
+#include "base/command_line/completion.h"
+#include "base/text/print.h"
 #include "compiler/driver/verb.h"
 #include "compiler/source/diagnostic_table.h"
-#include "plugins/command_line/completion.h"
-#include "plugins/text/print.h"
 
 namespace compiler {
 namespace {

@@ -3,12 +3,12 @@
 
 #include <memory>
 
-#include "compiler/build/file_io.h"
-#include "compiler/build/share_folder.h"
+#include "base/text/print.h"
 #include "compiler/document/task_json.h"
 #include "compiler/document/task_page.h"
 #include "compiler/driver/verb.h"
-#include "plugins/text/print.h"
+#include "compiler/toolchain/file_io.h"
+#include "compiler/toolchain/share_folder.h"
 
 namespace compiler {
 namespace {

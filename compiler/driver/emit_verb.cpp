@@ -3,10 +3,10 @@
 
 #include <memory>
 
-#include "compiler/build/file_io.h"
 #include "compiler/driver/verb.h"
 #include "compiler/emit/emit.h"
 #include "compiler/emit/line_map.h"
+#include "compiler/toolchain/file_io.h"
 
 namespace compiler {
 namespace {

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <memory>
 
-#include "compiler/build/share_folder.h"
+#include "base/text/nearest_name.h"
+#include "base/text/print.h"
 #include "compiler/driver/verb.h"
-#include "plugins/text/nearest_name.h"
-#include "plugins/text/print.h"
+#include "compiler/toolchain/share_folder.h"
 
 namespace compiler {
 namespace {

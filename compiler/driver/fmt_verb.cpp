@@ -5,10 +5,10 @@
 #include <iterator>
 #include <memory>
 
-#include "compiler/build/file_io.h"
 #include "compiler/driver/verb.h"
 #include "compiler/format/format.h"
 #include "compiler/source/file_reader.h"
+#include "compiler/toolchain/file_io.h"
 
 namespace compiler {
 namespace {

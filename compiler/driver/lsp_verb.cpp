@@ -4,10 +4,10 @@
 
 #include <iostream>
 
-#include "compiler/build/share_folder.h"
 #include "compiler/driver/print_error.h"
 #include "compiler/driver/verb.h"
 #include "compiler/language_server/language_server.h"
+#include "compiler/toolchain/share_folder.h"
 
 namespace compiler {
 namespace {

@@ -4,12 +4,12 @@
 #include <memory>
 #include <optional>
 
+#include "base/text/print.h"
 #include "compiler/analyze/find_robot.h"
-#include "compiler/build/file_io.h"
 #include "compiler/driver/task_skeleton.h"
 #include "compiler/driver/verb.h"
 #include "compiler/syntax/parse.h"
-#include "plugins/text/print.h"
+#include "compiler/toolchain/file_io.h"
 
 namespace compiler {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <cstdio>
 
-#include "plugins/text/print.h"
+#include "base/text/print.h"
 
 namespace compiler {
 

@@ -3,10 +3,10 @@
 
 #include <memory>
 
-#include "compiler/build/file_io.h"
+#include "base/file/read.h"
+#include "base/seal/seal.h"
 #include "compiler/driver/verb.h"
-#include "plugins/file/read.h"
-#include "plugins/seal/seal.h"
+#include "compiler/toolchain/file_io.h"
 
 namespace compiler {
 namespace {

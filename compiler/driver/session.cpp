@@ -7,9 +7,9 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "base/text/print.h"
 #include "compiler/driver/crash_report.h"
 #include "compiler/driver/print_error.h"
-#include "plugins/text/print.h"
 
 namespace compiler {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <memory>
 
-#include "compiler/build/plugin_cache.h"
 #include "compiler/driver/verb.h"
-#include "compiler/testing/test_task.h"
+#include "compiler/task_tests/test_task.h"
+#include "compiler/toolchain/plugin_cache.h"
 
 namespace compiler {
 namespace {

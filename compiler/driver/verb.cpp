@@ -1,6 +1,6 @@
 #include "compiler/driver/verb.h"
 
-#include "plugins/command_line/choice.h"
+#include "base/command_line/choice.h"
 
 namespace compiler {
 

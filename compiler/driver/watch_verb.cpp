@@ -10,12 +10,12 @@
 #include <set>
 #include <system_error>
 
-#include "compiler/build/build_plugin.h"
-#include "compiler/build/plugin_cache.h"
+#include "base/text/print.h"
+#include "base/watch/file_watch.h"
 #include "compiler/driver/verb.h"
 #include "compiler/emit/emit.h"
-#include "plugins/text/print.h"
-#include "plugins/watch/file_watch.h"
+#include "compiler/toolchain/build_plugin.h"
+#include "compiler/toolchain/plugin_cache.h"
 
 namespace compiler {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "plugins/text/utf8.h"
+#include "base/text/utf8.h"
 
 namespace compiler {
 namespace {

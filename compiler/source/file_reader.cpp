@@ -2,9 +2,9 @@
 
 #include <utility>
 
+#include "base/file/read.h"
 #include "compiler/source/diagnostic.h"
 #include "compiler/source/source_file.h"
-#include "plugins/file/read.h"
 
 namespace compiler {
 namespace {

@@ -3,9 +3,9 @@
 #include <string>
 #include <vector>
 
+#include "base/text/print.h"
 #include "compiler/source/diagnostic.h"
 #include "compiler/source/displayed_line.h"
-#include "plugins/text/print.h"
 
 namespace compiler {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "plugins/text/utf8.h"
+#include "base/text/utf8.h"
 
 namespace compiler {
 Span Cover(Span first, Span second) {

@@ -4,7 +4,7 @@
 #include <cassert>
 #include <utility>
 
-#include "plugins/seal/sha256.h"
+#include "base/seal/sha256.h"
 
 namespace compiler {
 

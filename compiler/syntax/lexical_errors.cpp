@@ -8,8 +8,8 @@
 #include <string>
 #include <string_view>
 
+#include "base/text/utf8.h"
 #include "compiler/syntax/token_classes.h"
-#include "plugins/text/utf8.h"
 
 namespace compiler {
 namespace {

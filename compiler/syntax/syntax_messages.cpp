@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "base/text/nearest_name.h"
 #include "compiler/syntax/descriptions.h"
 #include "compiler/syntax/syntax_failure.h"
 #include "compiler/syntax/token_classes.h"
-#include "plugins/text/nearest_name.h"
 
 namespace compiler {
 

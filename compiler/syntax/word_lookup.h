@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "base/text/nearest_name.h"
 #include "compiler/syntax/syntax_report.h"
 #include "compiler/syntax/words.h"
-#include "plugins/text/nearest_name.h"
 
 namespace compiler {
 

@@ -1,4 +1,4 @@
-#include "plugins/file/read.h"
+#include "base/file/read.h"
 #include "plugins/robot/read_parts.h"
 
 namespace robot {

@@ -6,7 +6,7 @@
 #include <cctype>
 #include <cmath>
 
-#include "plugins/text/nearest_name.h"
+#include "base/text/nearest_name.h"
 
 namespace robot {
 namespace {

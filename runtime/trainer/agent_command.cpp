@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
-#include "plugins/text/print.h"
-#include "runtime/module/graph.h"
+#include "base/text/print.h"
+#include "runtime/core/module/graph.h"
 #include "runtime/trainer/commands.h"
 #include "runtime/trainer/task_setup.h"
 

@@ -6,8 +6,8 @@
 #include <cctype>
 #include <utility>
 
-#include "runtime/simulation/robot_environment.h"
 #include "runtime/trainer/call_error.h"
+#include "runtime/training/simulation/robot_environment.h"
 
 namespace runtime {
 namespace {

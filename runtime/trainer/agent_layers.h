@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "runtime/agent/agent.h"
-#include "runtime/run/run_settings.h"
+#include "runtime/core/agent/agent.h"
+#include "runtime/training/run/run_settings.h"
 
 namespace runtime {
 

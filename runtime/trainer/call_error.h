@@ -1,6 +1,6 @@
 #pragma once
 
-#include "runtime/module/user_error.h"
+#include "runtime/base/user_error.h"
 
 namespace runtime {
 

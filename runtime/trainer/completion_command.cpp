@@ -3,8 +3,8 @@
 
 #include <memory>
 
-#include "plugins/command_line/completion.h"
-#include "plugins/text/print.h"
+#include "base/command_line/completion.h"
+#include "base/text/print.h"
 #include "runtime/trainer/commands.h"
 
 namespace runtime {

@@ -2,13 +2,13 @@
 
 #include <fmt/format.h>
 
-#include "runtime/run/body_json.h"
-#include "runtime/run/run_files.h"
-#include "runtime/run/run_settings.h"
-#include "runtime/run/task_modules.h"
-#include "runtime/run/task_record.h"
-#include "runtime/simulation/robot_environment.h"
-#include "runtime/task/universal_task.h"
+#include "runtime/core/task/universal_task.h"
+#include "runtime/training/run/body_json.h"
+#include "runtime/training/run/run_files.h"
+#include "runtime/training/run/run_settings.h"
+#include "runtime/training/run/task_modules.h"
+#include "runtime/training/run/task_record.h"
+#include "runtime/training/simulation/robot_environment.h"
 
 namespace runtime {
 namespace {

@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <filesystem>
 
-#include "runtime/run/run_database.h"
-#include "runtime/run/run_records.h"
 #include "runtime/trainer/task_setup.h"
+#include "runtime/training/run/run_database.h"
+#include "runtime/training/run/run_records.h"
 
 namespace runtime {
 

@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "runtime/client/set_words.h"
-#include "runtime/module/user_error.h"
+#include "runtime/base/user_error.h"
+#include "runtime/live/client/set_words.h"
 
 namespace runtime {
 namespace {

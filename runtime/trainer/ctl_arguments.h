@@ -3,7 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
-#include "runtime/control/command_table.h"
+#include "runtime/live/control/command_table.h"
 
 namespace runtime {
 

@@ -5,11 +5,11 @@
 #include <memory>
 #include <string>
 
-#include "plugins/text/print.h"
-#include "runtime/client/client.h"
-#include "runtime/client/reply_text.h"
-#include "runtime/control/command_table.h"
-#include "runtime/module/user_error.h"
+#include "base/text/print.h"
+#include "runtime/base/user_error.h"
+#include "runtime/live/client/client.h"
+#include "runtime/live/client/reply_text.h"
+#include "runtime/live/control/command_table.h"
 #include "runtime/trainer/commands.h"
 #include "runtime/trainer/ctl_arguments.h"
 #include "runtime/trainer/ctl_options.h"

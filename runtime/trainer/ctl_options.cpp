@@ -1,6 +1,6 @@
 #include "runtime/trainer/ctl_options.h"
 
-#include "runtime/client/find_trainer.h"
+#include "runtime/live/client/find_trainer.h"
 
 namespace runtime {
 

@@ -11,11 +11,11 @@
 #include <string>
 #include <vector>
 
-#include "plugins/text/print.h"
-#include "plugins/watch/file_watch.h"
-#include "runtime/client/client.h"
-#include "runtime/client/task_files.h"
-#include "runtime/module/user_error.h"
+#include "base/text/print.h"
+#include "base/watch/file_watch.h"
+#include "runtime/base/user_error.h"
+#include "runtime/live/client/client.h"
+#include "runtime/live/client/task_files.h"
 #include "runtime/trainer/call_error.h"
 #include "runtime/trainer/commands.h"
 #include "runtime/trainer/ctl_options.h"

@@ -2,15 +2,15 @@
 
 #include <algorithm>
 
-#include "plugins/text/print.h"
-#include "runtime/module/user_error.h"
+#include "base/text/print.h"
+#include "runtime/base/user_error.h"
+#include "runtime/live/workers/run_table.h"
 #include "runtime/trainer/commands.h"
 #include "runtime/trainer/evaluate_run.h"
 #include "runtime/trainer/evaluation_table.h"
 #include "runtime/trainer/many_runs.h"
 #include "runtime/trainer/run_session.h"
 #include "runtime/trainer/task_setup.h"
-#include "runtime/workers/run_table.h"
 
 namespace runtime {
 namespace {

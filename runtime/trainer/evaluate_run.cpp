@@ -6,14 +6,14 @@
 #include <utility>
 #include <vector>
 
-#include "runtime/control/live_run.h"
-#include "runtime/control/scratch_folder.h"
-#include "runtime/run/checkpoint.h"
-#include "runtime/run/episode.h"
-#include "runtime/run/return_statistics.h"
-#include "runtime/run/run_database.h"
-#include "runtime/study/learning.h"
+#include "runtime/analysis/study/learning.h"
+#include "runtime/base/scratch_folder.h"
+#include "runtime/live/control/live_run.h"
 #include "runtime/trainer/kept_run.h"
+#include "runtime/training/run/checkpoint.h"
+#include "runtime/training/run/episode.h"
+#include "runtime/training/run/return_statistics.h"
+#include "runtime/training/run/run_database.h"
 
 namespace runtime {
 namespace {

@@ -6,10 +6,10 @@
 #include <optional>
 #include <string>
 
-#include "runtime/run/module_types.h"
-#include "runtime/run/policy_evaluation.h"
-#include "runtime/run/progress.h"
-#include "runtime/run/stop_request.h"
+#include "runtime/training/run/module_types.h"
+#include "runtime/training/run/policy_evaluation.h"
+#include "runtime/training/run/progress.h"
+#include "runtime/training/run/stop_request.h"
 
 namespace runtime {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/run/policy_evaluation.h"
+#include "runtime/training/run/policy_evaluation.h"
 
 namespace runtime {
 

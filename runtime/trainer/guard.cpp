@@ -19,14 +19,14 @@
 #include <string>
 #include <vector>
 
-#include "plugins/text/print.h"
-#include "runtime/control/journal.h"
-#include "runtime/module/user_error.h"
-#include "runtime/run/record_error.h"
-#include "runtime/run/run_database.h"
-#include "runtime/task/plugin_watch.h"
+#include "base/text/print.h"
+#include "runtime/base/user_error.h"
+#include "runtime/core/task/plugin_watch.h"
+#include "runtime/live/control/journal.h"
 #include "runtime/trainer/commands.h"
 #include "runtime/trainer/loop_detector.h"
+#include "runtime/training/run/record_error.h"
+#include "runtime/training/run/run_database.h"
 
 namespace runtime {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "runtime/run/run_files.h"
+#include "runtime/training/run/run_files.h"
 
 namespace runtime {
 namespace {

@@ -5,11 +5,11 @@
 #include <memory>
 
 #include "plugins/robot/robot_description.h"
-#include "runtime/agent/agent.h"
-#include "runtime/module/context.h"
-#include "runtime/module/network.h"
-#include "runtime/run/run_records.h"
-#include "runtime/task/plugin.h"
+#include "runtime/core/agent/agent.h"
+#include "runtime/core/module/context.h"
+#include "runtime/core/module/network.h"
+#include "runtime/core/task/plugin.h"
+#include "runtime/training/run/run_records.h"
 
 namespace runtime {
 

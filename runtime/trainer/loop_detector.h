@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-#include "runtime/task/plugin_watch.h"
+#include "runtime/core/task/plugin_watch.h"
 
 namespace runtime {
 

@@ -3,8 +3,8 @@
 
 #include <csignal>
 
-#include "plugins/command_line/wrong_call.h"
-#include "plugins/text/print.h"
+#include "base/command_line/wrong_call.h"
+#include "base/text/print.h"
 #include "runtime/trainer/call_error.h"
 #include "runtime/trainer/commands.h"
 

@@ -6,13 +6,13 @@
 #include <iterator>
 #include <thread>
 
-#include "plugins/text/print.h"
-#include "runtime/run/folder_lock.h"
-#include "runtime/run/run_database.h"
-#include "runtime/run/stop_request.h"
+#include "base/text/print.h"
+#include "runtime/base/folder_lock.h"
+#include "runtime/live/workers/run_table.h"
+#include "runtime/live/workers/supervisor.h"
 #include "runtime/trainer/commands.h"
-#include "runtime/workers/run_table.h"
-#include "runtime/workers/supervisor.h"
+#include "runtime/training/run/run_database.h"
+#include "runtime/training/run/stop_request.h"
 
 namespace runtime {
 namespace {

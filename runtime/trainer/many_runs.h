@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "runtime/live/workers/supervisor.h"
 #include "runtime/trainer/run_session.h"
-#include "runtime/workers/supervisor.h"
 
 namespace runtime {
 

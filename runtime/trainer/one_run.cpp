@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include "plugins/text/print.h"
-#include "runtime/run/run_database.h"
+#include "base/text/print.h"
 #include "runtime/trainer/call_error.h"
 #include "runtime/trainer/commands.h"
 #include "runtime/trainer/kept_run.h"
+#include "runtime/training/run/run_database.h"
 
 namespace runtime {
 namespace {

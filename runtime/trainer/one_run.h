@@ -5,10 +5,10 @@
 #include <filesystem>
 #include <optional>
 
-#include "runtime/run/module_types.h"
 #include "runtime/trainer/create_run.h"
 #include "runtime/trainer/run_session.h"
 #include "runtime/trainer/task_setup.h"
+#include "runtime/training/run/module_types.h"
 
 namespace runtime {
 

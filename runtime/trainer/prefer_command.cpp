@@ -6,8 +6,8 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "plugins/text/print.h"
-#include "runtime/study/preference_figures.h"
+#include "base/text/print.h"
+#include "runtime/analysis/study/preference_figures.h"
 #include "runtime/trainer/call_error.h"
 #include "runtime/trainer/commands.h"
 #include "runtime/trainer/many_runs.h"

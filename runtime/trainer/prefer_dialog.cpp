@@ -7,9 +7,9 @@
 #include <set>
 #include <string>
 
-#include "plugins/text/print.h"
-#include "runtime/study/compared_behavior.h"
-#include "runtime/study/informative_pair.h"
+#include "base/text/print.h"
+#include "runtime/analysis/study/compared_behavior.h"
+#include "runtime/analysis/study/informative_pair.h"
 #include "runtime/trainer/prefer_text.h"
 
 namespace runtime {

@@ -2,8 +2,8 @@
 
 #include <filesystem>
 
-#include "runtime/preference/task_params.h"
-#include "runtime/study/results.h"
+#include "runtime/analysis/preference/task_params.h"
+#include "runtime/analysis/study/results.h"
 
 namespace runtime {
 

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "runtime/preference/preferences_file.h"
-#include "runtime/study/compared_behavior.h"
+#include "runtime/analysis/preference/preferences_file.h"
+#include "runtime/analysis/study/compared_behavior.h"
 #include "runtime/trainer/call_error.h"
 
 namespace runtime {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/study/results.h"
+#include "runtime/analysis/study/results.h"
 
 namespace runtime {
 

@@ -8,7 +8,7 @@
 #include <iterator>
 #include <vector>
 
-#include "runtime/preference/gain_value.h"
+#include "runtime/analysis/preference/gain_value.h"
 
 namespace runtime {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "runtime/study/preference_fit.h"
+#include "runtime/analysis/study/preference_fit.h"
 
 namespace runtime {
 

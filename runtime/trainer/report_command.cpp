@@ -2,10 +2,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include "plugins/text/print.h"
-#include "runtime/report/report.h"
-#include "runtime/study/study_document.h"
-#include "runtime/study/study_report.h"
+#include "base/text/print.h"
+#include "runtime/analysis/report/report.h"
+#include "runtime/analysis/study/study_document.h"
+#include "runtime/analysis/study/study_report.h"
 #include "runtime/trainer/commands.h"
 #include "runtime/trainer/many_runs.h"
 

@@ -1,11 +1,11 @@
 #include <optional>
 
-#include "runtime/run/run_database.h"
 #include "runtime/trainer/call_error.h"
 #include "runtime/trainer/commands.h"
 #include "runtime/trainer/guard.h"
 #include "runtime/trainer/many_runs.h"
 #include "runtime/trainer/one_run.h"
+#include "runtime/training/run/run_database.h"
 
 namespace runtime {
 namespace {

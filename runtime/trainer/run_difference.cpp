@@ -5,7 +5,7 @@
 #include <map>
 #include <set>
 
-#include "runtime/agent/agent.h"
+#include "runtime/core/agent/agent.h"
 
 namespace runtime {
 namespace {

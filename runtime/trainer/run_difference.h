@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/run/run_records.h"
+#include "runtime/training/run/run_records.h"
 
 namespace runtime {
 

@@ -7,9 +7,9 @@
 #include <iterator>
 #include <span>
 
-#include "runtime/run/progress.h"
-#include "runtime/run/run_database.h"
-#include "runtime/run/run_settings.h"
+#include "runtime/training/run/progress.h"
+#include "runtime/training/run/run_database.h"
+#include "runtime/training/run/run_settings.h"
 
 namespace runtime {
 namespace {

@@ -9,9 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "runtime/run/return_statistics.h"
-#include "runtime/run/run_records.h"
-#include "runtime/run/task_spans.h"
+#include "runtime/training/run/return_statistics.h"
+#include "runtime/training/run/run_records.h"
+#include "runtime/training/run/task_spans.h"
 
 namespace runtime {
 

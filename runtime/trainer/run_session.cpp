@@ -4,13 +4,13 @@
 
 #include <memory>
 
-#include "runtime/report/report.h"
-#include "runtime/run/record_error.h"
-#include "runtime/run/stop_request.h"
-#include "runtime/run/training.h"
-#include "runtime/server/server.h"
+#include "runtime/analysis/report/report.h"
+#include "runtime/live/server/server.h"
 #include "runtime/trainer/commands.h"
 #include "runtime/trainer/guard.h"
+#include "runtime/training/run/record_error.h"
+#include "runtime/training/run/stop_request.h"
+#include "runtime/training/run/training.h"
 
 namespace runtime {
 namespace {

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <string>
 
-#include "runtime/control/live_run.h"
-#include "runtime/run/progress.h"
+#include "runtime/live/control/live_run.h"
+#include "runtime/training/run/progress.h"
 
 namespace runtime {
 

@@ -1,9 +1,9 @@
 #include <optional>
 
-#include "runtime/run/run_database.h"
 #include "runtime/trainer/commands.h"
 #include "runtime/trainer/guard.h"
 #include "runtime/trainer/one_run.h"
+#include "runtime/training/run/run_database.h"
 
 namespace runtime {
 namespace {

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "plugins/text/print.h"
+#include "base/text/print.h"
+#include "runtime/live/workers/run_table.h"
 #include "runtime/trainer/commands.h"
 #include "runtime/trainer/many_runs.h"
 #include "runtime/trainer/run_overview.h"
-#include "runtime/workers/run_table.h"
 
 namespace runtime {
 namespace {

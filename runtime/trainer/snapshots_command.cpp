@@ -4,14 +4,14 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "plugins/text/print.h"
-#include "runtime/behavior/motion.h"
-#include "runtime/picture/snapshot_strip.h"
-#include "runtime/run/body_json.h"
-#include "runtime/run/run_database.h"
-#include "runtime/run/run_files.h"
+#include "base/text/print.h"
+#include "runtime/analysis/behavior/motion.h"
+#include "runtime/analysis/picture/snapshot_strip.h"
 #include "runtime/trainer/call_error.h"
 #include "runtime/trainer/commands.h"
+#include "runtime/training/run/body_json.h"
+#include "runtime/training/run/run_database.h"
+#include "runtime/training/run/run_files.h"
 
 namespace runtime {
 namespace {

@@ -6,9 +6,9 @@
 #include <charconv>
 #include <limits>
 
-#include "runtime/module/suggestion.h"
-#include "runtime/module/user_error.h"
-#include "runtime/run/run_files.h"
+#include "runtime/base/suggestion.h"
+#include "runtime/base/user_error.h"
+#include "runtime/training/run/run_files.h"
 
 namespace runtime {
 namespace {

@@ -4,12 +4,12 @@
 
 #include <algorithm>
 
-#include "runtime/control/build_task.h"
-#include "runtime/module/context.h"
-#include "runtime/module/suggestion.h"
-#include "runtime/simulation/profile.h"
+#include "runtime/base/build_task.h"
+#include "runtime/base/suggestion.h"
+#include "runtime/core/module/context.h"
 #include "runtime/trainer/agent_layers.h"
 #include "runtime/trainer/call_error.h"
+#include "runtime/training/simulation/profile.h"
 
 namespace runtime {
 namespace {

@@ -9,13 +9,13 @@
 #include <vector>
 
 #include "plugins/robot/robot_description.h"
-#include "runtime/agent/agent.h"
-#include "runtime/control/scratch_folder.h"
-#include "runtime/module/context.h"
-#include "runtime/module/network.h"
-#include "runtime/run/module_types.h"
-#include "runtime/run/run_settings.h"
-#include "runtime/task/plugin.h"
+#include "runtime/base/scratch_folder.h"
+#include "runtime/core/agent/agent.h"
+#include "runtime/core/module/context.h"
+#include "runtime/core/module/network.h"
+#include "runtime/core/task/plugin.h"
+#include "runtime/training/run/module_types.h"
+#include "runtime/training/run/run_settings.h"
 
 namespace runtime {
 

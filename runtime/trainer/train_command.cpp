@@ -1,12 +1,12 @@
 #include <fmt/format.h>
 
-#include "runtime/run/run_database.h"
 #include "runtime/trainer/commands.h"
 #include "runtime/trainer/create_run.h"
 #include "runtime/trainer/guard.h"
 #include "runtime/trainer/many_runs.h"
 #include "runtime/trainer/one_run.h"
 #include "runtime/trainer/task_setup.h"
+#include "runtime/training/run/run_database.h"
 
 namespace runtime {
 namespace {

@@ -7,9 +7,9 @@
 #include <chrono>
 #include <thread>
 
-#include "runtime/client/client.h"
-#include "runtime/module/user_error.h"
-#include "runtime/run/run_database.h"
+#include "runtime/base/user_error.h"
+#include "runtime/live/client/client.h"
+#include "runtime/training/run/run_database.h"
 
 namespace runtime {
 namespace {

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "runtime/server/descriptor.h"
+#include "runtime/live/server/descriptor.h"
 
 namespace runtime {
 

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "runtime/module/user_error.h"
-#include "runtime/preference/gain_value.h"
-#include "runtime/preference/preferred_task.h"
+#include "runtime/analysis/preference/gain_value.h"
+#include "runtime/analysis/preference/preferred_task.h"
+#include "runtime/base/user_error.h"
 
 namespace runtime {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/study/preference_fit.h"
+#include "runtime/analysis/study/preference_fit.h"
 
 namespace runtime {
 

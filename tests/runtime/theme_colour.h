@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-#include "runtime/run/run_files.h"
+#include "runtime/training/run/run_files.h"
 
 namespace runtime {
 

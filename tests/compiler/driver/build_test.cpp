@@ -6,7 +6,7 @@
 
 #include <chrono>
 
-#include "compiler/build/file_io.h"
+#include "compiler/toolchain/file_io.h"
 #include "tests/compiler/driver/taskc_process.h"
 #include "tests/compiler/golden.h"
 

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <sstream>
 
-#include "compiler/build/file_io.h"
+#include "compiler/toolchain/file_io.h"
 #include "tests/compiler/driver/taskc_process.h"
 
 namespace compiler {

@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "compiler/build/file_io.h"
+#include "compiler/toolchain/file_io.h"
 #include "tests/compiler/driver/taskc_process.h"
 
 namespace compiler {

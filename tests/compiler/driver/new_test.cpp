@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "compiler/build/file_io.h"
+#include "compiler/toolchain/file_io.h"
 #include "tests/compiler/driver/taskc_process.h"
 
 namespace compiler {

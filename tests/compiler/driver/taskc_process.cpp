@@ -5,7 +5,7 @@
 
 #include <cstdlib>
 
-#include "compiler/build/file_io.h"
+#include "compiler/toolchain/file_io.h"
 
 namespace compiler {
 

@@ -8,7 +8,7 @@
 #include <chrono>
 #include <thread>
 
-#include "compiler/build/file_io.h"
+#include "compiler/toolchain/file_io.h"
 #include "tests/compiler/driver/taskc_process.h"
 
 namespace compiler {

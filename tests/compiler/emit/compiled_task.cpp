@@ -7,9 +7,9 @@
 #include <span>
 #include <stdexcept>
 
-#include "compiler/build/child_process.h"
-#include "compiler/build/cxx_compiler.h"
-#include "compiler/build/file_io.h"
+#include "compiler/toolchain/child_process.h"
+#include "compiler/toolchain/cxx_compiler.h"
+#include "compiler/toolchain/file_io.h"
 #include "tests/compiler/emit/emitted_text.h"
 
 namespace compiler {

@@ -6,7 +6,7 @@
 
 #include <limits>
 
-#include "plugins/seal/sha256.h"
+#include "base/seal/sha256.h"
 #include "tests/compiler/emit/compiled_task.h"
 #include "tests/compiler/golden.h"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "compiler/bounds/bounds.h"
-#include "compiler/evaluate/evaluator.h"
+#include "compiler/interpret/evaluator.h"
 #include "tests/compiler/check/checked_source.h"
 #include "tests/compiler/random/random_numbers.h"
 #include "tests/compiler/random/random_task.h"

@@ -7,8 +7,8 @@
 #include <regex>
 #include <sstream>
 
-#include "compiler/evaluate/evaluator.h"
 #include "compiler/gains/gains.h"
+#include "compiler/interpret/evaluator.h"
 #include "tests/compiler/check/checked_source.h"
 #include "tests/compiler/random/random_numbers.h"
 #include "tests/compiler/random/random_task.h"

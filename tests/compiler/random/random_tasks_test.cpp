@@ -11,11 +11,11 @@
 #include <optional>
 #include <stdexcept>
 
-#include "compiler/build/child_process.h"
-#include "compiler/build/cxx_compiler.h"
-#include "compiler/build/file_io.h"
 #include "compiler/emit/emit.h"
-#include "compiler/testing/side_by_side.h"
+#include "compiler/task_tests/side_by_side.h"
+#include "compiler/toolchain/child_process.h"
+#include "compiler/toolchain/cxx_compiler.h"
+#include "compiler/toolchain/file_io.h"
 #include "tests/compiler/check/checked_source.h"
 #include "tests/compiler/random/random_task.h"
 #include "tests/compiler/random/random_values.h"

@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "compiler/evaluate/value.h"
+#include "compiler/interpret/value.h"
 #include "tests/compiler/random/random_numbers.h"
 
 namespace compiler {

@@ -6,9 +6,9 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "runtime/control/command_table.h"
-#include "runtime/server/server.h"
-#include "tests/runtime/server/fake_handler.h"
+#include "runtime/live/control/command_table.h"
+#include "runtime/live/server/server.h"
+#include "tests/runtime/live/server/fake_handler.h"
 #include "tests/runtime/trainer/trainer_test.h"
 
 namespace runtime {

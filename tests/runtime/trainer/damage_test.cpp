@@ -2,8 +2,8 @@
 // run is damaged.
 #include <array>
 
-#include "tests/runtime/run/damages.h"
 #include "tests/runtime/trainer/trainer_test.h"
+#include "tests/runtime/training/run/damages.h"
 
 namespace runtime {
 namespace {

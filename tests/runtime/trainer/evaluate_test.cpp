@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "runtime/run/run_files.h"
+#include "runtime/training/run/run_files.h"
 #include "tests/runtime/trainer/trainer_test.h"
 
 namespace runtime {

@@ -1,5 +1,5 @@
-// That a learner is whatever module implements runtime/learning/learner.h: one of which neither the
-// program nor its agents know is trained by what the program's commands call.
+// That a learner is whatever module implements runtime/training/learning/learner.h: one of which
+// neither the program nor its agents know is trained by what the program's commands call.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <gmock/gmock.h>
@@ -9,11 +9,11 @@
 #include <future>
 #include <thread>
 
-#include "runtime/client/client.h"
+#include "runtime/live/client/client.h"
 #include "runtime/trainer/evaluate_run.h"
 #include "runtime/trainer/one_run.h"
-#include "tests/runtime/run/temporary_folder.h"
 #include "tests/runtime/trainer/random_targets.h"
+#include "tests/runtime/training/run/temporary_folder.h"
 #include "tests/scoped_environment.h"
 
 namespace runtime {

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/run/sqlite.h"
+#include "runtime/training/run/sqlite.h"
 #include "tests/runtime/trainer/trainer_test.h"
 
 namespace runtime {

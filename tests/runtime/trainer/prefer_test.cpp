@@ -1,9 +1,9 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "runtime/preference/preferences_file.h"
-#include "runtime/run/run_files.h"
-#include "tests/runtime/study/sample_preferences.h"
+#include "runtime/analysis/preference/preferences_file.h"
+#include "runtime/training/run/run_files.h"
+#include "tests/runtime/analysis/study/sample_preferences.h"
 #include "tests/runtime/trainer/trainer_test.h"
 #include "tests/terminal.h"
 

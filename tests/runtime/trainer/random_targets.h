@@ -7,9 +7,9 @@
 #include <string>
 #include <utility>
 
-#include "runtime/learning/learner.h"
-#include "runtime/learning/random.h"
-#include "runtime/module/context.h"
+#include "runtime/core/module/context.h"
+#include "runtime/training/learning/learner.h"
+#include "runtime/training/learning/random.h"
 
 namespace runtime {
 

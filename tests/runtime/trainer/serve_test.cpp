@@ -8,10 +8,10 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "runtime/client/client.h"
-#include "runtime/module/user_error.h"
-#include "runtime/server/control_socket.h"
-#include "tests/runtime/server/raw_client.h"
+#include "runtime/base/user_error.h"
+#include "runtime/live/client/client.h"
+#include "runtime/live/server/control_socket.h"
+#include "tests/runtime/live/server/raw_client.h"
 #include "tests/runtime/trainer/trainer_test.h"
 #include "tests/scoped_environment.h"
 

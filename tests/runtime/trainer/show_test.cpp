@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "tests/runtime/run/sample_run.h"
 #include "tests/runtime/trainer/trainer_test.h"
+#include "tests/runtime/training/run/sample_run.h"
 
 namespace runtime {
 namespace {

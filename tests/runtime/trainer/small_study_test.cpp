@@ -7,7 +7,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "runtime/run/sqlite.h"
+#include "runtime/training/run/sqlite.h"
 #include "tests/runtime/trainer/trainer_test.h"
 
 namespace runtime {

@@ -1,9 +1,9 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "tests/runtime/report/sample_run.h"
-#include "tests/runtime/run/sample_run.h"
+#include "tests/runtime/analysis/report/sample_run.h"
 #include "tests/runtime/trainer/trainer_test.h"
+#include "tests/runtime/training/run/sample_run.h"
 
 namespace runtime {
 namespace {

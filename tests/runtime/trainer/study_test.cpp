@@ -1,6 +1,6 @@
 #include <fstream>
 
-#include "runtime/run/run_database.h"
+#include "runtime/training/run/run_database.h"
 #include "tests/runtime/trainer/trainer_test.h"
 
 namespace runtime {

@@ -2,7 +2,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "runtime/run/compression.h"
+#include "runtime/training/run/compression.h"
 #include "tests/runtime/trainer/trainer_test.h"
 
 namespace runtime {

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "runtime/run/run_database.h"
-#include "tests/runtime/run/temporary_folder.h"
+#include "runtime/training/run/run_database.h"
 #include "tests/runtime/trainer/child_process.h"
+#include "tests/runtime/training/run/temporary_folder.h"
 
 namespace runtime {
 

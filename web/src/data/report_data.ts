@@ -1,4 +1,4 @@
-// What the page shows: the JSON that runtime/report/report_data.cpp writes into the page, decoded.
+// What the page shows: the JSON that runtime/analysis/report/report_data.cpp writes into the page, decoded.
 
 import { decodeFloats } from "./base64.ts";
 import type { Estimate } from "./estimate.ts";

@@ -1,4 +1,4 @@
-// What the page of a study shows: the JSON that runtime/study/study_report.cpp writes, decoded.
+// What the page of a study shows: the JSON that runtime/analysis/study/study_report.cpp writes, decoded.
 
 import { decodeFloats } from "../data/base64.ts";
 import type { Estimate } from "../data/estimate.ts";

@@ -1,5 +1,5 @@
 // A task that does what no task of taskc does: it writes where nothing is, in its third time step.
-#include "tests/runtime/task/plugins/plugin_table.h"
+#include "tests/runtime/core/task/plugins/plugin_table.h"
 
 static void end_of_time_step(taskc_frame* frame) {
   taskc_int64* steps = (taskc_int64*)frame->memory;

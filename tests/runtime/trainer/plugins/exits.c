@@ -1,7 +1,7 @@
 // A task that ends the whole program, in its third time step.
 #include <stdlib.h>
 
-#include "tests/runtime/task/plugins/plugin_table.h"
+#include "tests/runtime/core/task/plugins/plugin_table.h"
 
 #ifndef STATUS
 #define STATUS 0

@@ -1,7 +1,7 @@
 // A shared object that ends the program while it is loaded.
 #include <stdlib.h>
 
-#include "tests/runtime/task/plugins/plugin_table.h"
+#include "tests/runtime/core/task/plugins/plugin_table.h"
 
 __attribute__((constructor)) static void leave(void) { exit(0); }
 

@@ -1,5 +1,5 @@
 // A shared object that never has been loaded.
-#include "tests/runtime/task/plugins/plugin_table.h"
+#include "tests/runtime/core/task/plugins/plugin_table.h"
 
 __attribute__((constructor)) static void loop(void) {
   for (volatile int forever = 1; forever;) {

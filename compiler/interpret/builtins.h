@@ -1,0 +1,14 @@
+// The functions of the language, applied to values.
+#pragma once
+
+#include <vector>
+
+#include "compiler/check/checked_task.h"
+#include "compiler/interpret/value.h"
+
+namespace compiler {
+
+// `function` with checked arguments.
+Value Apply(Builtin function, const std::vector<Value>& arguments);
+
+}  // namespace compiler

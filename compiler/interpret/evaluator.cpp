@@ -1,0 +1,122 @@
+#include "compiler/interpret/evaluator.h"
+
+#include <taskc/largest_reward.h>
+
+#include <cmath>
+
+#include "compiler/check/arithmetic.h"
+#include "compiler/check/memory_reset.h"
+#include "compiler/interpret/expression_evaluator.h"
+
+namespace compiler {
+namespace {
+
+void SetOnce(int32_t& first, uint32_t index) {
+  if (first < 0) first = static_cast<int32_t>(index);
+}
+
+}  // namespace
+
+Frame::Frame(const CheckedTask& task)
+    : terms(task.terms.size()), metrics(task.metrics.size()), logs(task.logs.size()) {
+  for (const CheckedSensor& sensor : task.sensors) {
+    sensors.push_back(Filled(sensor.type.scalar, sensor.type.size(), 0));
+  }
+  for (const CheckedParam& param : task.params) params.push_back(param.initial);
+  for (const CheckedMemory& variable : task.memory) {
+    memory.push_back(Filled(variable.type.scalar, variable.type.size(), 0));
+  }
+}
+
+Evaluator::Evaluator(const CheckedTask& task) : task_(task), frame_(task) { Initialize(); }
+
+void Evaluator::Initialize() {
+  for (uint32_t i = 0; i < task_.memory.size(); ++i) Reset(i);
+}
+
+void Evaluator::Fire(EventKind kind, double time_step) {
+  const CheckedEvent& event = task_.events[static_cast<size_t>(kind)];
+  frame_.time_step = time_step;
+  frame_.reward = 0;
+  frame_.end = -1;
+  frame_.fault = -1;
+  frame_.violation = -1;
+  for (uint32_t i = 0; i < task_.memory.size(); ++i) {
+    if (IsResetAt(kind, task_.memory[i].scope)) Reset(i);
+  }
+  locals_.assign(event.locals.size(), {});
+  Run(event.body);
+  if (frame_.first_end < 0) frame_.first_end = frame_.end;
+}
+
+void Evaluator::Measure() {
+  for (size_t i = 0; i < task_.metrics.size(); ++i) {
+    frame_.metrics[i] = RealOf(Evaluate(task_.metrics[i].value));
+  }
+}
+
+Value Evaluator::Evaluate(const CheckedExpression& expression) const {
+  return ExpressionEvaluator(task_, frame_, {}, {}).Evaluate(expression);
+}
+
+Value Evaluator::EvaluateHere(const CheckedExpression& expression) const {
+  return ExpressionEvaluator(task_, frame_, locals_, {}).Evaluate(expression);
+}
+
+void Evaluator::Reset(uint32_t memory) {
+  Assign(AssignOperator::kSet, {}, Evaluate(task_.memory[memory].initial), frame_.memory[memory]);
+}
+
+void Evaluator::Run(const CheckedBlock& block) {
+  for (const CheckedStatement& statement : block) {
+    std::visit([this](const auto& node) { Run(node); }, statement.node);
+  }
+}
+
+void Evaluator::Run(const CheckedLet& let) { locals_[let.local] = EvaluateHere(let.value); }
+
+void Evaluator::Run(const CheckedAssign& assign) {
+  Assign(assign.op, assign.elements, EvaluateHere(assign.value), frame_.memory[assign.memory]);
+}
+
+void Evaluator::Run(const CheckedIf& branches) {
+  for (const CheckedIfBranch& branch : branches.branches) {
+    if (IsTrue(EvaluateHere(branch.condition))) return Run(branch.body);
+  }
+  Run(branches.otherwise);
+}
+
+void Evaluator::Run(const CheckedFor& loop) {
+  for (const CheckedPass& pass : loop.passes) Run(pass.body);
+}
+
+void Evaluator::Run(const CheckedReward& reward) {
+  double value = RealOf(EvaluateHere(reward.value));
+  if (reward.is_rate) value = value * frame_.time_step;
+  // What gives no finite reward, or too large a one, is reported instead of paid.
+  const bool is_paid = std::abs(frame_.reward + value) <= TASKC_LARGEST_REWARD;
+  if (!is_paid) return SetOnce(frame_.fault, reward.term);
+  frame_.reward += value;
+  frame_.terms[reward.term] += value;
+}
+
+void Evaluator::Run(const CheckedEnd& end) { SetOnce(frame_.end, end.end); }
+
+void Evaluator::Run(const CheckedLog& log) {
+  const double value = RealOf(EvaluateHere(log.value));
+  LogState& state = frame_.logs[log.log];
+  const bool is_first = state.count == 0;
+  ++state.count;
+  state.last = value;
+  state.sum = is_first ? value : state.sum + value;
+  const double lowest[] = {state.minimum, value};
+  const double highest[] = {state.maximum, value};
+  state.minimum = is_first ? value : Calculate(Builtin::kMin, lowest);
+  state.maximum = is_first ? value : Calculate(Builtin::kMax, highest);
+}
+
+void Evaluator::Run(const CheckedRequire& require) {
+  if (!IsTrue(EvaluateHere(require.condition))) SetOnce(frame_.violation, require.requirement);
+}
+
+}  // namespace compiler

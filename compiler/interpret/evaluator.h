@@ -1,0 +1,51 @@
+// Runs a checked task without building it. What plugins compute is held against this: every value
+// has the same bits, since each operation is the same, in the same order. It is written to be
+// obviously right, not to be fast.
+#pragma once
+
+#include <vector>
+
+#include "compiler/check/checked_task.h"
+#include "compiler/interpret/frame.h"
+#include "compiler/interpret/value.h"
+
+namespace compiler {
+
+class Evaluator {
+ public:
+  // Refers to the task, which must outlive it. Memory has its initial values.
+  explicit Evaluator(const CheckedTask& task);
+
+  // A host's part of the frame may be set between calls.
+  Frame& frame() { return frame_; }
+  const Frame& frame() const { return frame_; }
+
+  // Gives all memory its initial value.
+  void Initialize();
+  // Runs what the task does at `event`.
+  void Fire(EventKind event, double time_step);
+  // Computes all metrics.
+  void Measure();
+
+  // The value of an expression that reads no locals: of a test's `expect`, of a metric.
+  Value Evaluate(const CheckedExpression& expression) const;
+
+ private:
+  void Reset(uint32_t memory);
+  void Run(const CheckedBlock& block);
+  void Run(const CheckedLet& let);
+  void Run(const CheckedAssign& assign);
+  void Run(const CheckedIf& branches);
+  void Run(const CheckedFor& loop);
+  void Run(const CheckedReward& reward);
+  void Run(const CheckedEnd& end);
+  void Run(const CheckedLog& log);
+  void Run(const CheckedRequire& require);
+  Value EvaluateHere(const CheckedExpression& expression) const;
+
+  const CheckedTask& task_;
+  Frame frame_;
+  std::vector<Value> locals_;  // of the event that runs
+};
+
+}  // namespace compiler

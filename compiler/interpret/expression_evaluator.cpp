@@ -1,0 +1,142 @@
+#include "compiler/interpret/expression_evaluator.h"
+
+#include <cmath>
+#include <limits>
+
+#include "compiler/check/arithmetic.h"
+#include "compiler/interpret/builtins.h"
+
+namespace compiler {
+namespace {
+
+bool IsArithmetic(BinaryOperator op) { return op <= BinaryOperator::kDivide; }
+
+// A scalar applies to each element of the other operand.
+template <typename Number>
+Number ElementOf(const std::vector<Number>& elements, size_t i) {
+  return elements.size() == 1 ? elements.front() : elements[i];
+}
+
+template <typename Number>
+Value Combine(BinaryOperator op, const std::vector<Number>& left, const std::vector<Number>& right,
+              size_t size) {
+  std::vector<Number> result;
+  for (size_t i = 0; i < size; ++i) {
+    result.push_back(Calculate(op, ElementOf(left, i), ElementOf(right, i)));
+  }
+  return result;
+}
+
+}  // namespace
+
+ExpressionEvaluator::ExpressionEvaluator(const CheckedTask& task, const Frame& frame,
+                                         const std::vector<Value>& locals,
+                                         const std::vector<Value>& arguments)
+    : task_(task), frame_(frame), locals_(locals), arguments_(arguments) {}
+
+Value ExpressionEvaluator::Evaluate(const CheckedExpression& expression) const {
+  return std::visit([&](const auto& node) { return Of(node, expression.type); }, expression.node);
+}
+
+Value ExpressionEvaluator::Of(const Constant& node, const Type& type) const {
+  return Filled(type.scalar, 1, node.value);
+}
+
+Value ExpressionEvaluator::Of(const SensorRead& node, const Type&) const {
+  return frame_.sensors[node.sensor];
+}
+
+Value ExpressionEvaluator::Of(const ParamRead& node, const Type& type) const {
+  const double value = frame_.params[node.param];
+  return Filled(type.scalar, 1, type.scalar == Scalar::kBool ? value != 0 : value);
+}
+
+Value ExpressionEvaluator::Of(const MemoryRead& node, const Type&) const {
+  return frame_.memory[node.memory];
+}
+
+Value ExpressionEvaluator::Of(const LocalRead& node, const Type&) const {
+  return locals_[node.local];
+}
+
+Value ExpressionEvaluator::Of(const ArgumentRead& node, const Type&) const {
+  return arguments_[node.argument];
+}
+
+Value ExpressionEvaluator::Of(const RewardSoFar&, const Type&) const {
+  return Reals{frame_.reward};
+}
+
+Value ExpressionEvaluator::Of(const TimeStep&, const Type&) const {
+  return Reals{frame_.time_step};
+}
+
+Value ExpressionEvaluator::Of(const Elements& node, const Type&) const {
+  return Pick(Evaluate(*node.operand), node.indices);
+}
+
+Value ExpressionEvaluator::Of(const CheckedUnary& node, const Type&) const {
+  return std::visit(
+      [&](auto elements) -> Value {
+        for (auto& element : elements) element = Calculate(node.op, element);
+        return elements;
+      },
+      Evaluate(*node.operand));
+}
+
+Value ExpressionEvaluator::Of(const CheckedBinary& node, const Type& type) const {
+  const Value left = Evaluate(*node.left);
+  const Value right = Evaluate(*node.right);
+  if (const auto* reals = std::get_if<Reals>(&left)) {
+    const auto& others = std::get<Reals>(right);
+    if (IsArithmetic(node.op)) return Combine(node.op, *reals, others, type.size());
+    return Integers{Holds(node.op, reals->front(), others.front())};
+  }
+  return Combine(node.op, std::get<Integers>(left), std::get<Integers>(right), type.size());
+}
+
+Value ExpressionEvaluator::Of(const BuiltinCall& node, const Type&) const {
+  return Apply(node.function, EvaluateAll(node.arguments));
+}
+
+Value ExpressionEvaluator::Of(const FunctionCall& node, const Type&) const {
+  const CheckedFunction& function = task_.functions[node.function];
+  const std::vector<Value> arguments = EvaluateAll(node.arguments);
+  std::vector<Value> locals(function.locals.size());
+  const ExpressionEvaluator inside(task_, frame_, locals, arguments);
+  for (const CheckedLet& let : function.lets) locals[let.local] = inside.Evaluate(let.value);
+  return inside.Evaluate(function.value);
+}
+
+Value ExpressionEvaluator::Of(const TestRead& node, const Type&) const {
+  switch (node.kind) {
+    case TestRead::kTotal:
+      return Reals{frame_.terms[node.index]};
+    case TestRead::kMetric:
+      return Evaluate(task_.metrics[node.index].value);
+    case TestRead::kLog: {
+      const LogState& log = frame_.logs[node.index];
+      return Reals{log.count > 0 ? log.last : std::numeric_limits<double>::quiet_NaN()};
+    }
+    case TestRead::kReward:
+      return Reals{frame_.reward};
+    case TestRead::kEnded:
+      break;
+  }
+  return Integers{frame_.first_end >= 0};
+}
+
+Value ExpressionEvaluator::Of(const IntToReal& node, const Type&) const {
+  return ToReals(Evaluate(*node.operand));
+}
+
+std::vector<Value> ExpressionEvaluator::EvaluateAll(
+    const std::vector<CheckedExpressionPtr>& expressions) const {
+  std::vector<Value> values;
+  for (const CheckedExpressionPtr& expression : expressions) {
+    values.push_back(Evaluate(*expression));
+  }
+  return values;
+}
+
+}  // namespace compiler

@@ -1,0 +1,46 @@
+// The value of an expression.
+#pragma once
+
+#include <vector>
+
+#include "compiler/check/checked_task.h"
+#include "compiler/interpret/frame.h"
+#include "compiler/interpret/value.h"
+
+namespace compiler {
+
+class ExpressionEvaluator {
+ public:
+  // Refers to its arguments, which must outlive it. `locals` are those of the event or function
+  // around the expression, `arguments` those of the function.
+  ExpressionEvaluator(const CheckedTask& task, const Frame& frame, const std::vector<Value>& locals,
+                      const std::vector<Value>& arguments);
+
+  Value Evaluate(const CheckedExpression& expression) const;
+
+ private:
+  Value Of(const Constant& node, const Type& type) const;
+  Value Of(const SensorRead& node, const Type& type) const;
+  Value Of(const ParamRead& node, const Type& type) const;
+  Value Of(const MemoryRead& node, const Type& type) const;
+  Value Of(const LocalRead& node, const Type& type) const;
+  Value Of(const ArgumentRead& node, const Type& type) const;
+  Value Of(const RewardSoFar& node, const Type& type) const;
+  Value Of(const TimeStep& node, const Type& type) const;
+  Value Of(const Elements& node, const Type& type) const;
+  Value Of(const CheckedUnary& node, const Type& type) const;
+  Value Of(const CheckedBinary& node, const Type& type) const;
+  Value Of(const BuiltinCall& node, const Type& type) const;
+  Value Of(const FunctionCall& node, const Type& type) const;
+  Value Of(const TestRead& node, const Type& type) const;
+  Value Of(const IntToReal& node, const Type& type) const;
+
+  std::vector<Value> EvaluateAll(const std::vector<CheckedExpressionPtr>& expressions) const;
+
+  const CheckedTask& task_;
+  const Frame& frame_;
+  const std::vector<Value>& locals_;
+  const std::vector<Value>& arguments_;
+};
+
+}  // namespace compiler

@@ -1,0 +1,42 @@
+// What a task reads and writes: the evaluator's counterpart of `taskc_frame`.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "compiler/check/checked_task.h"
+#include "compiler/interpret/value.h"
+
+namespace compiler {
+
+// What has been logged; without a value (`count` is 0) the other members mean nothing.
+struct LogState {
+  int64_t count = 0;
+  double last = 0;
+  double sum = 0;
+  double minimum = 0;
+  double maximum = 0;
+};
+
+// Lists are indexed like those of the task.
+struct Frame {
+  // Sensors 0 and false, params and memory as they begin.
+  explicit Frame(const CheckedTask& task);
+
+  std::vector<Value> sensors;
+  std::vector<double> params;  // as a host passes them: a double, whatever the type
+  std::vector<Value> memory;
+  double time_step = 0;
+  std::vector<double> terms;
+  std::vector<double> metrics;
+  std::vector<LogState> logs;
+  // What the last callback did; -1: nothing of that kind.
+  double reward = 0;
+  int32_t end = -1;
+  int32_t fault = -1;
+  int32_t violation = -1;
+  // The first end since the frame was made, or -1.
+  int32_t first_end = -1;
+};
+
+}  // namespace compiler

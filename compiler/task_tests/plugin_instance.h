@@ -1,0 +1,37 @@
+// A plugin at work on values of the evaluator's kind.
+#pragma once
+
+#include <taskc/plugin.h>
+
+#include <cstddef>
+#include <vector>
+
+#include "compiler/interpret/value.h"
+#include "plugins/host/task_frame.h"
+
+namespace compiler {
+
+class PluginInstance {
+ public:
+  // Refers to the plugin, which must stay loaded. Sensors are 0, memory has its initial values.
+  explicit PluginInstance(const taskc_plugin& plugin);
+
+  // Indices are those of the plugin's tables; a value has as many elements as the entry says.
+  void SetSensor(size_t sensor, const Value& value);
+  void SetParam(size_t param, double value) { host_.params()[param] = value; }
+  void SetMemory(size_t memory, const Value& value);
+  Value Memory(size_t memory) const;
+
+  // An event that the task does not have does nothing.
+  void Fire(int event, double time_step) { host_.Call(event, time_step); }
+  void Measure() { host_.Measure(); }
+
+  // What the last callback did.
+  const taskc_frame& frame() const { return host_.frame(); }
+
+ private:
+  host::TaskFrame host_;
+  std::vector<host::AlignedBytes> sensors_;
+};
+
+}  // namespace compiler

@@ -1,0 +1,111 @@
+#include "compiler/task_tests/side_by_side.h"
+
+#include <fmt/format.h>
+
+#include <bit>
+#include <cmath>
+
+#include "compiler/syntax/words.h"
+
+namespace compiler {
+namespace {
+
+bool IsSame(int64_t a, int64_t b) { return a == b; }
+bool IsSame(double a, double b) {
+  return std::bit_cast<uint64_t>(a) == std::bit_cast<uint64_t>(b) ||
+         (std::isnan(a) && std::isnan(b));
+}
+
+template <typename Number>
+void CompareNumbers(const std::string& what, Number plugin, Number evaluator) {
+  if (IsSame(plugin, evaluator)) return;
+  throw Disagreement(
+      fmt::format("{} is {} in the plugin and {} in the evaluator", what, plugin, evaluator));
+}
+
+void CompareValues(const std::string& what, const Value& plugin, const Value& evaluator) {
+  std::visit(
+      [&]<typename ElementsType>(const ElementsType& elements) {
+        const auto& others = std::get<ElementsType>(evaluator);
+        for (size_t i = 0; i < elements.size(); ++i) {
+          CompareNumbers(fmt::format("{}[{}]", what, i), elements[i], others[i]);
+        }
+      },
+      plugin);
+}
+
+void CompareIndices(const std::string& what, int32_t plugin, int32_t evaluator) {
+  CompareNumbers<int64_t>("the index of the " + what, plugin, evaluator);
+}
+
+}  // namespace
+
+SideBySide::SideBySide(const CheckedTask& task, const taskc_plugin& plugin)
+    : task_(task), plugin_(plugin), evaluator_(task) {
+  Compare();
+}
+
+void SideBySide::SetSensor(uint32_t sensor, const Value& value) {
+  plugin_.SetSensor(sensor, value);
+  evaluator_.frame().sensors[sensor] = value;
+}
+
+void SideBySide::SetParam(uint32_t param, double value) {
+  plugin_.SetParam(param, value);
+  evaluator_.frame().params[param] = value;
+}
+
+void SideBySide::SetMemory(uint32_t memory, const Value& value) {
+  plugin_.SetMemory(memory, value);
+  evaluator_.frame().memory[memory] = value;
+}
+
+void SideBySide::Fire(EventKind event, double time_step) {
+  plugin_.Fire(static_cast<int>(event), time_step);
+  plugin_.Measure();
+  evaluator_.Fire(event, time_step);
+  evaluator_.Measure();
+  try {
+    Compare();
+  } catch (const Disagreement& found) {
+    throw Disagreement(fmt::format("after `{}`, {}", NameOf(event, kEventNames), found.what()));
+  }
+}
+
+void SideBySide::Compare() const {
+  const taskc_frame& plugin = plugin_.frame();
+  const Frame& evaluator = evaluator_.frame();
+  CompareNumbers("the reward", plugin.reward, evaluator.reward);
+  CompareIndices("end", plugin.end, evaluator.end);
+  CompareIndices("fault", plugin.fault, evaluator.fault);
+  CompareIndices("violation", plugin.violation, evaluator.violation);
+  for (size_t i = 0; i < task_.terms.size(); ++i) {
+    CompareNumbers(fmt::format("term `{}`", task_.terms[i].name), plugin.terms[i],
+                   evaluator.terms[i]);
+  }
+  for (size_t i = 0; i < task_.memory.size(); ++i) {
+    CompareValues(fmt::format("memory `{}`", task_.memory[i].name), plugin_.Memory(i),
+                  evaluator.memory[i]);
+  }
+  for (size_t i = 0; i < task_.metrics.size(); ++i) {
+    CompareNumbers(fmt::format("metric `{}`", task_.metrics[i].name), plugin.metrics[i],
+                   evaluator.metrics[i]);
+  }
+  CompareLogs();
+}
+
+void SideBySide::CompareLogs() const {
+  for (size_t i = 0; i < task_.logs.size(); ++i) {
+    const taskc_log_state& plugin = plugin_.frame().logs[i];
+    const LogState& evaluator = evaluator_.frame().logs[i];
+    const std::string name = fmt::format("of log `{}`", task_.logs[i].name);
+    CompareNumbers<int64_t>("the count " + name, plugin.count, evaluator.count);
+    if (plugin.count == 0) continue;
+    CompareNumbers("the last value " + name, plugin.last, evaluator.last);
+    CompareNumbers("the sum " + name, plugin.sum, evaluator.sum);
+    CompareNumbers("the minimum " + name, plugin.minimum, evaluator.minimum);
+    CompareNumbers("the maximum " + name, plugin.maximum, evaluator.maximum);
+  }
+}
+
+}  // namespace compiler

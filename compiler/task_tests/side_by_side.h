@@ -1,0 +1,48 @@
+// A task at work twice: as a plugin and in the evaluator, on the same values.
+#pragma once
+
+#include <exception>
+#include <string>
+#include <utility>
+
+#include "compiler/interpret/evaluator.h"
+#include "compiler/task_tests/plugin_instance.h"
+
+namespace compiler {
+
+// The two differ: a mistake of the compiler.
+class Disagreement : public std::exception {
+ public:
+  explicit Disagreement(std::string message) : message_(std::move(message)) {}
+  const char* what() const noexcept override { return message_.c_str(); }
+
+ private:
+  std::string message_;
+};
+
+class SideBySide {
+ public:
+  // `plugin` was made from `task`; refers to both.
+  SideBySide(const CheckedTask& task, const taskc_plugin& plugin);
+
+  void SetSensor(uint32_t sensor, const Value& value);
+  void SetParam(uint32_t param, double value);
+  void SetMemory(uint32_t memory, const Value& value);
+
+  // Runs an event and computes the metrics. Then all that can be seen of the two has the same bits;
+  // only that numbers which are none (NaN) count as equal whatever theirs are, since no task can
+  // tell them apart. Throws Disagreement.
+  void Fire(EventKind event, double time_step);
+
+  const Evaluator& evaluator() const { return evaluator_; }
+
+ private:
+  void Compare() const;
+  void CompareLogs() const;
+
+  const CheckedTask& task_;
+  PluginInstance plugin_;
+  Evaluator evaluator_;
+};
+
+}  // namespace compiler

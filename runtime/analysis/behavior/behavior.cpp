@@ -1,0 +1,187 @@
+#include "runtime/analysis/behavior/behavior.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "runtime/analysis/behavior/floor_distance.h"
+
+namespace runtime {
+namespace {
+
+using Eigen::Quaterniond;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+// Two behaviors that differ by this much in one of these, and in nothing else, have a distance
+// of 1.
+constexpr double kVelocity = 0.15;     // [m/s]
+constexpr double kTurns = 0.6;         // [full turns]
+constexpr double kHeight = 0.1;        // mean over the time, ordered by height [m]
+constexpr double kTilt = 0.5;          // the same of the tilt: upright to lying is 1
+constexpr double kPosture = 0.5;       // root mean square over the links [rad]
+constexpr double kContactShare = 0.3;  // root mean square over the links that touch the floor
+constexpr double kTouchdowns = 1;      // the same [1/s]
+
+// One touchdown more makes no other behavior of an episode that is over in a moment: as if it had
+// lasted so long [s].
+constexpr double kLeastDuration = 1;
+
+// A link that is on the floor for less of the time tells nothing of the rhythm.
+constexpr double kLeastContact = 0.02;
+
+VectorXd Quantiles(std::vector<double> values) {
+  std::ranges::sort(values);
+  VectorXd quantiles(Behavior::kQuantiles);
+  const auto count = static_cast<double>(values.size());
+  for (int i = 0; i < Behavior::kQuantiles; ++i) {
+    quantiles[i] = values[static_cast<size_t>(count * (i + 0.5) / Behavior::kQuantiles)];
+  }
+  return quantiles;
+}
+
+Vector2d MeanVelocity(const Motion& motion) {
+  if (motion.frame_count() < 2) return Vector2d::Zero();
+  const Vector3d way = motion.position(motion.frame_count() - 1, 0) - motion.position(0, 0);
+  const Vector3d faced = motion.orientation(0, 0) * Vector3d::UnitX();
+  // One that lies on its back or belly faces up or down: then the world's x axis is forward.
+  const Vector2d flat = faced.head<2>();
+  const Vector2d forward = flat.norm() > 0.1 ? flat.normalized() : Vector2d::UnitX();
+  const Vector2d left(-forward.y(), forward.x());
+  return Vector2d(way.head<2>().dot(forward), way.head<2>().dot(left)) / motion.duration();
+}
+
+// The rotation from `a` to `b` as a vector in the frame of `a` [rad].
+Vector3d Rotation(const Quaterniond& a, const Quaterniond& b) {
+  const Eigen::AngleAxisd rotation(a.conjugate() * b);
+  return rotation.angle() * rotation.axis();
+}
+
+Vector3d Turns(const Motion& motion) {
+  Vector3d angles = Vector3d::Zero();
+  for (int frame = 1; frame < motion.frame_count(); ++frame) {
+    angles += Rotation(motion.orientation(frame - 1, 0), motion.orientation(frame, 0));
+  }
+  return angles / (2 * std::numbers::pi);
+}
+
+Eigen::Matrix4Xf Posture(const Motion& motion, int frame) {
+  Eigen::Matrix4Xf posture(4, motion.link_count - 1);
+  const Quaterniond to_base = motion.orientation(frame, 0).conjugate();
+  for (int link = 1; link < motion.link_count; ++link) {
+    const Quaterniond relative = to_base * motion.orientation(frame, link);
+    posture.col(link - 1) =
+        Eigen::Vector4d(relative.w(), relative.x(), relative.y(), relative.z()).cast<float>();
+  }
+  return posture;
+}
+
+// Fills in what is known of the contacts of one link.
+void DescribeContacts(const Motion& motion, const robot::LinkShape& shape, int link,
+                      Behavior& behavior) {
+  bool touches = false;
+  int frames_down = 0;
+  int touchdowns = 0;
+  for (int frame = 0; frame < motion.frame_count(); ++frame) {
+    const double lowest =
+        LowestPoint(shape, motion.position(frame, link).z(), motion.orientation(frame, link));
+    const bool touches_now =
+        lowest < (touches ? Behavior::kLiftedDistance : Behavior::kFloorDistance);
+    if (touches_now && !touches && frame > 0) ++touchdowns;
+    touches = touches_now;
+    frames_down += touches ? 1 : 0;
+  }
+  behavior.contact_shares[link] = static_cast<double>(frames_down) / motion.frame_count();
+  behavior.touchdowns[link] = touchdowns / std::max(motion.duration(), kLeastDuration);
+}
+
+double Square(double value) { return value * value; }
+
+// Mean of the difference of two spreads: how far values have to be moved to make one the other.
+double SpreadDistance(const VectorXd& a, const VectorXd& b) { return (a - b).cwiseAbs().mean(); }
+
+// Root mean square over the links of the angle between their orientations, each taken as the chord
+// of the arc, which is the angle where it is small [rad].
+float PostureDistance(const Eigen::Matrix4Xf& a, const Eigen::Matrix4Xf& b) {
+  const auto cosines = a.cwiseProduct(b).colwise().sum().array();  // of half the angles
+  return std::sqrt(std::max(0.f, 4 * (1 - cosines.square()).mean()));
+}
+
+// How far a posture of `from` is from the nearest one of `to`, on average.
+double MeanDistanceToNearest(const std::vector<Eigen::Matrix4Xf>& from,
+                             const std::vector<Eigen::Matrix4Xf>& to) {
+  double sum = 0;
+  for (const Eigen::Matrix4Xf& posture : from) {
+    float nearest = std::numeric_limits<float>::infinity();
+    for (const Eigen::Matrix4Xf& other : to) {
+      nearest = std::min(nearest, PostureDistance(posture, other));
+    }
+    sum += nearest;
+  }
+  return sum / static_cast<double>(from.size());
+}
+
+double BaseDistance(const Behavior& a, const Behavior& b) {
+  return std::sqrt(Square((a.velocity - b.velocity).norm() / kVelocity) +
+                   Square((a.turns - b.turns).norm() / kTurns) +
+                   Square(SpreadDistance(a.heights, b.heights) / kHeight) +
+                   Square(SpreadDistance(a.tilts, b.tilts) / kTilt));
+}
+
+double JointDistance(const Behavior& a, const Behavior& b) {
+  const double both =
+      MeanDistanceToNearest(a.postures, b.postures) + MeanDistanceToNearest(b.postures, a.postures);
+  return both / 2 / kPosture;
+}
+
+double ContactDistance(const Behavior& a, const Behavior& b) {
+  double shares = 0;
+  double touchdowns = 0;
+  int links = 0;
+  for (Eigen::Index link = 0; link < a.contact_shares.size(); ++link) {
+    if (std::max(a.contact_shares[link], b.contact_shares[link]) < kLeastContact) continue;
+    ++links;
+    shares += Square((a.contact_shares[link] - b.contact_shares[link]) / kContactShare);
+    touchdowns += Square((a.touchdowns[link] - b.touchdowns[link]) / kTouchdowns);
+  }
+  return links == 0 ? 0 : std::sqrt((shares + touchdowns) / links);
+}
+
+}  // namespace
+
+Behavior DescribeBehavior(const Motion& motion, const std::vector<robot::Link>& links) {
+  Behavior behavior;
+  behavior.velocity = MeanVelocity(motion);
+  behavior.turns = Turns(motion);
+  std::vector<double> heights;
+  std::vector<double> tilts;
+  for (int frame = 0; frame < motion.frame_count(); ++frame) {
+    heights.push_back(motion.position(frame, 0).z());
+    tilts.push_back((motion.orientation(frame, 0) * Vector3d::UnitZ()).z());
+  }
+  behavior.heights = Quantiles(std::move(heights));
+  behavior.tilts = Quantiles(std::move(tilts));
+  for (int i = 0; i < Behavior::kPostures; ++i) {
+    const double part = static_cast<double>(i) / (Behavior::kPostures - 1);
+    const auto frame = static_cast<int>(std::lround(part * (motion.frame_count() - 1)));
+    behavior.postures.push_back(Posture(motion, frame));
+  }
+  behavior.contact_shares.resize(motion.link_count);
+  behavior.touchdowns.resize(motion.link_count);
+  for (int link = 0; link < motion.link_count; ++link) {
+    DescribeContacts(motion, links[static_cast<size_t>(link)].shape, link, behavior);
+  }
+  return behavior;
+}
+
+double BehaviorDistance::total() const {
+  return std::sqrt(Square(base) + Square(joints) + Square(contacts));
+}
+
+BehaviorDistance DistanceBetween(const Behavior& a, const Behavior& b) {
+  return {BaseDistance(a, b), JointDistance(a, b), ContactDistance(a, b)};
+}
+
+}  // namespace runtime

@@ -1,0 +1,110 @@
+#include "runtime/analysis/picture/posed_robot.h"
+
+#include <algorithm>
+
+namespace runtime {
+namespace {
+
+using Eigen::Vector3d;
+
+double RadiusOf(const robot::LinkShape& shape) {
+  if (shape.kind != robot::ShapeKind::kBox) return shape.radius;
+  return 0.5 * *std::ranges::min_element(shape.size);
+}
+
+Vector3d CoreOf(const robot::LinkShape& shape) {
+  switch (shape.kind) {
+    case robot::ShapeKind::kBox:
+      return 0.5 * Vector3d(shape.size.data()) - Vector3d::Constant(RadiusOf(shape));
+    case robot::ShapeKind::kCapsule:
+      return std::max(0., shape.length / 2 - shape.radius) * Vector3d::Unit(shape.axis);
+    case robot::ShapeKind::kSphere:
+      break;
+  }
+  return Vector3d::Zero();
+}
+
+}  // namespace
+
+PosedRobot::PosedRobot(const std::vector<robot::Link>& links, const Motion& motion, int frame) {
+  for (size_t i = 0; i < links.size(); ++i) {
+    const robot::LinkShape& shape = links[i].shape;
+    const int link = static_cast<int>(i);
+    const Bounds bounds{motion.position(frame, link), BoundingRadius(shape)};
+    links_.push_back({&shape, bounds, motion.orientation(frame, link).toRotationMatrix(),
+                      CoreOf(shape), RadiusOf(shape)});
+    whole_.centre += bounds.centre / static_cast<double>(links.size());
+  }
+  for (const Posed& link : links_) {
+    const double reach = (link.bounds.centre - whole_.centre).norm() + link.bounds.radius;
+    whole_.radius = std::max(whole_.radius, reach);
+  }
+}
+
+Ray PosedRobot::ToLink(const Posed& link, const Ray& ray) {
+  return {link.rotation.transpose() * (ray.origin - link.bounds.centre),
+          link.rotation.transpose() * ray.direction};
+}
+
+bool PosedRobot::Bounds::IsNear(const Ray& ray, double width, double widening) const {
+  const Vector3d to = centre - ray.origin;
+  const double along = std::max(0., to.dot(ray.direction));
+  const double reach = radius + width + widening * (along + radius);
+  return (to - along * ray.direction).squaredNorm() < reach * reach;
+}
+
+void PosedRobot::FindNear(const Ray& ray, double width, double widening,
+                          std::vector<size_t>& near) const {
+  near.clear();
+  if (!whole_.IsNear(ray, width, widening)) return;
+  for (size_t i = 0; i < links_.size(); ++i) {
+    if (links_[i].bounds.IsNear(ray, width, widening)) near.push_back(i);
+  }
+}
+
+std::optional<RobotHit> PosedRobot::FirstHitOf(const std::vector<size_t>& links,
+                                               const Ray& ray) const {
+  std::optional<RobotHit> first;
+  for (const size_t i : links) {
+    const Ray local = ToLink(links_[i], ray);
+    const std::optional<Hit> hit = FirstHit(*links_[i].shape, local);
+    if (!hit || (first && first->hit.distance <= hit->distance)) continue;
+    first = RobotHit{i, {hit->distance, links_[i].rotation * hit->normal}, local.At(hit->distance)};
+  }
+  return first;
+}
+
+bool PosedRobot::IsBlocked(const std::vector<size_t>& links, const Ray& ray, size_t except) const {
+  return std::ranges::any_of(links, [&](size_t i) {
+    const Posed& link = links_[i];
+    return i != except && link.bounds.IsNear(ray, 0, 0) &&
+           FirstHit(*link.shape, ToLink(link, ray)).has_value();
+  });
+}
+
+// As if the link were but the ball around the point of its core that is nearest. The farther away
+// it is the less it counts, down to nothing, so that most links need not be looked at.
+double PosedRobot::Hidden(const Posed& link, const Vector3d& place, const Vector3d& normal) {
+  constexpr double kReach = 5;  // of so many radii
+  const double reach = kReach * link.radius;
+  const Vector3d from = place - link.bounds.centre;
+  const double farthest = link.bounds.radius + reach;
+  if (from.squaredNorm() > farthest * farthest) return 0;
+  const Vector3d local = link.rotation.transpose() * from;
+  const Vector3d to = link.rotation * (local.cwiseMin(link.core).cwiseMax(-link.core) - local);
+  const double facing = normal.dot(to);
+  const double squared = std::max(to.squaredNorm(), link.radius * link.radius);
+  if (!(facing > 0) || squared >= reach * reach) return 0;
+  const double fading = 1 - squared / (reach * reach);
+  return std::min(1., facing / std::sqrt(squared)) * link.radius * link.radius / squared * fading;
+}
+
+double PosedRobot::Openness(const Vector3d& place, const Vector3d& normal, size_t except) const {
+  double open = 1;
+  for (size_t i = 0; i < links_.size(); ++i) {
+    if (i != except) open *= 1 - Hidden(links_[i], place, normal);
+  }
+  return open;
+}
+
+}  // namespace runtime

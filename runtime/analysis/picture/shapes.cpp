@@ -1,0 +1,139 @@
+#include "runtime/analysis/picture/shapes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace runtime {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kRounding = 0.14;  // radius of a box's edges, of its least extent
+
+void KeepNearer(std::optional<Hit>& nearest, const std::optional<Hit>& hit) {
+  if (hit && (!nearest || hit->distance < nearest->distance)) nearest = hit;
+}
+
+// The smaller solution of a t^2 + 2 b t + c = 0 if it is real and not negative; `a` is positive.
+std::optional<double> FirstRoot(double a, double b, double c) {
+  const double discriminant = b * b - a * c;
+  if (discriminant < 0) return std::nullopt;
+  const double root = (-b - std::sqrt(discriminant)) / a;
+  if (root < 0) return std::nullopt;
+  return root;
+}
+
+std::optional<Hit> HitSphere(const Vector3d& centre, double radius, const Ray& ray) {
+  const Vector3d from = ray.origin - centre;
+  const auto distance = FirstRoot(1, from.dot(ray.direction), from.squaredNorm() - radius * radius);
+  if (!distance) return std::nullopt;
+  return Hit{*distance, (from + *distance * ray.direction) / radius};
+}
+
+// All points within `radius` of a line of twice `half_length` along `axis`. A ray that enters the
+// endless tube around it beside the line enters the capsule there; beyond the line's end it can
+// meet only the ball at that end.
+std::optional<Hit> HitCapsule(const Vector3d& centre, int axis, double half_length, double radius,
+                              const Ray& ray) {
+  Vector3d from = ray.origin - centre;
+  Vector3d across = ray.direction;
+  const double along = from[axis];
+  from[axis] = across[axis] = 0;
+  const double outside = from.squaredNorm() - radius * radius;
+  std::optional<double> entry;
+  if (outside >= 0) {
+    const double speed = across.squaredNorm();
+    if (speed > 0) entry = FirstRoot(speed, from.dot(across), outside);
+    if (!entry) return std::nullopt;
+  }
+  const double place = along + entry.value_or(0) * ray.direction[axis];
+  if (std::abs(place) > half_length) {
+    const double end = place > 0 ? half_length : -half_length;
+    return HitSphere(centre + end * Vector3d::Unit(axis), radius, ray);
+  }
+  if (!entry) return std::nullopt;  // it begins inside
+  return Hit{*entry, (from + *entry * across) / radius};
+}
+
+struct Entry {
+  double distance = 0;
+  int axis = 0;  // of the face
+};
+
+// Where the ray enters a box with sharp edges.
+std::optional<Entry> EnterBox(const Vector3d& half, const Ray& ray) {
+  Entry entry{-1, 0};
+  double exit = std::numeric_limits<double>::infinity();
+  for (int axis = 0; axis < 3; ++axis) {
+    const double from = ray.origin[axis];
+    const double speed = ray.direction[axis];
+    if (speed == 0) {
+      if (std::abs(from) > half[axis]) return std::nullopt;
+      continue;
+    }
+    const double sign = speed > 0 ? 1 : -1;
+    const double enters = (-sign * half[axis] - from) / speed;
+    exit = std::min(exit, (sign * half[axis] - from) / speed);
+    if (enters > entry.distance) entry = {enters, axis};
+  }
+  if (entry.distance < 0 || entry.distance > exit) return std::nullopt;
+  return entry;
+}
+
+// The box's edges and corners: its twelve edges as capsules.
+std::optional<Hit> HitEdges(const Vector3d& inner, double radius, const Ray& ray) {
+  std::optional<Hit> nearest;
+  for (int axis = 0; axis < 3; ++axis) {
+    for (int edge = 0; edge < 4; ++edge) {
+      Vector3d centre = Vector3d::Zero();
+      centre[(axis + 1) % 3] = (edge & 1 ? 1 : -1) * inner[(axis + 1) % 3];
+      centre[(axis + 2) % 3] = (edge & 2 ? 1 : -1) * inner[(axis + 2) % 3];
+      KeepNearer(nearest, HitCapsule(centre, axis, inner[axis], radius, ray));
+    }
+  }
+  return nearest;
+}
+
+// A rounded box is flat where the sharp one is entered away from its edges; elsewhere only an edge
+// can be met, since all that is flat lies on the sharp box.
+std::optional<Hit> HitBox(const robot::LinkShape& box, const Ray& ray) {
+  const Vector3d half = 0.5 * Vector3d(box.size.data());
+  const std::optional<Entry> entry = EnterBox(half, ray);
+  if (!entry) return std::nullopt;
+  const double radius = EdgeRadius(box);
+  const Vector3d inner = half - Vector3d::Constant(radius);
+  Vector3d place = ray.At(entry->distance);
+  place[entry->axis] = 0;
+  if ((place.cwiseAbs() - inner).maxCoeff() > 0) return HitEdges(inner, radius, ray);
+  const double outwards = ray.direction[entry->axis] > 0 ? -1 : 1;
+  return Hit{entry->distance, outwards * Vector3d::Unit(entry->axis)};
+}
+
+}  // namespace
+
+std::optional<Hit> FirstHit(const robot::LinkShape& shape, const Ray& ray) {
+  switch (shape.kind) {
+    case robot::ShapeKind::kBox:
+      return HitBox(shape, ray);
+    case robot::ShapeKind::kCapsule: {
+      const double half_length = std::max(0., shape.length / 2 - shape.radius);
+      return HitCapsule(Vector3d::Zero(), shape.axis, half_length, shape.radius, ray);
+    }
+    case robot::ShapeKind::kSphere:
+      break;
+  }
+  return HitSphere(Vector3d::Zero(), shape.radius, ray);
+}
+
+double EdgeRadius(const robot::LinkShape& box) {
+  return kRounding * *std::ranges::min_element(box.size);
+}
+
+double BoundingRadius(const robot::LinkShape& shape) {
+  if (shape.kind == robot::ShapeKind::kBox) return 0.5 * Vector3d(shape.size.data()).norm();
+  if (shape.kind == robot::ShapeKind::kSphere) return shape.radius;
+  return std::max(shape.radius, shape.length / 2);
+}
+
+}  // namespace runtime

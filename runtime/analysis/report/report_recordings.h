@@ -1,0 +1,18 @@
+// The recorded episodes of a run, for the page.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "runtime/training/run/run_database.h"
+
+namespace runtime {
+
+// Sets data.body, data.recordings and data.notes: the links' shapes, as many recordings as fit into
+// the page, and in sentences what is missing from it. `body` is the run's JSON text. A recording
+// that is damaged costs itself, never the page.
+void AddRecordings(const RunDatabase& database, const std::string& body,
+                   const std::vector<EpisodeRecord>& episodes, nlohmann::json& data);
+
+}  // namespace runtime

@@ -1,0 +1,19 @@
+// The curves of a run whose tasks may change: what has the same name in several of them is one
+// curve.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "runtime/training/run/run_records.h"
+
+namespace runtime {
+
+// The terms, metrics or logs of the tasks that were active, in the order in which they appeared:
+// [{name, unit, reduction, doc, tasks, values}], with the indices of the tasks that have it, and a
+// value, in base64, for each episode. It is not a number where the active task has no such curve.
+nlohmann::json TermCurves(const RunRecord& run, const std::vector<EpisodeRecord>& episodes);
+nlohmann::json MetricCurves(const RunRecord& run, const std::vector<EpisodeRecord>& episodes);
+nlohmann::json LogCurves(const RunRecord& run, const std::vector<EpisodeRecord>& episodes);
+
+}  // namespace runtime

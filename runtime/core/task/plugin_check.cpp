@@ -1,0 +1,213 @@
+#include "runtime/core/task/plugin_check.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdint>
+#include <set>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "plugins/host/task_frame.h"
+#include "runtime/base/user_error.h"
+
+namespace runtime {
+namespace {
+
+// Far beyond any task, and small enough that no product of two of them overflows.
+constexpr uint32_t kLargestCount = 1u << 16;
+constexpr uint32_t kLargestMemory = 1u << 28;  // bytes
+
+// A whole number that a double holds exactly.
+bool IsWhole(double value) { return value == std::trunc(value) && std::abs(value) <= 0x1p53; }
+
+class TableCheck {
+ public:
+  TableCheck(const std::filesystem::path& file, const taskc_plugin& table)
+      : file_(file), table_(table) {}
+
+  void Run() const {
+    CheckVersion();
+    for (const char* text : {table_.compiler, table_.name, table_.doc, table_.robot,
+                             table_.start_pose, table_.source_hash}) {
+      Require(text != nullptr, "a text of it is null");
+    }
+    CheckSources();
+    CheckSensors();
+    CheckParams();
+    CheckMemory();
+    CheckRewardsAndEnds();
+    CheckMetrics();
+    CheckLogs();
+    CheckRequirements();
+  }
+
+ private:
+  void Require(bool condition, const std::string& otherwise) const {
+    if (condition) return;
+    throw UserError(fmt::format("{}: its table is damaged: {}; build it again with `taskc build`",
+                                file_.string(), otherwise));
+  }
+
+  void CheckVersion() const {
+    if (table_.abi_version != TASKC_ABI_VERSION) {
+      throw UserError(fmt::format(
+          "{}: built for ABI {}, this trainer speaks {}: build it again with `taskc build`",
+          file_.string(), table_.abi_version, TASKC_ABI_VERSION));
+    }
+    Require(table_.struct_size == sizeof(taskc_plugin),
+            fmt::format("it has {} bytes, and ABI {} has {}", table_.struct_size, TASKC_ABI_VERSION,
+                        sizeof(taskc_plugin)));
+  }
+
+  template <class Entry>
+  std::span<const Entry> Entries(const Entry* entries, uint32_t count,
+                                 std::string_view what) const {
+    Require(count <= kLargestCount, fmt::format("it claims {} {}", count, what));
+    Require(count == 0 || entries != nullptr, fmt::format("it has {} {}, at null", count, what));
+    return {entries, count};
+  }
+
+  template <class Entry>
+  void CheckNames(std::span<const Entry> entries, std::string_view what) const {
+    std::set<std::string_view> names;
+    for (const Entry& entry : entries) {
+      Require(entry.name != nullptr && *entry.name != '\0', fmt::format("a {} has no name", what));
+      Require(names.insert(entry.name).second,
+              fmt::format("there are two {}s `{}`", what, entry.name));
+    }
+  }
+
+  void CheckShape(std::string_view name, int32_t scalar, uint32_t rows, uint32_t columns) const {
+    Require(host::ScalarSize(scalar) != 0, fmt::format("`{}` has no known type of scalar", name));
+    Require(rows > 0 && columns > 0 && rows <= kLargestCount && columns <= kLargestCount,
+            fmt::format("`{}` has {} x {} elements", name, rows, columns));
+  }
+
+  void CheckPlace(std::string_view what, const taskc_place& place) const {
+    Require(place.source < table_.source_count,
+            fmt::format("the {} stands in source {} of {}", what, place.source + 1,
+                        table_.source_count));
+  }
+
+  void CheckReduction(std::string_view what, const char* name, int32_t reduction) const {
+    Require(reduction >= TASKC_LAST && reduction <= TASKC_MEAN,
+            fmt::format("the {} `{}` has no known reduction", what, name));
+  }
+
+  void CheckSources() const {
+    const auto sources = Entries(table_.sources, table_.source_count, "sources");
+    Require(!sources.empty(), "it has no source");
+    for (const taskc_source& source : sources) {
+      Require(source.file != nullptr && source.text != nullptr, "a source has no name or text");
+    }
+  }
+
+  void CheckSensors() const {
+    const auto sensors = Entries(table_.sensors, table_.sensor_count, "sensors");
+    CheckNames(sensors, "sensor");
+    for (const taskc_sensor& sensor : sensors) {
+      Require(sensor.type != nullptr && sensor.unit != nullptr,
+              fmt::format("the sensor `{}` has no type or unit", sensor.name));
+      CheckShape(sensor.name, sensor.scalar, sensor.rows, sensor.columns);
+      Require(sensor.read_by >> (TASKC_MEASURE + 1) == 0,
+              fmt::format("the sensor `{}` is read by events that there are not", sensor.name));
+    }
+  }
+
+  void CheckParams() const {
+    const auto params = Entries(table_.params, table_.param_count, "params");
+    CheckNames(params, "param");
+    for (const taskc_param& param : params) {
+      Require(param.doc != nullptr && param.unit != nullptr,
+              fmt::format("the param `{}` has no text or unit", param.name));
+      CheckShape(param.name, param.scalar, 1, 1);
+      Require(std::isfinite(param.initial) && param.minimum <= param.initial &&
+                  param.initial <= param.maximum,
+              fmt::format("the param `{}` is {}, not within {} .. {}", param.name, param.initial,
+                          param.minimum, param.maximum));
+      Require(param.scalar == TASKC_REAL || IsWhole(param.initial),
+              fmt::format("the param `{}` is {}, not a whole number", param.name, param.initial));
+    }
+  }
+
+  void CheckMemory() const {
+    Require(table_.memory_size <= kLargestMemory,
+            fmt::format("it wants {} bytes of memory", table_.memory_size));
+    Require(table_.memory_size == 0 || table_.initialize != nullptr,
+            "nothing initialises its memory");
+    const auto memory = Entries(table_.memory, table_.memory_count, "variables");
+    CheckNames(memory, "variable");
+    for (const taskc_memory& variable : memory) {
+      Require(variable.type != nullptr && variable.unit != nullptr,
+              fmt::format("the variable `{}` has no type or unit", variable.name));
+      CheckShape(variable.name, variable.scalar, variable.rows, variable.columns);
+      Require(variable.scope >= TASKC_PER_RUN && variable.scope <= TASKC_PER_ACTION,
+              fmt::format("the variable `{}` has no known scope", variable.name));
+      const uint64_t end = variable.offset + host::SizeInBytes(variable);
+      Require(end <= table_.memory_size && variable.offset % host::ScalarSize(variable.scalar) == 0,
+              fmt::format("the variable `{}` lies outside of the memory", variable.name));
+    }
+  }
+
+  void CheckRewardsAndEnds() const {
+    const auto terms = Entries(table_.terms, table_.term_count, "reward terms");
+    CheckNames(terms, "reward term");
+    for (const taskc_reward_term& term : terms) {
+      Require(term.doc != nullptr, fmt::format("the reward term `{}` has no text", term.name));
+      CheckPlace(fmt::format("reward term `{}`", term.name), term.place);
+    }
+    for (const taskc_end& end : Entries(table_.ends, table_.end_count, "ends")) {
+      Require(end.reason != nullptr, "an end has no reason");
+      Require(end.kind >= TASKC_SUCCESS && end.kind <= TASKC_TRUNCATED,
+              fmt::format("the end `{}` is of no known kind", end.reason));
+      CheckPlace(fmt::format("end `{}`", end.reason), end.place);
+    }
+  }
+
+  void CheckMetrics() const {
+    const auto metrics = Entries(table_.metrics, table_.metric_count, "metrics");
+    CheckNames(metrics, "metric");
+    for (const taskc_metric& metric : metrics) {
+      Require(metric.doc != nullptr && metric.unit != nullptr,
+              fmt::format("the metric `{}` has no text or unit", metric.name));
+      CheckReduction("metric", metric.name, metric.reduction);
+    }
+    Require(metrics.empty() || table_.measure != nullptr, "nothing measures its metrics");
+  }
+
+  void CheckLogs() const {
+    const auto logs = Entries(table_.logs, table_.log_count, "logs");
+    CheckNames(logs, "log");
+    for (const taskc_log& log : logs) {
+      Require(log.doc != nullptr && log.unit != nullptr,
+              fmt::format("the log `{}` has no text or unit", log.name));
+      CheckReduction("log", log.name, log.reduction);
+      CheckPlace(fmt::format("log `{}`", log.name), log.place);
+    }
+  }
+
+  void CheckRequirements() const {
+    for (const taskc_requirement& requirement :
+         Entries(table_.requirements, table_.requirement_count, "requirements")) {
+      Require(requirement.reason != nullptr, "a requirement has no reason");
+      CheckPlace(fmt::format("requirement `{}`", requirement.reason), requirement.place);
+    }
+  }
+
+  const std::filesystem::path& file_;
+  const taskc_plugin& table_;
+};
+
+}  // namespace
+
+void CheckPlugin(const std::filesystem::path& file, const taskc_plugin* table) {
+  if (table == nullptr) {
+    throw UserError(
+        fmt::format("{}: gives no table; build it again with `taskc build`", file.string()));
+  }
+  TableCheck(file, *table).Run();
+}
+
+}  // namespace runtime

@@ -1,0 +1,77 @@
+#include "runtime/core/task/robot_check.h"
+
+#include <fmt/format.h>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "plugins/robot/sensors.h"
+#include "runtime/base/suggestion.h"
+#include "runtime/base/user_error.h"
+#include "runtime/core/module/sensor_data.h"
+
+namespace runtime {
+namespace {
+
+// Names the task's own file: the plugin may be one that the trainer has just built somewhere.
+[[noreturn]] void Refuse(const Plugin& plugin, const std::string& reason) {
+  throw UserError(fmt::format("{}: {}", plugin.table().sources[0].file, reason));
+}
+
+const robot::SensorDescription& FindSensor(const Plugin& plugin, const char* name,
+                                           const robot::RobotDescription& robot) {
+  std::vector<std::string> names;
+  for (const robot::SensorDescription& sensor : robot::Sensors()) {
+    if (sensor.name == name) return sensor;
+    names.emplace_back(sensor.name);
+  }
+  Refuse(plugin, fmt::format("the task reads the sensor `{}`, which the robot `{}` does not have{}",
+                             name, robot.name, Suggestion(name, names)));
+}
+
+// A task that is written for no robot in particular knows the number of joints, not their names:
+// "real[17]" for "real[joint]".
+std::string TypeWithCount(const robot::SensorDescription& sensor, int count) {
+  const size_t bracket = sensor.type.find('[');
+  if (bracket == std::string_view::npos) return std::string(sensor.type);
+  return fmt::format("{}[{}]", sensor.type.substr(0, bracket), count);
+}
+
+void CheckSensor(const Plugin& plugin, const taskc_sensor& wanted,
+                 const robot::RobotDescription& robot) {
+  const robot::SensorDescription& offered = FindSensor(plugin, wanted.name, robot);
+  const int count = robot::ElementCount(offered, robot);
+  const bool same_type =
+      offered.type == wanted.type || TypeWithCount(offered, count) == wanted.type;
+  if (!same_type || offered.unit != wanted.unit) {
+    Refuse(plugin,
+           fmt::format("the task reads the sensor `{}` as `{}`, and the robot `{}` gives `{}`: "
+                       "correct the task, and build it again with `taskc build`",
+                       wanted.name, SensorTypeText(wanted.type, wanted.unit), robot.name,
+                       SensorTypeText(offered.type, offered.unit)));
+  }
+  const bool same_scalar = (wanted.scalar == TASKC_BOOL) == offered.type.starts_with("bool") &&
+                           wanted.scalar != TASKC_INT;
+  if (!same_scalar || wanted.rows * wanted.columns != static_cast<uint32_t>(count)) {
+    Refuse(plugin,
+           fmt::format("the task was built for another `{}`: its sensor `{}` has {} elements, "
+                       "this robot's has {}; build it again with `taskc build`",
+                       robot.name, wanted.name, wanted.rows * wanted.columns, count));
+  }
+}
+
+}  // namespace
+
+void CheckFitsRobot(const Plugin& plugin, const robot::RobotDescription& robot) {
+  const taskc_plugin& table = plugin.table();
+  const std::string_view wanted_robot = table.robot;
+  if (!wanted_robot.empty() && wanted_robot != robot.name) {
+    Refuse(plugin,
+           fmt::format("the task `{}` is for the robot `{}`, and this run has the robot `{}`",
+                       table.name, wanted_robot, robot.name));
+  }
+  for (uint32_t i = 0; i < table.sensor_count; ++i) CheckSensor(plugin, table.sensors[i], robot);
+}
+
+}  // namespace runtime

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "plugins/robot/robot_description.h"
+#include "runtime/core/task/plugin.h"
+
+namespace runtime {
+
+// Throws UserError, naming the plugin's file and the remedy, unless the robot is the one that the
+// task is for and has every sensor that the task reads, with its type, unit and number of elements.
+void CheckFitsRobot(const Plugin& plugin, const robot::RobotDescription& robot);
+
+}  // namespace runtime

@@ -1,0 +1,244 @@
+#include "runtime/core/task/task_instance.h"
+
+#include <fmt/format.h>
+#include <taskc/largest_reward.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <string_view>
+
+#include "runtime/core/task/log_value.h"
+#include "runtime/core/task/saved_values.h"
+
+namespace runtime {
+namespace {
+
+EndKind KindOf(const taskc_end& end) {
+  switch (end.kind) {
+    case TASKC_SUCCESS:
+      return EndKind::kSuccess;
+    case TASKC_FAILURE:
+      return EndKind::kFailure;
+    default:
+      assert(end.kind == TASKC_TRUNCATED);
+      return EndKind::kTruncated;
+  }
+}
+
+bool IsIndex(taskc_int32 index, uint32_t count) {
+  return index >= 0 && static_cast<uint32_t>(index) < count;
+}
+
+void Count(Incidents& incidents, double time) {
+  if (incidents.count++ == 0) incidents.first_time = time;
+}
+
+std::span<const taskc_param> ParamsOf(const taskc_plugin& table) {
+  return {table.params, table.param_count};
+}
+
+// Whether what was added up for one of them goes on as the other.
+bool IsSame(const taskc_reward_term& a, const taskc_reward_term& b) {
+  return std::string_view(a.name) == b.name;
+}
+template <class Curve>
+bool IsSame(const Curve& a, const Curve& b) {
+  return std::string_view(a.name) == b.name && std::string_view(a.unit) == b.unit &&
+         a.reduction == b.reduction;
+}
+
+// Calls `action(i, j)` for each i of `now` and j of `old` that are the same.
+template <class Item, class Action>
+void ForEachSame(std::span<const Item> now, std::span<const Item> old, Action action) {
+  for (size_t i = 0; i < now.size(); ++i) {
+    for (size_t j = 0; j < old.size(); ++j) {
+      if (IsSame(now[i], old[j])) action(i, j);
+    }
+  }
+}
+
+}  // namespace
+
+TaskInstance::TaskInstance(std::shared_ptr<const Plugin> plugin, int64_t id)
+    : plugin_(std::move(plugin)),
+      id_(id),
+      host_(table()),
+      memory_(host_),
+      params_(table().param_count),
+      reducer_({table().metrics, table().metric_count}),
+      logged_(table().log_count),
+      faults_(table().term_count),
+      violations_(table().requirement_count) {
+  for (size_t i = 0; i < params_.size(); ++i) SetParam(i, table().params[i].initial);
+  PassParams();
+  for (const taskc_requirement& requirement :
+       std::span(table().requirements, table().requirement_count)) {
+    violation_reasons_.push_back(fmt::format("requirement: {}", requirement.reason));
+  }
+  if (table().initialize != nullptr) Enter(table().initialize);
+  StartEpisode();
+}
+
+std::vector<Parameter> TaskInstance::Params() {
+  std::vector<Parameter> parameters;
+  for (size_t i = 0; i < params_.size(); ++i) {
+    const taskc_param& param = table().params[i];
+    Parameter parameter{.name = param.name,
+                        .doc = param.doc,
+                        .target = &params_[i].real,
+                        .minimum = param.minimum,
+                        .maximum = param.maximum,
+                        .unit = param.unit};
+    if (param.scalar == TASKC_BOOL) parameter.target = &params_[i].flag;
+    if (param.scalar == TASKC_INT) parameter.target = &params_[i].integer;
+    parameters.push_back(std::move(parameter));
+  }
+  return parameters;
+}
+
+// The plugin passes and gets every param as a double, whatever its type.
+void TaskInstance::PassParams() {
+  for (size_t i = 0; i < params_.size(); ++i) {
+    const taskc_int32 scalar = table().params[i].scalar;
+    host_.params()[i] = scalar == TASKC_BOOL  ? static_cast<double>(params_[i].flag)
+                        : scalar == TASKC_INT ? static_cast<double>(params_[i].integer)
+                                              : params_[i].real;
+  }
+}
+
+void TaskInstance::SetParam(size_t index, double value) {
+  params_[index] = {value != 0, static_cast<int64_t>(value), value};
+}
+
+void TaskInstance::StartEpisode() {
+  host_.Clear();
+  std::fill(faults_.begin(), faults_.end(), Incidents());
+  fault_count_ = 0;
+  std::fill(violations_.begin(), violations_.end(), Incidents());
+  reducer_.StartEpisode();
+  time_ = 0;
+}
+
+void TaskInstance::Enter(taskc_event_function function) {
+  const InsideOfTask watched(id_);
+  function(&host_.frame());
+}
+
+std::optional<TaskInstance::Outcome> TaskInstance::Call(int event, double time_step) {
+  const taskc_event_function function = table().events[event];
+  if (function == nullptr) return std::nullopt;
+  host_.Next(time_step);
+  Enter(function);
+  CountFault();
+  CountViolation();
+  return Outcome{host_.frame().reward, EndReached()};
+}
+
+std::optional<EpisodeEnd> TaskInstance::EndReached() const {
+  if (IsIndex(host_.frame().violation, table().requirement_count)) {
+    const auto requirement = static_cast<size_t>(host_.frame().violation);
+    return EpisodeEnd{EndKind::kTruncated, violation_reasons_[requirement].c_str()};
+  }
+  if (!IsIndex(host_.frame().end, table().end_count)) return std::nullopt;
+  const taskc_end& end = table().ends[host_.frame().end];
+  return EpisodeEnd{KindOf(end), end.reason};
+}
+
+void TaskInstance::CountFault() {
+  if (IsIndex(host_.frame().fault, table().term_count)) {
+    Count(faults_[static_cast<size_t>(host_.frame().fault)], time_);
+    ++fault_count_;
+  }
+  const bool is_paid = std::abs(host_.frame().reward) <= TASKC_LARGEST_REWARD;
+  if (!is_paid) {
+    host_.frame().reward = 0;
+    ++fault_count_;
+  }
+}
+
+void TaskInstance::CountViolation() {
+  if (!IsIndex(host_.frame().violation, table().requirement_count)) return;
+  Count(violations_[static_cast<size_t>(host_.frame().violation)], time_);
+}
+
+void TaskInstance::Measure() {
+  if (table().measure != nullptr) Enter(table().measure);
+}
+
+void TaskInstance::EndTimeStep() {
+  Measure();
+  reducer_.EndTimeStep(host_.metrics());
+}
+
+void TaskInstance::EndEpisode() {
+  Measure();
+  reducer_.EndEpisode(host_.metrics());
+  for (size_t i = 0; i < logged_.size(); ++i) {
+    logged_[i] = LogValue(table().logs[i].reduction, host_.logs()[i]);
+  }
+}
+
+void TaskInstance::TakeOver(const TaskInstance& old, bool in_episode) {
+  TakeOverParams(old);
+  memory_.TakeOver(old.memory_, in_episode);
+  if (in_episode) TakeOverSums(old);
+}
+
+void TaskInstance::TakeOverParams(const TaskInstance& old) {
+  for (size_t i = 0; i < params_.size(); ++i) {
+    const taskc_param& param = table().params[i];
+    for (size_t j = 0; j < old.params_.size(); ++j) {
+      const taskc_param& before = old.table().params[j];
+      const double value = old.host_.params()[j];
+      const bool is_same = std::string_view(param.name) == before.name &&
+                           std::string_view(param.unit) == before.unit &&
+                           param.scalar == before.scalar;
+      const bool is_in_range = param.minimum <= value && value <= param.maximum;
+      if (is_same && value != before.initial && is_in_range) SetParam(i, value);
+    }
+  }
+  PassParams();
+}
+
+void TaskInstance::TakeOverSums(const TaskInstance& old) {
+  ForEachSame(std::span(table().terms, table().term_count),
+              std::span(old.table().terms, old.table().term_count), [&](size_t i, size_t j) {
+                host_.terms()[i] = old.host_.terms()[j];
+                faults_[i] = old.faults_[j];
+              });
+  ForEachSame(std::span(table().logs, table().log_count),
+              std::span(old.table().logs, old.table().log_count),
+              [&](size_t i, size_t j) { host_.logs()[i] = old.host_.logs()[j]; });
+  ForEachSame(std::span(table().metrics, table().metric_count),
+              std::span(old.table().metrics, old.table().metric_count),
+              [&](size_t i, size_t j) { reducer_.TakeOver(i, old.reducer_, j); });
+  fault_count_ = old.fault_count_;
+  time_ = old.time_;
+}
+
+void TaskInstance::Save(std::ostream& stream) const {
+  SaveNumber(stream, table().param_count);
+  for (uint32_t i = 0; i < table().param_count; ++i) {
+    SaveText(stream, table().params[i].name);
+    SaveNumber(stream, host_.params()[i]);
+  }
+  memory_.Save(stream);
+}
+
+void TaskInstance::Load(std::istream& stream) {
+  const auto count = LoadNumber<uint32_t>(stream);
+  for (uint32_t saved = 0; saved < count; ++saved) {
+    const std::string name = LoadText(stream);
+    const auto value = LoadNumber<double>(stream);
+    const auto params = ParamsOf(table());
+    for (size_t i = 0; i < params.size(); ++i) {
+      const bool fits = params[i].minimum <= value && value <= params[i].maximum;
+      if (params[i].name == name && fits) SetParam(i, value);
+    }
+  }
+  PassParams();
+  memory_.Load(stream);
+}
+
+}  // namespace runtime

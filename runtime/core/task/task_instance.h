@@ -1,0 +1,117 @@
+// One plugin at work.
+#pragma once
+
+#include <taskc/plugin.h>
+
+#include <cstdint>
+#include <iosfwd>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "plugins/host/task_frame.h"
+#include "runtime/core/module/module.h"
+#include "runtime/core/module/values.h"
+#include "runtime/core/task/metric_reducer.h"
+#include "runtime/core/task/plugin.h"
+#include "runtime/core/task/plugin_watch.h"
+#include "runtime/core/task/task_memory.h"
+
+namespace runtime {
+
+// How often something went wrong in an episode, and when it did for the first time.
+struct Incidents {
+  int64_t count = 0;
+  double first_time = 0;  // [s] since the start of the episode
+};
+
+// A plugin's memory, its params, and what it has paid and measured in the present episode. It knows
+// no ports: whoever owns it keeps the sensors' data up to date.
+class TaskInstance {
+ public:
+  // What one event function did.
+  struct Outcome {
+    double reward = 0;
+    std::optional<EpisodeEnd> end;
+  };
+
+  // `id`: how the plugin is known to the run's record and to a guarding process; from 1.
+  explicit TaskInstance(std::shared_ptr<const Plugin> plugin, int64_t id = 1);
+  TaskInstance(const TaskInstance&) = delete;
+  TaskInstance& operator=(const TaskInstance&) = delete;
+
+  const std::shared_ptr<const Plugin>& plugin() const { return plugin_; }
+  const taskc_plugin& table() const { return plugin_->table(); }
+  int64_t id() const { return id_; }
+
+  // The params as parameters of a module, whose targets live in this object.
+  std::vector<Parameter> Params();
+  // To be called after such a target was changed.
+  void PassParams();
+
+  // Where the event functions look for the data of sensor number `index`.
+  const void** sensor_data(size_t index) { return &host_.sensor(index); }
+
+  void StartEpisode();
+  // Calls the function of an event, if the task has one.
+  std::optional<Outcome> Call(int event, double time_step);
+  void AdvanceTime(double time_step) { time_ += time_step; }
+  // To be called at the end of each time step in which needs_measuring(), and of the episode.
+  bool needs_measuring() const { return reducer_.needs_time_steps(); }
+  void EndTimeStep();
+  void EndEpisode();
+
+  std::span<const double> term_sums() const { return host_.terms(); }
+  std::span<const Incidents> faults() const { return faults_; }
+  int64_t fault_count() const { return fault_count_; }
+  std::span<const Incidents> violations() const { return violations_; }
+  std::span<const double> metrics() const { return reducer_.values(); }
+  std::span<const double> logs() const { return logged_; }
+
+  // Goes on where `old` is, as far as the two have variables of the same name, type and unit: the
+  // params that differ from their initial value there, where they lie in the range here, and the
+  // memory of the run. `in_episode`: also all other memory, and what was paid, measured and logged
+  // in the present episode.
+  void TakeOver(const TaskInstance& old, bool in_episode);
+
+  // The values of the params and of the variables that live as long as the run.
+  void Save(std::ostream& stream) const;
+  // Throws UserError if the stream ends early.
+  void Load(std::istream& stream);
+
+ private:
+  // A param's value, in the one of these that belongs to its type.
+  struct Param {
+    bool flag = false;
+    int64_t integer = 0;
+    double real = 0;
+  };
+
+  void SetParam(size_t index, double value);
+  void TakeOverParams(const TaskInstance& old);
+  void TakeOverSums(const TaskInstance& old);
+  void Enter(taskc_event_function function);
+  void Measure();
+  // How the last event function ended the episode, if it did.
+  std::optional<EpisodeEnd> EndReached() const;
+  void CountFault();
+  void CountViolation();
+
+  std::shared_ptr<const Plugin> plugin_;
+  int64_t id_;
+  host::TaskFrame host_;
+  TaskMemory memory_;
+  std::vector<Param> params_;
+
+  MetricReducer reducer_;
+  std::vector<double> logged_;
+  std::vector<Incidents> faults_;
+  int64_t fault_count_ = 0;
+  std::vector<Incidents> violations_;
+  std::vector<std::string> violation_reasons_;  // one for each requirement
+  double time_ = 0;  // [s] since the start of the episode, at the end of the last time step
+};
+
+}  // namespace runtime

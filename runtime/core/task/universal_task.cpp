@@ -1,0 +1,239 @@
+#include "runtime/core/task/universal_task.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "runtime/core/module/connections.h"
+#include "runtime/core/task/robot_check.h"
+#include "runtime/core/task/saved_values.h"
+
+namespace runtime {
+namespace {
+
+PortType TypeOf(const taskc_sensor& sensor) {
+  return MakeValueType<SensorData>(SensorTypeText(sensor.type, sensor.unit));
+}
+
+std::span<const taskc_sensor> SensorsOf(const taskc_plugin& table) {
+  return {table.sensors, table.sensor_count};
+}
+
+// The first out port of the network that offers the sensor, or null.
+Port* FindOffer(const Network& network, const taskc_sensor& sensor) {
+  const PortType type = TypeOf(sensor);
+  for (const auto& module : network.modules()) {
+    for (Port* port : module->ports()) {
+      if (port->kind() == PortKind::kOut && port->name() == sensor.name && port->type() == type) {
+        return port;
+      }
+    }
+  }
+  return nullptr;
+}
+
+void CheckIsOffered(const Network& network, const taskc_sensor& sensor, const taskc_plugin& table) {
+  if (FindOffer(network, sensor) != nullptr) return;
+  throw UserError(fmt::format(
+      "the task `{}` reads the sensor `{}`, and no module has an out port `{}` of the type `{}`",
+      table.name, sensor.name, sensor.name, TypeOf(sensor).text));
+}
+
+std::unique_ptr<TaskInstance> FirstInstance(const std::string& name, const Context& context) {
+  if (context.task == nullptr) {
+    throw UserError(fmt::format("the module `{}` has no task to begin with", name));
+  }
+  return std::make_unique<TaskInstance>(context.task);
+}
+
+}  // namespace
+
+UniversalTask::UniversalTask(std::string name, const Context& context)
+    : UniversalTask(name, *context.robot, FirstInstance(name, context)) {}
+
+UniversalTask::UniversalTask(std::string name, const robot::RobotDescription& robot,
+                             std::unique_ptr<TaskInstance> instance)
+    : Module(std::move(name)), robot_(robot) {
+  CheckFitsRobot(*instance->plugin(), robot_);
+  Exchange(std::move(instance));
+}
+
+void UniversalTask::Set(std::string_view parameter, const ParameterValue& value) {
+  Module::Set(parameter, value);
+  instance_->PassParams();
+}
+
+void UniversalTask::Start() { RequireConnections(*this); }
+
+UniversalTask::Sensors::const_iterator UniversalTask::FindSensor(const taskc_sensor& sensor) const {
+  const PortType type = TypeOf(sensor);
+  return std::ranges::find_if(sensors_, [&](const auto& port) {
+    return port != nullptr && port->name() == sensor.name && port->type() == type;
+  });
+}
+
+std::unique_ptr<TaskInstance> UniversalTask::Exchange(std::unique_ptr<TaskInstance> next) {
+  std::vector<std::unique_ptr<SensorIn>> kept;
+  for (const taskc_sensor& sensor : SensorsOf(next->table())) {
+    const auto same = FindSensor(sensor);
+    kept.push_back(same == sensors_.end() ? nullptr : std::move(sensors_[same - sensors_.begin()]));
+  }
+  sensors_.clear();  // before the new ones are made: they may have the same names
+  for (size_t i = 0; i < kept.size(); ++i) {
+    const taskc_sensor& sensor = next->table().sensors[i];
+    if (kept[i] != nullptr) continue;
+    kept[i] =
+        std::make_unique<SensorIn>(this, sensor.name, SensorTypeText(sensor.type, sensor.unit));
+  }
+  sensors_ = std::move(kept);
+  std::swap(instance_, next);
+  ReplaceParameters(instance_->Params());
+  BindSensors();
+  return next;
+}
+
+void UniversalTask::BindSensors() {
+  for (size_t reader = 0; reader < reads_.size(); ++reader) {
+    reads_[reader].clear();
+    for (size_t i = 0; i < sensors_.size(); ++i) {
+      if ((plugin().sensors[i].read_by >> reader & 1) == 0) continue;
+      reads_[reader].push_back({sensors_[i].get(), instance_->sensor_data(i)});
+    }
+  }
+}
+
+void UniversalTask::CheckCanLoad(const Plugin& plugin, const robot::RobotDescription& robot,
+                                 const Network& network) {
+  CheckFitsRobot(plugin, robot);
+  for (const taskc_sensor& sensor : SensorsOf(plugin.table())) {
+    CheckIsOffered(network, sensor, plugin.table());
+  }
+}
+
+void UniversalTask::CheckCanSwap(const Plugin& plugin, const Network& network) const {
+  CheckFitsRobot(plugin, robot_);
+  const taskc_plugin& table = plugin.table();
+  for (const taskc_sensor& sensor : SensorsOf(table)) {
+    const auto present = FindSensor(sensor);
+    if (present != sensors_.end() && (*present)->connected()) continue;
+    CheckIsOffered(network, sensor, table);
+  }
+}
+
+void UniversalTask::ConnectSensors(const Network& network) {
+  for (size_t i = 0; i < sensors_.size(); ++i) {
+    if (sensors_[i]->connected()) continue;
+    Port::Connect(*FindOffer(network, plugin().sensors[i]), *sensors_[i]);
+  }
+}
+
+void UniversalTask::Swap(std::unique_ptr<TaskInstance> next, const Network& network) {
+  CheckCanSwap(*next->plugin(), network);
+  const bool in_episode = !episode_is_over_ && !is_asleep_;
+  next->TakeOver(*instance_, in_episode);
+  previous_ = Exchange(std::move(next));
+  ConnectSensors(network);
+}
+
+// Not the previous instance itself: what it remembers of an episode is of one that is long over.
+const TaskInstance& UniversalTask::FindPrevious() const {
+  if (previous_ != nullptr) return *previous_;
+  throw UserError(fmt::format("`{}` has no previous task: it was not swapped yet", name()));
+}
+
+void UniversalTask::Rollback(const Network& network) {
+  const TaskInstance& previous = FindPrevious();
+  auto next = std::make_unique<TaskInstance>(previous.plugin(), previous.id());
+  next->TakeOver(previous, false);
+  Swap(std::move(next), network);
+}
+
+void UniversalTask::StartEpisode() {
+  instance_->StartEpisode();
+  end_.reason.clear();
+  is_asleep_ = false;
+  episode_is_over_ = false;
+  end_was_reached_ = false;
+  Handle(TASKC_START_OF_EPISODE, 0);
+  return_ = 0;  // a learner does not count what is paid before its first action either
+}
+
+void UniversalTask::EndAction() {
+  Handle(TASKC_END_OF_ACTION, 0);
+  if (role_ == Role::kShadowEndsWithAction) EndOwnEpisode();
+}
+
+void UniversalTask::EndTimeStep(double time_step) {
+  if (is_asleep_) return;
+  instance_->AdvanceTime(time_step);
+  const std::optional<Outcome> outcome = Call(TASKC_END_OF_TIME_STEP, time_step);
+  // Before anyone hears of the outcome: it may end the episode, and this step belongs to it.
+  if (instance_->needs_measuring() && !episode_is_over_) {
+    Sense(TASKC_MEASURE);
+    instance_->EndTimeStep();
+  }
+  Emit(outcome);
+}
+
+// A task is not told why the episode is over: the learner or the environment may have ended it.
+void UniversalTask::EndEpisode(EpisodeEnd end) {
+  if (episode_is_over_ || is_asleep_) return;
+  episode_is_over_ = true;
+  if (!end_was_reached_) NoteEnd(end);
+  const std::optional<Outcome> outcome = Call(TASKC_END_OF_EPISODE, 0);
+  Sense(TASKC_MEASURE);
+  instance_->EndEpisode();
+  Emit(outcome);
+}
+
+void UniversalTask::NoteEnd(const EpisodeEnd& end) {
+  end_.kind = end.kind;
+  end_.reason = end.reason;
+}
+
+void UniversalTask::EndOwnEpisode() {
+  if (!end_was_reached_ || is_asleep_) return;
+  EndEpisode({});
+  is_asleep_ = true;
+}
+
+void UniversalTask::Handle(int event, double time_step) {
+  if (!is_asleep_) Emit(Call(event, time_step));
+}
+
+std::optional<UniversalTask::Outcome> UniversalTask::Call(int event, double time_step) {
+  if (plugin().events[event] == nullptr) return std::nullopt;
+  Sense(event);
+  return instance_->Call(event, time_step);
+}
+
+void UniversalTask::Emit(const std::optional<Outcome>& outcome) {
+  if (!outcome) return;
+  return_ += outcome->reward;
+  reward(outcome->reward);
+  if (!outcome->end || end_was_reached_ || episode_is_over_) return;
+  end_was_reached_ = true;
+  NoteEnd(*outcome->end);
+  end_of_episode(*outcome->end);
+  if (role_ == Role::kShadowEndsAtOnce) EndOwnEpisode();
+}
+
+void UniversalTask::Sense(int reader) {
+  for (const SensorRead& read : reads_[static_cast<size_t>(reader)]) {
+    *read.data = (*read.port)().data;
+  }
+}
+
+void UniversalTask::Save(std::ostream& stream) const {
+  instance_->Save(stream);
+  SaveNumber(stream, static_cast<uint32_t>(previous_ == nullptr ? 0 : 1));
+  if (previous_ != nullptr) previous_->Save(stream);
+}
+
+void UniversalTask::Load(std::istream& stream) {
+  instance_->Load(stream);
+  if (LoadNumber<uint32_t>(stream) != 0 && previous_ != nullptr) previous_->Load(stream);
+}
+
+}  // namespace runtime

@@ -1,0 +1,89 @@
+#include "runtime/live/control/answers.h"
+
+#include <fmt/format.h>
+
+#include "runtime/base/suggestion.h"
+#include "runtime/core/module/graph.h"
+#include "runtime/live/control/parameter_json.h"
+#include "runtime/live/control/versions.h"
+
+namespace runtime {
+namespace {
+
+nlohmann::json AllParameters(const Module& module) {
+  nlohmann::json parameters = nlohmann::json::array();
+  for (const Parameter& parameter : module.parameters()) {
+    parameters.push_back(ParameterJson(module, parameter));
+  }
+  return parameters;
+}
+
+nlohmann::json TermsJson(const UniversalTask& task) {
+  nlohmann::json terms = nlohmann::json::object();
+  for (size_t i = 0; i < task.term_sums().size(); ++i) {
+    terms[task.plugin().terms[i].name] = task.term_sums()[i];
+  }
+  return terms;
+}
+
+nlohmann::json TaskModuleJson(const UniversalTask& task, const RunRecord& run) {
+  const TaskRecord& record = TaskWithId(run, task.instance().id());
+  nlohmann::json json = TaskJson(task.name(), record);
+  json["file"] = record.task_file;
+  json["role"] = RoleName(task);
+  json["previous"] = nullptr;
+  if (task.previous() != nullptr) {
+    json["previous"] = TaskJson(task.name(), TaskWithId(run, task.previous()->id()));
+  }
+  json["versions"] = VersionsJson(run, task.name());
+  json["params"] = AllParameters(task);
+  json["return"] = task.episode_return();
+  json["terms"] = TermsJson(task);
+  return json;
+}
+
+}  // namespace
+
+const char* RoleName(const UniversalTask& task) { return task.is_shadow() ? "shadow" : "active"; }
+
+nlohmann::json TaskJson(const std::string& module, const TaskRecord& task) {
+  return {{"module", module}, {"task", task.task}, {"hash", task.task_hash}};
+}
+
+nlohmann::json ListJson(const LiveNetwork& network, const Schedules& schedules,
+                        const RunRecord& run) {
+  nlohmann::json list = {{"tasks", nlohmann::json::array()},
+                         {"modules", nlohmann::json::array()},
+                         {"schedules", nlohmann::json::array()}};
+  for (const auto& module : network.network().modules()) {
+    list["modules"].push_back(
+        {{"name", module->name()}, {"started", network.WhyNotStarted(module->name()).empty()}});
+    const auto* task = dynamic_cast<const UniversalTask*>(module.get());
+    if (task != nullptr) list["tasks"].push_back(TaskModuleJson(*task, run));
+  }
+  for (const auto& [name, schedule] : schedules.all()) {
+    list["schedules"].push_back({{"name", name},
+                                 {"from", schedule.from},
+                                 {"to", schedule.to},
+                                 {"first_episode", schedule.first_episode},
+                                 {"episodes", schedule.episodes}});
+  }
+  return list;
+}
+
+nlohmann::json ParametersJson(const LiveNetwork& network, const std::string& name) {
+  const size_t dot = name.find('.');
+  const Module& module = network.network().Find(name.substr(0, dot));
+  if (dot == std::string::npos) return AllParameters(module);
+  return ParameterJson(module, module.FindParameter(name.substr(dot + 1)));
+}
+
+nlohmann::json GraphAnswer(const LiveNetwork& network, const std::string& format) {
+  if (format == "text") return {{"text", GraphText(network.network())}};
+  if (format == "json") return {{"text", GraphJson(network.network())}};
+  if (format == "dot") return {{"text", GraphDot(network.network())}};
+  throw UserError(
+      fmt::format("`{}` is no format{}", format, Suggestion(format, {"text", "json", "dot"})));
+}
+
+}  // namespace runtime

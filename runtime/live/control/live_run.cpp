@@ -1,0 +1,247 @@
+#include "runtime/live/control/live_run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "runtime/training/run/progress.h"
+#include "runtime/training/run/record_error.h"
+
+namespace runtime {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr std::chrono::milliseconds kBetweenLooks{100};  // for a signal, during a pause
+
+}  // namespace
+
+LiveRun::LiveRun(const RunParts& run, Progress& progress, WhenDone when_done,
+                 const StopRequest& stop)
+    : run_(run),
+      progress_(progress),
+      when_done_(when_done),
+      stop_(stop),
+      network_(run.network, run.types, run.context),
+      journal_(run.database),
+      maker_(network_, schedules_, run.record, run.folder),
+      loader_(run.folder) {
+  if (journal_.bad_tasks().contains(run.record.tasks.front().id)) {
+    throw UserError(fmt::format(
+        "{}: the task that this run began with has crashed (`trainer show {}` tells when), so the "
+        "run cannot go on; start another one",
+        run.folder.string(), run.folder.string()));
+  }
+}
+
+LiveRun::~LiveRun() {
+  queue_.Close();
+  for (const ReplyHandler& reply : waiting_for_checkpoint_) {
+    reply({false, {}, "the trainer has ended"});
+  }
+}
+
+void LiveRun::Publish(Json event) {
+  if (events_ != nullptr) events_->Publish(event);
+}
+
+void LiveRun::SetState(State state) {
+  if (state_ == state) return;
+  state_ = state;
+  Publish({{"event", "state"}, {"state", StatusJson().at("state")}});
+}
+
+void LiveRun::OnWarning(const std::string& text) {
+  Publish({{"event", "warning"}, {"text", text}});
+}
+
+// ---- requests, on any thread
+
+void LiveRun::Handle(Request request, ReplyHandler reply) {
+  if (request.command != "load" && request.command != "swap") {
+    return queue_.Push({std::move(request), std::move(reply), {}});
+  }
+  const std::filesystem::path file = request.arguments.at("file").get<std::string>();
+  loader_.Load(file,
+               [this, request = std::move(request), reply = std::move(reply)](LoadedTask task) {
+                 if (task.plugin == nullptr) return reply({false, {}, std::move(task.messages)});
+                 queue_.Push({request, reply, std::move(task)});
+               });
+}
+
+// ---- the thread that trains
+
+std::set<std::string> LiveRun::BeforeRestore(int64_t episode) {
+  for (const EpisodeRecord& each : run_.database.ReadEpisodes()) {
+    if (each.number <= episode) RepeatEpisode(each);
+  }
+  position_ = {episode + 1, 0};
+  episodes_done_ = episode;
+  recent_.clear();
+  network_has_changed_ = false;
+  for (const ChangeRecord& change : journal_.passed_over()) NoteNotAgain(change);
+  return not_again_;
+}
+
+// A checkpoint may have another opinion of whether its module is there.
+void LiveRun::NoteNotAgain(const ChangeRecord& change) {
+  for (const char* kind : {"load", "module_add", "unload", "module_remove"}) {
+    if (change.kind == kind) not_again_.insert(Change(Json::parse(change.data)).text("name"));
+  }
+}
+
+// Schedules go on with every episode: which of them ended, and when, depends on what was changed
+// meanwhile. After the last step nothing was changed any more, whatever was planned for later.
+void LiveRun::RepeatEpisode(const EpisodeRecord& episode) {
+  RepeatPast({episode.number, 0});
+  schedules_.Apply(episode.number, network_);
+  RepeatPast({episode.number, episode.steps - 1});
+}
+
+void LiveRun::RepeatPast(const RunPosition& position) {
+  position_ = position;
+  while (const std::optional<ChangeRecord> change = journal_.TakeDue(position_)) {
+    if (TryAgain(*change)) NoteNotAgain(*change);
+  }
+}
+
+bool LiveRun::AtSafePoint(int64_t episode, int64_t step) {
+  position_ = {episode, step};
+  const bool has_something_to_do = step == 0 || journal_.has_due(position_) ||
+                                   queue_.has_requests() || counts_ || state_ == State::kPaused;
+  if (!has_something_to_do) return false;
+  DoDueChanges();
+  CountDown();
+  ServeQueue();
+  while (state_ == State::kPaused && !stops()) {
+    queue_.WaitFor(kBetweenLooks);
+    ServeQueue();
+  }
+  if (state_ == State::kPaused) SetState(State::kRunning);  // to the end of the episode
+  if (step == 0) schedules_.Apply(episode, network_);
+  return std::exchange(network_has_changed_, false);
+}
+
+void LiveRun::CountDown() {
+  if (!counts_ || (*counts_ == StepUnit::kEpisode && position_.step != 0)) return;
+  if (steps_left_-- > 0) return;
+  counts_.reset();
+  SetState(State::kPaused);
+}
+
+void LiveRun::DoDueChanges() {
+  while (const std::optional<ChangeRecord> change = journal_.TakeDueNow(position_)) {
+    // What the run has gone on without now, it goes on without whenever it is repeated.
+    if (const auto why = TryAgain(*change)) journal_.Quarantine(position_, *change, *why);
+  }
+}
+
+std::optional<std::string> LiveRun::TryAgain(const ChangeRecord& record) {
+  try {
+    Do(record);
+    return std::nullopt;
+  } catch (const RecordError&) {
+    throw;  // would be done if its plugin were there: the run must not go on without it
+  } catch (const std::exception& error) {
+    const std::string text =
+        fmt::format("warning: {}: not done again: {}", record.text, error.what());
+    progress_.Warn(text);
+    OnWarning(text);
+    return error.what();
+  }
+}
+
+void LiveRun::Do(const ChangeRecord& record) {
+  maker_.Do(Change(Json::parse(record.data)),
+            RunPosition{record.episode, record.step}.next_whole_episode());
+  NoteDone(record);
+}
+
+void LiveRun::NoteDone(const ChangeRecord& record) {
+  network_has_changed_ = true;
+  recent_.push_back(record);
+  Publish({{"event", "change"},
+           {"id", record.id},
+           {"episode", record.episode},
+           {"step", record.step},
+           {"kind", record.kind},
+           {"text", record.text}});
+}
+
+std::string LiveRun::Make(const Change& change, bool now) {
+  const auto text = [&] { return change.Description(run_.record); };
+  if (!now && position_.step != 0) {
+    const RunPosition next_start = {position_.episode + 1, 0};
+    journal_.AddDue(next_start, change.kind(), text(), change.data().dump());
+    return fmt::format("episode {}", next_start.episode);
+  }
+  const ChangeRecord record =
+      journal_.AddDone(position_, change.kind(), text(), change.data().dump());
+  try {
+    maker_.Do(change, position_.next_whole_episode());
+  } catch (...) {
+    journal_.Remove(record);
+    throw;
+  }
+  NoteDone(record);
+  return "now";
+}
+
+void LiveRun::ServeQueue() {
+  if (!queue_.has_requests()) return;
+  for (const QueuedRequest& request : queue_.TakeAll()) Serve(request);
+}
+
+void LiveRun::Serve(const QueuedRequest& request) {
+  // Where all episodes are done, the last of them is in the checkpoint.
+  if (request.request.command == "save" && state_ != State::kFinished) {
+    waiting_for_checkpoint_.push_back(request.reply);
+    return;
+  }
+  try {
+    request.reply({true, Answer(request), ""});
+  } catch (const std::exception& error) {
+    request.reply({false, {}, error.what()});
+  }
+}
+
+void LiveRun::AfterEpisode(const EpisodeRecord& episode, const ReturnStatistics& statistics,
+                           bool checkpoint_was_saved) {
+  episodes_done_ = episode.number;
+  last_episode_ = episode;
+  statistics_ = statistics;
+  std::erase_if(recent_,
+                [&](const ChangeRecord& change) { return change.episode < episode.number; });
+  if (checkpoint_was_saved) {
+    for (const ReplyHandler& reply : waiting_for_checkpoint_) {
+      reply({true, {{"episode", episode.number}}, ""});
+    }
+    waiting_for_checkpoint_.clear();
+  }
+  if (events_ == nullptr) return;
+  Json event = EpisodeJson(episode, run_.record);
+  event["event"] = "episode";
+  events_->Publish(event);
+}
+
+bool LiveRun::PlanMore(int64_t episodes_done) {
+  if (when_done_ == WhenDone::kEnd) return false;
+  position_ = {episodes_done + 1, 0};
+  DoDueChanges();  // before others come that take effect here
+  SetState(State::kFinished);
+  while (run_.record.episodes_planned <= episodes_done && !stops()) {
+    queue_.WaitFor(kBetweenLooks);
+    ServeQueue();
+  }
+  return !stops();
+}
+
+bool LiveRun::BlameLastChange(const std::string& why) {
+  const auto last = std::find_if(recent_.rbegin(), recent_.rend(), CanBeBlamed);
+  if (last == recent_.rend()) return false;
+  journal_.Quarantine(position_, *last, why);
+  return true;
+}
+
+}  // namespace runtime

@@ -1,0 +1,137 @@
+// A run that can be talked to while it learns.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "runtime/live/control/change.h"
+#include "runtime/live/control/journal.h"
+#include "runtime/live/control/live_network.h"
+#include "runtime/live/control/request.h"
+#include "runtime/live/control/request_queue.h"
+#include "runtime/live/control/schedules.h"
+#include "runtime/live/control/task_loader.h"
+#include "runtime/training/run/progress.h"
+#include "runtime/training/run/run_database.h"
+#include "runtime/training/run/stop_request.h"
+#include "runtime/training/run/training_hooks.h"
+
+namespace runtime {
+
+// What a run is made of. All of it outlives the LiveRun.
+struct RunParts {
+  std::filesystem::path folder;
+  RunRecord& record;
+  RunDatabase& database;
+  Network& network;  // started
+  const ModuleTypes& types;
+  const Context& context;
+};
+
+// Requests come on any thread, wait in a queue, and are done by the thread that trains, where
+// nothing of the run is running. All of TrainingHooks is called there.
+class LiveRun : public RequestHandler, public TrainingHooks {
+ public:
+  // What becomes of the trainer when all planned episodes are done.
+  enum class WhenDone { kEnd, kWait };
+
+  // Throws UserError where the record holds what cannot be done again.
+  // `progress` and `stop` outlive this object.
+  LiveRun(const RunParts& run, Progress& progress, WhenDone when_done, const StopRequest& stop);
+  ~LiveRun() override;  // refuses the requests that still wait
+
+  // Null, or an object that outlives this one. Before the training begins.
+  void PublishTo(EventSink* events) { events_ = events; }
+
+  void Handle(Request request, ReplyHandler reply) override;
+
+  std::set<std::string> BeforeRestore(int64_t episode) override;
+  void AfterRestore(const ReturnStatistics& statistics) override { statistics_ = statistics; }
+  bool AtSafePoint(int64_t episode, int64_t step) override;
+  void AfterEpisode(const EpisodeRecord& episode, const ReturnStatistics& statistics,
+                    bool checkpoint_was_saved) override;
+  void OnWarning(const std::string& text) override;
+  bool wants_checkpoint() const override { return !waiting_for_checkpoint_.empty(); }
+  bool wants_stop() const override { return stop_was_asked_for_; }
+  bool PlanMore(int64_t episodes_done) override;
+
+  // The network has failed. If a change of the last two episodes can be blamed for it, this change
+  // is put into quarantine, so that the run can go on from its checkpoint without it.
+  bool BlameLastChange(const std::string& why);
+
+ private:
+  enum class State { kRunning, kPaused, kFinished };
+  enum class StepUnit { kStep, kEpisode };
+
+  void SetState(State state);
+  bool stops() const { return stop_was_asked_for_ || stop_.signal() != 0; }
+  void Publish(nlohmann::json event);
+
+  // What was done from outside in an episode that need not be run again. Writes nothing.
+  void RepeatEpisode(const EpisodeRecord& episode);
+  void RepeatPast(const RunPosition& position);
+  void NoteNotAgain(const ChangeRecord& change);
+  // Does what is due here.
+  void DoDueChanges();
+  // Where it cannot be done, says so and returns why.
+  std::optional<std::string> TryAgain(const ChangeRecord& record);
+  void Do(const ChangeRecord& record);
+  void NoteDone(const ChangeRecord& record);
+  void ServeQueue();
+  void Serve(const QueuedRequest& request);
+  // Returns the reply's value. Throws UserError.
+  nlohmann::json Answer(const QueuedRequest& request);
+  std::optional<nlohmann::json> Look(const Request& request) const;
+  std::optional<nlohmann::json> Steer(const QueuedRequest& request);
+  nlohmann::json StatusJson() const;
+
+  nlohmann::json LoadOrSwap(const QueuedRequest& request);
+  // The reply to `data`, a swap or rollback, which is not done where it would change nothing.
+  nlohmann::json Exchange(nlohmann::json data, bool now);
+  // What the module will have where a change takes effect, `now` or as the next episode starts.
+  int64_t TaskToCome(const std::string& module, bool now) const;
+  nlohmann::json Rollback(const nlohmann::json& arguments);
+  nlohmann::json Promote(const nlohmann::json& arguments);
+  nlohmann::json SetParameter(const nlohmann::json& arguments);
+  nlohmann::json GoOn(const nlohmann::json& arguments);
+  nlohmann::json StepOn(const nlohmann::json& arguments);
+  void CheckIsGood(const TaskRecord& task) const;
+  // The record of a task, which may be an older one of the same version.
+  const TaskRecord& RecordTask(TaskRecord task);
+  // Writes a change down, and does it then if it is to take effect here. Returns "now" or
+  // "episode 13". Throws UserError where it cannot be written or done; then it is neither.
+  std::string Make(const Change& change, bool now);
+  void CountDown();
+
+  RunParts run_;
+  Progress& progress_;
+  const WhenDone when_done_;
+  const StopRequest& stop_;
+  LiveNetwork network_;
+  Schedules schedules_;
+  Journal journal_;
+  ChangeMaker maker_;
+  RequestQueue queue_;
+  TaskLoader loader_;
+  EventSink* events_ = nullptr;
+
+  RunPosition position_;
+  bool network_has_changed_ = false;  // since the training was told last
+  State state_ = State::kRunning;
+  std::optional<StepUnit> counts_;  // what is left of `step`
+  int64_t steps_left_ = 0;
+  bool stop_was_asked_for_ = false;
+  std::vector<ReplyHandler> waiting_for_checkpoint_;
+  std::vector<ChangeRecord> recent_;  // done in this episode or the one before
+  std::set<std::string> not_again_;   // modules that came or went with a change not done again
+
+  int64_t episodes_done_ = 0;
+  EpisodeRecord last_episode_;
+  ReturnStatistics statistics_;
+};
+
+}  // namespace runtime

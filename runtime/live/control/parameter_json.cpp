@@ -1,0 +1,93 @@
+#include "runtime/live/control/parameter_json.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <utility>
+
+namespace runtime {
+namespace {
+
+bool IsWhole(const Parameter& parameter) {
+  return std::holds_alternative<int*>(parameter.target) ||
+         std::holds_alternative<int64_t*>(parameter.target);
+}
+
+bool IsNumber(const Parameter& parameter) {
+  return IsWhole(parameter) || std::holds_alternative<double*>(parameter.target);
+}
+
+// JSON does not tell 3.0 from 3.
+ParameterValue NumberFor(const Parameter& parameter, double number) {
+  constexpr double kExact = 9007199254740992;  // up to here every whole number is a double
+  if (IsWhole(parameter) && number == std::floor(number) && std::abs(number) <= kExact) {
+    return static_cast<int64_t>(number);
+  }
+  return number;
+}
+
+// "20 s", where `unit` is "s".
+double NumberWithUnit(const std::string& text, const std::string& unit, const std::string& name) {
+  double number = 0;
+  const char* const end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, number);
+  const char* word = rest;
+  while (word != end && *word == ' ') ++word;
+  if (error != std::errc() || (word != end && std::string(word, end) != unit)) {
+    throw UserError(fmt::format("`{}` is a number{}, and `{}` is not one", name,
+                                unit.empty() ? "" : fmt::format(" in {}", unit), text));
+  }
+  return number;
+}
+
+std::vector<double> ListFromJson(const nlohmann::json& json, const std::string& name) {
+  std::vector<double> list;
+  for (const nlohmann::json& element : json) {
+    if (!element.is_number()) {
+      throw UserError(
+          fmt::format("`{}`: a list holds numbers only, and {} is not one", name, element.dump()));
+    }
+    list.push_back(element.get<double>());
+  }
+  return list;
+}
+
+}  // namespace
+
+bool IsInt64(const nlohmann::json& json) {
+  if (json.is_number_unsigned()) return std::in_range<int64_t>(json.get<uint64_t>());
+  return json.is_number_integer();
+}
+
+nlohmann::json ToJson(const ParameterValue& value) {
+  return std::visit([](const auto& each) -> nlohmann::json { return each; }, value);
+}
+
+ParameterValue ValueFromJson(const nlohmann::json& json, const Parameter& parameter,
+                             const std::string& name) {
+  if (json.is_boolean()) return json.get<bool>();
+  if (IsInt64(json)) return json.get<int64_t>();
+  if (json.is_number()) return NumberFor(parameter, json.get<double>());
+  if (json.is_array()) return ListFromJson(json, name);
+  if (!json.is_string()) {
+    throw UserError(fmt::format("`{}` cannot be {}", name, json.dump()));
+  }
+  const auto text = json.get<std::string>();
+  if (!IsNumber(parameter)) return text;
+  return NumberFor(parameter, NumberWithUnit(text, parameter.unit, name));
+}
+
+nlohmann::json ParameterJson(const Module& module, const Parameter& parameter) {
+  nlohmann::json json = {{"name", parameter.name},
+                         {"value", ToJson(module.Get(parameter.name))},
+                         {"unit", parameter.unit},
+                         {"doc", parameter.doc}};
+  if (std::isfinite(parameter.minimum)) json["minimum"] = parameter.minimum;
+  if (std::isfinite(parameter.maximum)) json["maximum"] = parameter.maximum;
+  if (!parameter.choices.empty()) json["choices"] = parameter.choices;
+  if (!parameter.is_live) json["live"] = false;
+  return json;
+}
+
+}  // namespace runtime

@@ -1,0 +1,39 @@
+// Parameters that move from one value to another over episodes.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+
+#include "runtime/live/control/live_network.h"
+
+namespace runtime {
+
+struct Schedule {
+  double from = 0;
+  double to = 0;
+  int64_t first_episode = 0;  // has the value `from`
+  int64_t episodes = 1;       // the last of them has the value `to`
+
+  // Linear between the two, and constant outside.
+  double At(int64_t episode) const;
+  bool IsOverAfter(int64_t episode) const { return episode >= first_episode + episodes - 1; }
+};
+
+class Schedules {
+ public:
+  // In the place of one that `parameter` ("task.gain") may have.
+  void Set(const std::string& parameter, const Schedule& schedule);
+  void Remove(const std::string& parameter) { schedules_.erase(parameter); }
+
+  // Gives all parameters their values for an episode that is about to start. A schedule whose
+  // parameter is gone, or does not take its value any more, is dropped.
+  void Apply(int64_t episode, LiveNetwork& network);
+
+  const std::map<std::string, Schedule>& all() const { return schedules_; }
+
+ private:
+  std::map<std::string, Schedule> schedules_;
+};
+
+}  // namespace runtime

@@ -1,0 +1,98 @@
+#include "runtime/live/control/task_loader.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <utility>
+
+#include "runtime/base/build_task.h"
+#include "runtime/core/task/plugin_watch.h"
+#include "runtime/training/run/run_files.h"
+
+namespace runtime {
+namespace {
+
+constexpr const char* kTrainerHasEnded = "the trainer has ended";
+
+// The code of a shared object runs already while it is loaded.
+std::shared_ptr<const Plugin> LoadWatched(const std::filesystem::path& file,
+                                          const std::filesystem::path& name) {
+  struct Watched {
+    Watched() { ThePluginWatch().loading_thread = gettid(); }
+    ~Watched() {
+      ThePluginWatch().loading_thread = 0;
+      ++ThePluginWatch().loads;
+    }
+  } const watched;
+  return std::make_shared<const Plugin>(file, name);
+}
+
+std::string WithoutEnd(std::string text) {
+  while (!text.empty() && text.back() == '\n') text.pop_back();
+  return text;
+}
+
+}  // namespace
+
+TaskLoader::TaskLoader(std::filesystem::path run_folder)
+    : run_folder_(std::move(run_folder)), thread_([this] { Run(); }) {}
+
+TaskLoader::~TaskLoader() {
+  {
+    const std::lock_guard lock(mutex_);
+    is_ending_ = true;
+    changed_.notify_one();
+  }
+  stop_.request_stop();
+  thread_.join();
+  for (const Job& job : jobs_) job.handler({nullptr, "", kTrainerHasEnded});
+}
+
+void TaskLoader::Load(std::filesystem::path file, Handler handler) {
+  const std::lock_guard lock(mutex_);
+  jobs_.push_back({std::move(file), std::move(handler)});
+  changed_.notify_one();
+}
+
+void TaskLoader::Run() {
+  std::unique_lock lock(mutex_);
+  while (true) {
+    changed_.wait(lock, [this] { return is_ending_ || !jobs_.empty(); });
+    if (is_ending_) return;
+    const Job job = std::move(jobs_.front());
+    jobs_.pop_front();
+    lock.unlock();
+    job.handler(Load(job.file));
+    lock.lock();
+  }
+}
+
+LoadedTask TaskLoader::Load(const std::filesystem::path& file) {
+  try {
+    if (!std::filesystem::exists(file)) {
+      return {nullptr, "", fmt::format("{}: there is no such file", file.string())};
+    }
+    if (file.extension() != ".task") return Keep(file, file);
+    const std::filesystem::path built = scratch_.path() / "task.so";
+    std::string messages;
+    if (!BuildTask(file, built, &messages, stop_.get_token())) {
+      return {nullptr, "", stop_.stop_requested() ? kTrainerHasEnded : WithoutEnd(messages)};
+    }
+    LoadedTask task = Keep(built, file);
+    task.messages = WithoutEnd(messages);
+    return task;
+  } catch (const std::exception& error) {
+    return {nullptr, "", error.what()};
+  }
+}
+
+// Loaded before it is kept, so that nothing is kept that cannot be loaded.
+LoadedTask TaskLoader::Keep(const std::filesystem::path& plugin,
+                            const std::filesystem::path& name) {
+  LoadedTask task;
+  task.plugin = LoadWatched(plugin, name);
+  task.kept = KeepPlugin(plugin, run_folder_);
+  return task;
+}
+
+}  // namespace runtime

@@ -1,0 +1,61 @@
+// Builds and loads tasks beside the thread that trains, one after the other.
+#pragma once
+
+#include <condition_variable>
+#include <deque>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <stop_token>
+#include <string>
+#include <thread>
+
+#include "runtime/base/scratch_folder.h"
+#include "runtime/core/task/plugin.h"
+
+namespace runtime {
+
+struct LoadedTask {
+  std::shared_ptr<const Plugin> plugin;  // null where something was wrong
+  std::string kept;                      // name of the plugin's file in the run's folder
+  std::string messages;  // what was wrong, or what the compiler said of a task that it has built
+};
+
+class TaskLoader {
+ public:
+  using Handler = std::function<void(LoadedTask)>;
+
+  // Plugins are kept in `run_folder` (runtime/training/run/run_files.h).
+  explicit TaskLoader(std::filesystem::path run_folder);
+  TaskLoader(const TaskLoader&) = delete;
+  TaskLoader& operator=(const TaskLoader&) = delete;
+  // Kills the compiler where it is at work; the handlers of what is not loaded are called with an
+  // error.
+  ~TaskLoader();
+
+  // Any thread; returns at once. `file`: a .task file, which is built first, or a plugin. `handler`
+  // is called on the loader's thread.
+  void Load(std::filesystem::path file, Handler handler);
+
+ private:
+  struct Job {
+    std::filesystem::path file;
+    Handler handler;
+  };
+
+  void Run();
+  LoadedTask Load(const std::filesystem::path& file);
+  LoadedTask Keep(const std::filesystem::path& plugin, const std::filesystem::path& name);
+
+  const std::filesystem::path run_folder_;
+  ScratchFolder scratch_;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::deque<Job> jobs_;
+  bool is_ending_ = false;
+  std::stop_source stop_;  // of the compiler
+  std::thread thread_;
+};
+
+}  // namespace runtime

@@ -1,0 +1,134 @@
+#include "runtime/live/server/api.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+
+#include "runtime/live/control/command_table.h"
+#include "runtime/live/server/http_error.h"
+
+namespace runtime {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::string_view kApi = "/api/";
+constexpr const char* kJson = "application/json";
+constexpr int kMaxDepth = 16;  // no argument needs more, and what writes JSON is recursive
+
+std::string_view PathOf(std::string_view target) { return target.substr(0, target.find('?')); }
+
+// "a+b%20c" is "a b c".
+std::string Decode(std::string_view text) {
+  std::string decoded;
+  for (size_t i = 0; i < text.size(); ++i) {
+    unsigned char byte = static_cast<unsigned char>(text[i] == '+' ? ' ' : text[i]);
+    if (text[i] == '%') {
+      const std::string_view digits = text.substr(i + 1, 2);
+      const auto end = std::from_chars(digits.data(), digits.data() + digits.size(), byte, 16).ptr;
+      if (digits.size() < 2 || end != digits.data() + 2) {
+        throw HttpError(400, "a `%` in the address must be followed by two hexadecimal digits");
+      }
+      i += 2;
+    }
+    decoded += static_cast<char>(byte);
+  }
+  return decoded;
+}
+
+// The arguments of a request that only looks may stand in its address: all are texts.
+json QueryArguments(std::string_view target) {
+  json arguments = json::object();
+  const size_t begin = target.find('?');
+  if (begin == std::string_view::npos) return arguments;
+  for (std::string_view rest = target.substr(begin + 1); !rest.empty();) {
+    const std::string_view pair = rest.substr(0, rest.find('&'));
+    rest.remove_prefix(std::min(rest.size(), pair.size() + 1));
+    const size_t equals = pair.find('=');
+    if (equals == std::string_view::npos) {
+      throw HttpError(400, fmt::format("write `{}=VALUE` in the address", pair));
+    }
+    arguments[Decode(pair.substr(0, equals))] = Decode(pair.substr(equals + 1));
+  }
+  return arguments;
+}
+
+json ParseArguments(std::string_view text) {
+  if (text.empty()) return json::object();
+  const auto check_depth = [](int depth, json::parse_event_t, json&) {
+    if (depth > kMaxDepth) throw HttpError(400, "the JSON is nested too deeply");
+    return true;
+  };
+  try {
+    return json::parse(text, check_depth);
+  } catch (const json::exception& error) {
+    throw HttpError(400, fmt::format("the arguments are no JSON: {}", error.what()));
+  }
+}
+
+const CommandSpec& CommandAt(std::string_view path) {
+  try {
+    return FindCommand(path.substr(kApi.size()));
+  } catch (const UserError& error) {
+    throw HttpError(404, error.what());
+  }
+}
+
+Request ReadRequest(const Call& call) {
+  const CommandSpec& command = CommandAt(PathOf(call.target));
+  const bool is_get = call.method == "GET";
+  if (call.method != "POST" && (!is_get || command.changes)) {
+    throw HttpError(
+        405, fmt::format("`{}` takes POST{}", command.name, command.changes ? "" : " or GET"));
+  }
+  Request request = {command.name,
+                     is_get ? QueryArguments(call.target) : ParseArguments(call.body)};
+  try {
+    CheckArguments(command, request.arguments);
+  } catch (const UserError& error) {
+    throw HttpError(400, error.what());
+  }
+  return request;
+}
+
+void CheckIsGet(const Call& call) {
+  if (call.method == "GET") return;
+  throw HttpError(405, fmt::format("`{}` takes GET", PathOf(call.target)));
+}
+
+std::string Text(const json& object) {
+  return object.dump(-1, ' ', false, json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace
+
+Wish ReadCall(const Call& call) {
+  const std::string_view path = PathOf(call.target);
+  if (path == "/") {
+    CheckIsGet(call);
+    return PageWish();
+  }
+  if (path == "/api/events") {
+    CheckIsGet(call);
+    return EventsWish();
+  }
+  if (path.starts_with(kApi)) return ReadRequest(call);
+  throw HttpError(404, fmt::format("there is nothing at `{}`; commands are at /api/COMMAND, the "
+                                   "run's page at /",
+                                   path));
+}
+
+std::string QueryValue(std::string_view target, std::string_view name) {
+  return QueryArguments(target).value(std::string(name), "");
+}
+
+Answer AnswerOf(const Reply& reply) {
+  if (!reply.ok) return AnswerOf(422, reply.error);
+  return {200, kJson, Text({{"ok", true}, {"value", reply.value}})};
+}
+
+Answer AnswerOf(unsigned status, const std::string& error) {
+  return {status, kJson, Text({{"ok", false}, {"error", error}})};
+}
+
+}  // namespace runtime

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <memory>
+
+#include "runtime/live/server/descriptor.h"
+#include "runtime/live/server/service.h"
+
+namespace runtime {
+
+// Held by a connection that counts towards the limit.
+using Seat = std::shared_ptr<void>;
+
+// From whom a connection may come.
+enum class Entrance { kUnixSocket, kLoopback };
+
+// Answers requests on `socket`, one after the other, until either side ends it. On the loopback
+// each must show that it may ask.
+void ServeHttp(Service& service, Descriptor socket, Entrance entrance, Seat seat);
+
+}  // namespace runtime

@@ -1,0 +1,100 @@
+#include "runtime/live/server/listener.h"
+
+#include <arpa/inet.h>
+#include <fmt/format.h>
+#include <netinet/in.h>
+#include <netinet/tcp.h>
+#include <sys/socket.h>
+
+#include <cerrno>
+#include <cstring>
+#include <string_view>
+
+#include "runtime/base/user_error.h"
+
+namespace runtime {
+namespace {
+
+// How long no client is taken where the system has no more descriptors or memory.
+constexpr std::chrono::milliseconds kPause{100};
+
+constexpr std::string_view kFull =
+    "HTTP/1.1 503 Service Unavailable\r\nContent-Length: 0\r\nConnection: close\r\n\r\n";
+
+constexpr int kYes = 1;
+
+}  // namespace
+
+Descriptor ListenOnLoopback(uint16_t port) {
+  Descriptor socket(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
+  setsockopt(socket.get(), SOL_SOCKET, SO_REUSEADDR, &kYes, sizeof(kYes));
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_port = htons(port);
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  if (bind(socket.get(), reinterpret_cast<const sockaddr*>(&address), sizeof(address)) == 0 &&
+      listen(socket.get(), SOMAXCONN) == 0) {
+    return socket;
+  }
+  throw UserError(fmt::format("port {} of 127.0.0.1: cannot listen: {}; choose another by `--port`",
+                              port, std::strerror(errno)));
+}
+
+uint16_t PortOf(const Descriptor& socket) {
+  sockaddr_in address{};
+  socklen_t size = sizeof(address);
+  getsockname(socket.get(), reinterpret_cast<sockaddr*>(&address), &size);
+  return ntohs(address.sin_port);
+}
+
+Listener::Listener(Service& service, Descriptor socket, Entrance entrance)
+    : service_(service),
+      socket_(service.io, socket.Release()),
+      pause_(service.io),
+      entrance_(entrance) {}
+
+void Listener::Accept() {
+  socket_.async_wait(socket_.wait_read, [this](const boost::system::error_code& error) {
+    if (!error) AcceptAll();
+  });
+}
+
+void Listener::Close() {
+  pause_.cancel();
+  socket_.close();
+}
+
+// Not by Asio, whose sockets a taskc that the trainer starts would inherit.
+void Listener::AcceptAll() {
+  while (true) {
+    Descriptor client(
+        accept4(socket_.native_handle(), nullptr, nullptr, SOCK_CLOEXEC | SOCK_NONBLOCK));
+    if (client.is_open()) {
+      Take(std::move(client));
+    } else if (errno == EAGAIN) {
+      return Accept();
+    } else if (errno != EINTR && errno != ECONNABORTED) {
+      return TryAgainLater();
+    }
+  }
+}
+
+void Listener::TryAgainLater() {
+  pause_.expires_after(kPause);
+  pause_.async_wait([this](const boost::system::error_code& error) {
+    if (!error) Accept();
+  });
+}
+
+void Listener::Take(Descriptor client) {
+  if (seats_.use_count() > static_cast<long>(service_.limits.connections)) {
+    send(client.get(), kFull.data(), kFull.size(), MSG_NOSIGNAL);  // a new socket has room for it
+    return;
+  }
+  if (entrance_ == Entrance::kLoopback) {
+    setsockopt(client.get(), IPPROTO_TCP, TCP_NODELAY, &kYes, sizeof(kYes));
+  }
+  ServeHttp(service_, std::move(client), entrance_, seats_);
+}
+
+}  // namespace runtime

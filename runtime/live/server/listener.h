@@ -1,0 +1,36 @@
+#pragma once
+
+#include <boost/asio/posix/stream_descriptor.hpp>
+#include <boost/asio/steady_timer.hpp>
+
+#include "runtime/live/server/http_connection.h"
+#include "runtime/live/server/service.h"
+
+namespace runtime {
+
+// Listens on 127.0.0.1 without ever blocking. Port 0 stands for any that is free. Throws UserError.
+Descriptor ListenOnLoopback(uint16_t port);
+uint16_t PortOf(const Descriptor& socket);
+
+// Takes the clients that come to a socket, as many at a time as the limits allow. Used on the io
+// thread only.
+class Listener {
+ public:
+  Listener(Service& service, Descriptor socket, Entrance entrance);
+
+  void Accept();
+  void Close();
+
+ private:
+  void AcceptAll();
+  void TryAgainLater();
+  void Take(Descriptor client);
+
+  Service& service_;
+  boost::asio::posix::stream_descriptor socket_;
+  boost::asio::steady_timer pause_;
+  Entrance entrance_;
+  std::shared_ptr<void> seats_ = std::make_shared<char>();  // every connection holds a copy
+};
+
+}  // namespace runtime

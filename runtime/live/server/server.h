@@ -1,0 +1,58 @@
+// Where clients of a running trainer connect: HTTP and WebSocket, on a Unix socket in the run's
+// folder and on the loopback. docs/api.md says what is spoken.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "runtime/live/control/request.h"
+
+namespace runtime {
+
+// What keeps a client from being a burden to the trainer and to other clients.
+struct ServerLimits {
+  std::chrono::milliseconds patience{30'000};  // with a client that should send or take something
+  size_t connections = 64;                     // at a time, on each of socket and loopback
+  size_t waiting_events = 256;                 // for a client that takes them slowly
+  size_t body_bytes = 1 << 20;                 // of a request
+  uint32_t header_bytes = 16 << 10;
+};
+
+struct ServerOptions {
+  std::filesystem::path folder;  // of the run, which this process has locked
+  uint16_t port = 0;             // on 127.0.0.1; 0: any that is free
+  ServerLimits limits = {};
+};
+
+// Makes the run's page, on a thread of its own, one page at a time. What it throws is told to the
+// client.
+using PageMaker = std::function<std::string()>;
+
+// Serves on threads of its own for as long as it lives. Requests are checked, then passed on; what
+// they do is the handler's. The handler must outlive the server; the replies to its requests may
+// come later.
+class Server : public EventSink {
+ public:
+  // Throws UserError where the socket, the port or control.json cannot be had.
+  Server(const ServerOptions& options, RequestHandler& handler, PageMaker page_maker);
+  Server(const Server&) = delete;
+  Server& operator=(const Server&) = delete;
+  // Clients get the replies and events that there are already, within half a second.
+  ~Server() override;
+
+  void Publish(const nlohmann::json& event) override;
+
+  // Of the run's page, for a browser; with the token.
+  std::string page_address() const;
+
+ private:
+  class Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace runtime

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "runtime/core/module/network.h"
+
+namespace runtime {
+
+// Adds the modules of this folder: DofState, NgNet, Dcob, PengQLambda.
+void AddLearningModules(ModuleTypes& types);
+
+}  // namespace runtime

@@ -1,0 +1,52 @@
+#include "runtime/training/run/episode.h"
+
+#include <chrono>
+#include <ctime>
+
+namespace runtime {
+namespace {
+
+// Without the time that it took.
+EpisodeRecord RecordOf(const EpisodeModules& modules) {
+  const Learner& learner = modules.learner;
+  EpisodeRecord episode;
+  episode.actions = learner.action_count();
+  episode.simulated_seconds = modules.environment.time();
+  episode.active = EvaluationOf(*modules.tasks.active);
+  // What the learner was paid, and why it ended the episode, whoever wanted it.
+  episode.active.episode_return = learner.episode_return();
+  episode.active.end_kind = EndKindName(learner.episode_end().kind);
+  episode.active.end_reason = learner.episode_end().reason;
+  episode.active.faults += learner.passed_over_count();
+  for (const LearnerCurve& curve : learner.curves()) {
+    episode.learner.push_back({curve.name, *curve.value});
+  }
+  for (const UniversalTask* shadow : modules.tasks.shadows) {
+    if (shadow->has_ended()) episode.shadows.push_back(EvaluationOf(*shadow));
+  }
+  return episode;
+}
+
+}  // namespace
+
+EpisodeRecord RunEpisode(int64_t number, const EpisodeModules& modules,
+                         const AfterStep& after_step) {
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point start = Clock::now();
+  const std::clock_t cpu_start = std::clock();
+  int64_t steps = 0;
+  modules.environment.StartEpisode();
+  after_step(steps);
+  while (!modules.learner.episode_over()) {
+    modules.environment.StepControl();
+    after_step(++steps);
+  }
+  EpisodeRecord episode = RecordOf(modules);
+  episode.number = number;
+  episode.steps = steps;
+  episode.wall_seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  episode.cpu_seconds = static_cast<double>(std::clock() - cpu_start) / CLOCKS_PER_SEC;
+  return episode;
+}
+
+}  // namespace runtime

@@ -1,0 +1,29 @@
+// One episode of a network, from its start to its end.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+
+#include "runtime/training/learning/learner.h"
+#include "runtime/training/run/run_records.h"
+#include "runtime/training/run/task_modules.h"
+#include "runtime/training/simulation/robot_environment.h"
+
+namespace runtime {
+
+// What an episode needs of a network, which outlives this.
+struct EpisodeModules {
+  RobotEnvironment& environment;
+  const Learner& learner;
+  const TaskModules& tasks;
+};
+
+// Called with 0 when the episode has started, then after each control step with their number.
+using AfterStep = std::function<void(int64_t steps)>;
+
+// Runs an episode; `number` is its own. `tasks` may change in `after_step`: the record is of those
+// at the end.
+EpisodeRecord RunEpisode(int64_t number, const EpisodeModules& modules,
+                         const AfterStep& after_step);
+
+}  // namespace runtime

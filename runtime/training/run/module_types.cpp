@@ -1,0 +1,20 @@
+#include "runtime/training/run/module_types.h"
+
+#include "runtime/core/task/universal_task.h"
+#include "runtime/training/learning/module_types.h"
+#include "runtime/training/simulation/robot_environment.h"
+
+namespace runtime {
+
+const ModuleTypes& ProgramModuleTypes() {
+  static const ModuleTypes types = [] {
+    ModuleTypes all;
+    all.Add<RobotEnvironment>(RobotEnvironment::kType);
+    all.Add<UniversalTask>("UniversalTask");
+    AddLearningModules(all);
+    return all;
+  }();
+  return types;
+}
+
+}  // namespace runtime

@@ -1,0 +1,195 @@
+#include <fmt/format.h>
+
+#include <charconv>
+#include <limits>
+#include <map>
+#include <string_view>
+
+#include "runtime/base/user_error.h"
+#include "runtime/training/run/body_json.h"
+#include "runtime/training/run/change_data.h"
+#include "runtime/training/run/read_episodes.h"
+#include "runtime/training/run/read_learner.h"
+#include "runtime/training/run/read_tasks.h"
+#include "runtime/training/run/run_database_impl.h"
+#include "runtime/training/run/sealed_state.h"
+#include "runtime/training/run/table_reader.h"
+
+namespace runtime {
+namespace {
+
+// What several statements read is of one moment, also while a trainer writes.
+class Moment {
+ public:
+  explicit Moment(SqliteDatabase& database) : database_(database) {
+    database_.Execute("BEGIN", "read the run");
+  }
+  Moment(const Moment&) = delete;
+  Moment& operator=(const Moment&) = delete;
+  ~Moment() { sqlite3_exec(database_.handle(), "ROLLBACK", nullptr, nullptr, nullptr); }
+
+ private:
+  SqliteDatabase& database_;
+};
+
+// The table `run`.
+class RunValues {
+ public:
+  explicit RunValues(const SqliteDatabase& database) : database_(database) {
+    TableReader row(database, "run", "key, value", "ORDER BY key");
+    while (row.Next()) {
+      const std::string key = row.Name(0);
+      if (!values_.try_emplace(key, row.Text(1)).second) row.FailAt(0, "is there twice");
+    }
+  }
+
+  std::string Find(const std::string& key) const {  // "" if there is none
+    const auto found = values_.find(key);
+    return found == values_.end() ? std::string() : found->second;
+  }
+
+  const std::string& Text(const std::string& key) const {
+    const auto found = values_.find(key);
+    if (found == values_.end()) Fail(fmt::format("has no `{}`", key));
+    return found->second;
+  }
+
+  template <class Number>
+  Number NotNegative(const std::string& key) const {
+    const std::string& text = Text(key);
+    const char* const end = text.data() + text.size();
+    Number number{};
+    const auto [rest, error] = std::from_chars(text.data(), end, number);
+    const bool is_number = error == std::errc() && rest == end && number >= Number{0};
+    if (!is_number) Fail(fmt::format("says that `{}` is `{:.40}`", key, text));
+    return number;
+  }
+
+  RunState State() const {
+    const std::string& state = Text("state");
+    for (const RunState each : {RunState::kRunning, RunState::kInterrupted, RunState::kFinished}) {
+      if (state == RunStateName(each)) return each;
+    }
+    Fail(fmt::format("says that `state` is `{:.40}`", state));
+  }
+
+  [[noreturn]] void Fail(std::string_view what) const {
+    ThrowDamaged(database_, fmt::format("the table `run` {}", what));
+  }
+
+ private:
+  const SqliteDatabase& database_;
+  std::map<std::string, std::string> values_;
+};
+
+int64_t LastEpisode(SqliteDatabase& database) {
+  return database.QueryInteger("SELECT max(number) FROM episode", "read the episodes");
+}
+
+}  // namespace
+
+std::string RunDatabase::ReadValue(const std::string& key) const {
+  return RunValues(*impl_->database).Find(key);
+}
+
+RunRecord RunDatabase::ReadRun() const {
+  const Moment moment(*impl_->database);
+  const RunValues values(*impl_->database);
+  RunRecord run;
+  for (const TextKey& text : kTexts) run.*text.member = values.Text(text.key);
+  run.seed = values.NotNegative<uint64_t>("seed");
+  run.episodes_planned = values.NotNegative<int64_t>("episodes_planned");
+  run.record_every = values.NotNegative<int64_t>("record_every");
+  run.checkpoint_seconds = values.NotNegative<double>("checkpoint_seconds");
+  if (!ParseBody(run.body)) values.Fail("has a `body` that is none");
+  run.tasks = ReadTasks(*impl_->database);
+  return run;
+}
+
+RunState RunDatabase::ReadState() const {
+  const RunState state = RunValues(*impl_->database).State();
+  if (state == RunState::kFinished) return state;
+  const bool has_trainer = impl_->lock.has_value() || FolderLock::IsTaken(impl_->folder);
+  return state == RunState::kRunning && has_trainer ? state : RunState::kInterrupted;
+}
+
+std::vector<EpisodeRecord> RunDatabase::ReadEpisodes() const {
+  const SqliteDatabase& database = *impl_->database;
+  const Moment moment(*impl_->database);
+  std::vector<EpisodeRecord> episodes = runtime::ReadEpisodes(database, ReadTasks(database));
+  ReadLearnerValues(database, episodes);
+  return episodes;
+}
+
+std::vector<CurveRecord> RunDatabase::ReadLearnerCurves() const {
+  return runtime::ReadLearnerCurves(*impl_->database);
+}
+
+std::vector<ChangeRecord> RunDatabase::ReadChanges() const {
+  const Moment moment(*impl_->database);
+  const auto task_count = static_cast<int64_t>(ReadTasks(*impl_->database).size());
+  std::vector<ChangeRecord> changes;
+  TableReader row(*impl_->database, "change", "id, episode, step, at, kind, text, data",
+                  "ORDER BY id");
+  while (row.Next()) {
+    const int64_t after = changes.empty() ? 0 : changes.back().id;
+    changes.push_back({row.Whole(0, after + 1), row.Whole(1, 1),
+                       row.Whole(2, 0, std::numeric_limits<int64_t>::max()), row.Text(3),
+                       row.Name(4), row.Text(5), row.Text(6)});
+    const std::string wrong =
+        WhatIsWrongWithChange(changes.back().kind, changes.back().data, task_count);
+    if (!wrong.empty()) row.FailAt(6, wrong);
+  }
+  return changes;
+}
+
+std::optional<Checkpoint> RunDatabase::ReadCheckpoint() const {
+  const Moment moment(*impl_->database);
+  TableReader row(*impl_->database, "checkpoint", "episode, state", "");
+  if (!row.Next()) return std::nullopt;
+  const int64_t episode = row.Whole(0, 1);
+  std::optional<std::string> state = UnsealState(episode, row.Blob(1));
+  if (!state) {
+    throw UserError(fmt::format(
+        "{}: the checkpoint after episode {} is damaged: it is not what was saved, so that the run "
+        "cannot go on or be evaluated; put back a copy of the file, or start another run; `trainer "
+        "show` and `trainer report` still read what it has recorded",
+        impl_->database->file().string(), episode));
+  }
+  if (episode > LastEpisode(*impl_->database)) row.FailAt(0, "is of no episode that is there");
+  return Checkpoint{episode, *std::move(state)};
+}
+
+int64_t RunDatabase::ReadCheckpointEpisode() const {
+  return impl_->database->QueryInteger("SELECT max(episode) FROM checkpoint",
+                                       "read the checkpoint");
+}
+
+int64_t RunDatabase::ReadLastRecordedEpisode() const {
+  const std::vector<RecordedEpisode> recorded = ReadRecordedEpisodes();
+  return recorded.empty() ? 0 : recorded.back().number;
+}
+
+std::vector<RecordedEpisode> RunDatabase::ReadRecordedEpisodes() const {
+  const Moment moment(*impl_->database);
+  const int64_t last = LastEpisode(*impl_->database);
+  std::vector<RecordedEpisode> episodes;
+  TableReader row(*impl_->database, "recording", "episode, frames", "ORDER BY episode");
+  while (row.Next()) {
+    const int64_t after = episodes.empty() ? 0 : episodes.back().number;
+    episodes.push_back({row.Whole(0, after + 1, last), row.Whole(1, 1, Recording::kMostFrames)});
+  }
+  return episodes;
+}
+
+std::optional<Recording> RunDatabase::ReadRecording(int64_t episode) const {
+  constexpr double kShortest = 1e-9;
+  TableReader row(*impl_->database, "recording", "frames, frame_interval, is_best, poses",
+                  "WHERE episode = ?");
+  row.Bind(episode);
+  if (!row.Next()) return std::nullopt;
+  return Recording{row.Whole(0, 1, Recording::kMostFrames), row.Time(1, kShortest), row.Flag(2),
+                   row.Blob(3)};
+}
+
+}  // namespace runtime

@@ -1,0 +1,50 @@
+#include "runtime/training/run/run_records.h"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+
+namespace runtime {
+
+std::string_view RunStateName(RunState state) {
+  switch (state) {
+    case RunState::kRunning:
+      return "running";
+    case RunState::kInterrupted:
+      return "interrupted";
+    case RunState::kFinished:
+      return "finished";
+  }
+  std::abort();
+}
+
+std::string_view EndKindName(EndKind kind) {
+  switch (kind) {
+    case EndKind::kSuccess:
+      return "success";
+    case EndKind::kFailure:
+      return "failure";
+    case EndKind::kTruncated:
+      return "truncated";
+    case EndKind::kDiverged:
+      return "diverged";
+  }
+  std::abort();
+}
+
+const TaskRecord& TaskWithId(const RunRecord& run, int64_t id) {
+  return run.tasks.at(static_cast<size_t>(id - 1));
+}
+
+std::string VersionText(const TaskRecord& task) {
+  return fmt::format("{} ({:.8})", task.task, task.task_hash);
+}
+
+bool IsSameVersion(const TaskRecord& a, const TaskRecord& b) {
+  if (a.plugin == b.plugin) return true;
+  // A plugin that was written by hand may have no hash.
+  return !a.task_hash.empty() && a.task_hash == b.task_hash && a.task == b.task &&
+         a.compiler == b.compiler;
+}
+
+}  // namespace runtime

@@ -1,0 +1,80 @@
+// The loop of a run: episode after episode, each stored as soon as it is over.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "runtime/core/module/network.h"
+#include "runtime/core/task/universal_task.h"
+#include "runtime/training/learning/learner.h"
+#include "runtime/training/run/progress.h"
+#include "runtime/training/run/recorder.h"
+#include "runtime/training/run/return_statistics.h"
+#include "runtime/training/run/run_database.h"
+#include "runtime/training/run/stop_request.h"
+#include "runtime/training/run/task_modules.h"
+#include "runtime/training/run/training_hooks.h"
+#include "runtime/training/simulation/robot_environment.h"
+
+namespace runtime {
+
+class Training {
+ public:
+  // `network`: started, with one environment, one learner and a task that pays it; throws UserError
+  // where it has not. Everything passed must outlive the training.
+  // `run` grows as tasks are loaded and episodes planned.
+  Training(Network& network, const RunRecord& run, RunDatabase& database, Progress& progress,
+           TrainingHooks& hooks);
+
+  // Goes back to the last checkpoint (the start, if there is none): loads the modules' state and
+  // deletes the episodes that came after it. They will come again, bit for bit.
+  void Restore();
+
+  // Runs the episodes that are left. Where a stop is requested, ends after the present episode;
+  // returns whether all are done. Throws UserError where an episode cannot be saved.
+  bool Run(const StopRequest& stop);
+
+  int64_t episodes_done() const { return episodes_done_; }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void RunPlannedEpisodes(const StopRequest& stop);
+  bool stops(const StopRequest& stop) const;
+  EpisodeRecord RunNextEpisode(const StopRequest& stop);
+  // Lets whoever wants to change something do so, after `step` control steps of the episode.
+  // Returns whether somebody did.
+  bool AllowChanges(int64_t step);
+  void SaveBeforeStop(bool has_changed);
+  void NoteStop(const StopRequest& stop);
+  void CaptureFrame();
+  void Warn(const std::string& text);
+  void WarnAbout(const EpisodeRecord& episode);
+  void WarnAboutFaults(const EpisodeRecord& episode);
+  void WarnAboutLearner(const EpisodeRecord& episode);
+  void WarnAboutViolations(const EpisodeRecord& episode);
+  std::optional<Recording> RecordingOf(const EpisodeRecord& episode) const;
+  std::optional<Checkpoint> CheckpointIfDue(bool is_last_episode);
+
+  Network& network_;
+  const RunRecord& run_;
+  RunDatabase& database_;
+  Progress& progress_;
+  TrainingHooks& hooks_;
+  RobotEnvironment& environment_;
+  const Learner& learner_;
+  TaskModules tasks_;
+  Recorder recorder_;
+  ReturnStatistics statistics_;
+  int64_t episodes_done_ = 0;
+  bool stop_is_noted_ = false;
+  // Of each task (TaskRecord::id), for each requirement: whether a warning was given.
+  std::map<int64_t, std::vector<bool>> violations_noted_;
+  Clock::time_point last_checkpoint_ = Clock::now();
+};
+
+}  // namespace runtime

@@ -1,0 +1,42 @@
+// How someone from outside takes part in a training.
+#pragma once
+
+#include <cstdint>
+#include <set>
+#include <string>
+
+#include "runtime/training/run/return_statistics.h"
+#include "runtime/training/run/run_records.h"
+
+namespace runtime {
+
+// All of it is called on the thread that trains.
+class TrainingHooks {
+ public:
+  virtual ~TrainingHooks() = default;
+
+  // Before the modules' state after episode `episode` is read (0: there is none): what was changed
+  // up to then must be changed again. Returns the modules of which the state may have another
+  // opinion whether they are there.
+  virtual std::set<std::string> BeforeRestore(int64_t episode) = 0;
+
+  // With the returns of all episodes that the run goes on from.
+  virtual void AfterRestore(const ReturnStatistics& statistics) = 0;
+
+  // Where nothing of the run is running: before the first step of episode `episode` (`step` is 0),
+  // and after each of its control steps. May change the network; returns whether it did.
+  virtual bool AtSafePoint(int64_t episode, int64_t step) = 0;
+
+  virtual void AfterEpisode(const EpisodeRecord& episode, const ReturnStatistics& statistics,
+                            bool checkpoint_was_saved) = 0;
+  virtual void OnWarning(const std::string& text) = 0;
+
+  // Looked at when an episode is over.
+  virtual bool wants_checkpoint() const = 0;
+  virtual bool wants_stop() const = 0;
+
+  // All planned episodes are done. May wait until there are more; returns whether there are.
+  virtual bool PlanMore(int64_t episodes_done) = 0;
+};
+
+}  // namespace runtime

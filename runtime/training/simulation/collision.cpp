@@ -1,0 +1,85 @@
+#include "runtime/training/simulation/collision.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace runtime {
+namespace {
+
+double BoundingRadius(const robot::LinkShape& shape) {
+  switch (shape.kind) {
+    case robot::ShapeKind::kBox:
+      return std::hypot(shape.size[0], shape.size[1], shape.size[2]) / 2;
+    case robot::ShapeKind::kCapsule:
+      return shape.length / 2;
+    case robot::ShapeKind::kSphere:
+      break;
+  }
+  return shape.radius;
+}
+
+bool AreJoined(const robot::RobotDescription& robot, int first, int second) {
+  return std::any_of(robot.joints.begin(), robot.joints.end(), [&](const robot::Joint& joint) {
+    return (joint.parent == first && joint.child == second) ||
+           (joint.parent == second && joint.child == first);
+  });
+}
+
+}  // namespace
+
+Collision::Collision(const robot::RobotDescription& robot, const RobotBody& body)
+    : body_(body),
+      plane_(dCreatePlane(nullptr, 0, 0, 1, 0)),
+      centres_(robot.links.size()),
+      ground_(robot.links.size(), 0) {
+  for (const robot::Link& link : robot.links) radii_.push_back(BoundingRadius(link.shape));
+  for (int i = 0; i < body.link_count(); ++i) {
+    for (int j = i + 1; j < body.link_count(); ++j) {
+      if (!AreJoined(robot, i, j)) pairs_.push_back({i, j, radii_[i] + radii_[j]});
+    }
+  }
+  contacts_.reserve(kMaxContacts * robot.links.size());
+}
+
+void Collision::Update() {
+  contacts_.clear();
+  FindCentres();
+  for (int i = 0; i < body_.link_count(); ++i) {
+    const bool near = centres_[i][2] <= radii_[i];
+    ground_[i] = near && AddContacts(Contact::kGround, i) ? 1 : 0;
+  }
+  for (const Pair& pair : pairs_) {
+    if (MayTouch(pair)) AddContacts(pair.first, pair.second);
+  }
+}
+
+void Collision::FindCentres() {
+  for (int i = 0; i < body_.link_count(); ++i) {
+    std::copy_n(dBodyGetPosition(body_.body(i)), 3, centres_[i].begin());
+  }
+}
+
+bool Collision::MayTouch(const Pair& pair) const {
+  const robot::Vector3& a = centres_[pair.first];
+  const robot::Vector3& b = centres_[pair.second];
+  const double x = a[0] - b[0];
+  const double y = a[1] - b[1];
+  const double z = a[2] - b[2];
+  return x * x + y * y + z * z <= pair.reach * pair.reach;
+}
+
+dGeomID Collision::GeomOf(int link) const {
+  return link == Contact::kGround ? plane_.get() : body_.geom(link);
+}
+
+bool Collision::AddContacts(int first, int second) {
+  dContactGeom found[kMaxContacts];
+  const int count = dCollide(GeomOf(first), GeomOf(second), kMaxContacts, found, sizeof *found);
+  for (int i = 0; i < count; ++i) {
+    const bool swapped = found[i].g1 != GeomOf(first);
+    contacts_.push_back({swapped ? second : first, swapped ? first : second, found[i]});
+  }
+  return count > 0;
+}
+
+}  // namespace runtime

@@ -1,0 +1,30 @@
+#include "runtime/training/simulation/joint_controller.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace runtime {
+
+JointController::JointController(const robot::RobotDescription& robot, const RobotBody& body,
+                                 double time_step)
+    : controller_(robot.controller),
+      body_(body),
+      angles_(robot.joints.size(), 0.0),
+      torques_(robot.joints.size(), 0.0),
+      motors_(robot.joints.size(),
+              {.damping = controller_.damping + time_step * controller_.stiffness,
+               .max_torque = controller_.max_torque}) {}
+
+void JointController::Update(std::span<const double> targets) {
+  for (int j = 0; j < body_.joint_count(); ++j) {
+    const dJointID hinge = body_.hinge(j);
+    angles_[j] = dJointGetHingeAngle(hinge);
+    const double pull = controller_.stiffness * (targets[j] - angles_[j]);
+    torques_[j] = std::clamp(pull - controller_.damping * dJointGetHingeAngleRate(hinge),
+                             -controller_.max_torque, controller_.max_torque);
+    if (!std::isfinite(torques_[j])) throw OdeFailure("the torque of a joint is no number");
+    motors_[j].speed = pull / motors_[j].damping;
+  }
+}
+
+}  // namespace runtime

@@ -1,0 +1,95 @@
+#include "runtime/training/simulation/link_contacts.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+
+namespace runtime {
+namespace {
+
+constexpr size_t kUsualContacts = 30;
+
+Vector6 RowAt(const Vector3& arm, const Vector3& direction) {
+  Vector6 row;
+  row << direction, arm.cross(direction);
+  return row;
+}
+
+}  // namespace
+
+LinkContacts::LinkContacts(int links) : links_(links), impulses_(links) {
+  contacts_.reserve(kUsualContacts);
+  const size_t rows = 3 * kUsualContacts;
+  active_.reserve(rows);
+  parts_.reserve(rows * links_);
+  matrix_.reserve(rows * rows);
+  right_.reserve(rows);
+}
+
+LimitedPull& LinkContacts::Add(const Contact& contact, const Vector3& first_centre,
+                               const Vector3& second_centre, double hold) {
+  const Vector3 point(contact.geometry.pos[0], contact.geometry.pos[1], contact.geometry.pos[2]);
+  const Vector3 normal(contact.geometry.normal[0], contact.geometry.normal[1],
+                       contact.geometry.normal[2]);
+  const Vector3 tangent = normal.unitOrthogonal();
+  const Vector3 directions[] = {normal, tangent, normal.cross(tangent)};
+  LinkContact& added = contacts_.emplace_back();
+  added.hold = hold;
+  for (int i = 0; i < 3; ++i) {
+    added.rows[i] = {contact.first, contact.second, RowAt(point - first_centre, directions[i]),
+                     RowAt(point - second_centre, -directions[i])};
+  }
+  return added.pull;
+}
+
+double LinkContacts::NormalSpeed(int contact, std::span<const Vector6> velocities) const {
+  return contacts_[contact].rows[0].Speed(velocities);
+}
+
+void LinkContacts::AddImpulses(TreeFactor& tree, std::span<const Vector6> velocities,
+                               std::span<Vector6> momenta) {
+  CollectRows();
+  Assemble(tree, velocities);
+  const auto count = static_cast<Eigen::Index>(active_.size());
+  Eigen::Map<Eigen::MatrixXd> matrix(matrix_.data(), count, count);
+  Eigen::Map<Eigen::VectorXd> right(right_.data(), count);
+  Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>>(matrix).solveInPlace(right);
+  for (size_t a = 0; a < active_.size(); ++a) {
+    const Row& row = *active_[a].row;
+    momenta[row.first] += right_[a] * row.first_row;
+    momenta[row.second] += right_[a] * row.second_row;
+  }
+}
+
+void LinkContacts::CollectRows() {
+  active_.clear();
+  for (const LinkContact& contact : contacts_) {
+    const double hold = contact.pull.hold();
+    if (hold > 0) active_.push_back({&contact.rows[0], hold, contact.pull.load()});
+    active_.push_back({&contact.rows[1], contact.hold, 0});
+    active_.push_back({&contact.rows[2], contact.hold, 0});
+  }
+}
+
+// impulse_a / hold_a + sum_b (row_a . row_b) impulse_b = target_a - speed_a
+void LinkContacts::Assemble(TreeFactor& tree, std::span<const Vector6> velocities) {
+  const size_t count = active_.size();
+  parts_.resize(count * links_);
+  matrix_.resize(count * count);
+  right_.resize(count);
+  for (size_t a = 0; a < count; ++a) {
+    const ActiveRow& active = active_[a];
+    std::fill(impulses_.begin(), impulses_.end(), Vector6::Zero());
+    impulses_[active.row->first] += active.row->first_row;
+    impulses_[active.row->second] += active.row->second_row;
+    tree.Decompose(impulses_, PartsOf(a));
+    for (size_t b = 0; b <= a; ++b) {
+      double sum = 0;
+      for (size_t i = 0; i < links_; ++i) sum += PartsOf(a)[i].dot(PartsOf(b)[i]);
+      matrix_[b * count + a] = sum;  // the lower triangle, by columns
+    }
+    matrix_[a * count + a] += 1 / active.hold;
+    right_[a] = active.load / active.hold - active.row->Speed(velocities);
+  }
+}
+
+}  // namespace runtime

@@ -1,0 +1,32 @@
+// How one link of a robot moves during a physics step, if nothing holds it or once it is known what
+// does. As in ODE: of first order, velocities first.
+#pragma once
+
+#include "runtime/training/simulation/ode_library.h"
+#include "runtime/training/simulation/spatial.h"
+
+namespace runtime {
+
+// What does not change.
+struct LinkInertia {
+  double mass;
+  Vector3 principal;  // moments of inertia about the link's own axes
+};
+
+LinkInertia InertiaOf(dBodyID body);
+
+// At the start of a step, in the world's frame, described at the centre of mass.
+struct LinkState {
+  Vector3 position;
+  Matrix3 rotation;
+  Vector6 velocity;
+  Matrix6 inertia;
+  Vector6 momentum;  // at the end of the step, without any constraint
+};
+
+LinkState ReadLink(dBodyID body, const LinkInertia& inertia, double time_step, double gravity);
+
+// Gives the body a velocity, and moves it from `before` by it.
+void MoveLink(dBodyID body, const LinkState& before, const Vector6& velocity, double time_step);
+
+}  // namespace runtime

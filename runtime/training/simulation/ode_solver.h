@@ -1,0 +1,33 @@
+// A physics step by ODE's dWorldStep.
+#pragma once
+
+#include <vector>
+
+#include "runtime/training/simulation/physics_solver.h"
+
+namespace runtime {
+
+class OdeSolver : public PhysicsSolver {
+ public:
+  // All objects outlive the solver; the world has its constants already.
+  OdeSolver(const robot::RobotDescription& robot, const Profile& profile,
+            const SolverSettings& settings, const RobotBody& body, dWorldID world);
+
+  void Step(std::span<const Contact> contacts, const JointController& controller) override;
+
+ private:
+  void AddMotor(const robot::Joint& joint);
+  void Drive(const JointController& controller);
+  void MakeContacts(std::span<const Contact> contacts);
+  dBodyID BodyOf(int link) const;
+
+  const RobotBody& body_;
+  dWorldID world_;
+  double time_step_;
+  JointDrive drive_;
+  std::vector<OdeJoint> motors_;  // for JointDrive::kMotor
+  OdeJointGroup contacts_;
+  dContact contact_;  // with the surface that all have
+};
+
+}  // namespace runtime

@@ -1,0 +1,23 @@
+#include "runtime/training/simulation/physics_solver.h"
+
+#include <cassert>
+
+#include "runtime/training/simulation/ode_solver.h"
+#include "runtime/training/simulation/tree_solver.h"
+
+namespace runtime {
+
+std::unique_ptr<PhysicsSolver> MakeSolver(const robot::RobotDescription& robot,
+                                          const Profile& profile, const SolverSettings& settings,
+                                          RobotBody& body, dWorldID world) {
+  switch (profile.solver) {
+    case SolverKind::kOde:
+      return std::make_unique<OdeSolver>(robot, profile, settings, body, world);
+    case SolverKind::kTree:
+      return std::make_unique<TreeSolver>(robot, profile, settings, body);
+  }
+  assert(!"a solver");
+  return nullptr;
+}
+
+}  // namespace runtime

@@ -1,0 +1,41 @@
+// What moves a robot's bodies by one physics step, once its contacts and its joints' torques are
+// known.
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "plugins/robot/robot_description.h"
+#include "runtime/training/simulation/collision.h"
+#include "runtime/training/simulation/joint_controller.h"
+#include "runtime/training/simulation/profile.h"
+#include "runtime/training/simulation/robot_body.h"
+
+namespace runtime {
+
+class PhysicsSolver {
+ public:
+  virtual ~PhysicsSolver() = default;
+
+  // One step, from the bodies' present state with what the controller drives the joints by. Throws
+  // OdeFailure if it cannot be computed.
+  virtual void Step(std::span<const Contact> contacts, const JointController& controller) = 0;
+};
+
+// The constants of the equations that every solver solves.
+struct SolverSettings {
+  double time_step;      // [s]
+  Softness contacts;     // of the contacts' normals
+  double gravity = 9.8;  // downwards [m / s^2]
+  double erp = 0.2;      // of joints
+  double cfm = 1e-5;     // of joints, and of what keeps contacts from sliding
+  double bounce = 1e-5;
+  double bounce_speed = 0.1;  // slower impacts do not bounce [m / s]
+};
+
+// All objects outlive the solver.
+std::unique_ptr<PhysicsSolver> MakeSolver(const robot::RobotDescription& robot,
+                                          const Profile& profile, const SolverSettings& settings,
+                                          RobotBody& body, dWorldID world);
+
+}  // namespace runtime

@@ -1,0 +1,122 @@
+#include "runtime/training/simulation/robot_environment.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+
+namespace runtime {
+namespace {
+
+std::vector<std::string> ProfileNames() {
+  std::vector<std::string> names;
+  for (const Profile& profile : kProfiles) names.emplace_back(profile.name);
+  return names;
+}
+
+std::vector<std::string> PoseNames(const robot::RobotDescription& robot) {
+  std::vector<std::string> names = {""};
+  for (const robot::Pose& pose : robot.poses) names.push_back(pose.name);
+  return names;
+}
+
+}  // namespace
+
+RobotEnvironment::RobotEnvironment(std::string name, const Context& context)
+    : Module(std::move(name)), robot_(*context.robot), sensors_(robot_) {
+  AddParameter({.name = "profile",
+                .doc = "how the robot is simulated: as in the paper or with longer steps, by ODE "
+                       "or along its tree",
+                .target = &profile_,
+                .choices = ProfileNames(),
+                .is_live = false});
+  AddParameter({"start_pose", "the pose that episodes start from; \"\" is the robot's first pose",
+                &start_pose_, PoseNames(robot_)});
+  for (RobotSensor& sensor : sensors_.sensors()) {
+    const robot::SensorDescription& description = sensor.description();
+    sensor_ports_.emplace_back(this, std::string(description.name), &sensor,
+                               Bind<&RobotSensor::Read>{},
+                               SensorTypeText(description.type, description.unit));
+  }
+}
+
+void RobotEnvironment::Start() {
+  targets_.assign(robot_.joints.size(), 0.0);
+  last_pose_.assign(7 * robot_.links.size(), 0.0f);
+}
+
+void RobotEnvironment::StartEpisode() {
+  const robot::Pose* pose =
+      start_pose_.empty() ? &robot_.poses.front() : robot_.FindPose(start_pose_);
+  assert(pose != nullptr);
+  world_ = std::make_unique<World>(robot_, FindProfile(profile_), *pose);
+  running_ = true;
+  control_steps_ = 0;
+  time_ = 0;
+  std::fill(targets_.begin(), targets_.end(), 0.0);
+  sensors_.Refresh(*world_, time_);
+  start_of_episode_();
+}
+
+void RobotEnvironment::StepControl() {
+  if (!running_) return;
+  CapturePose(last_pose_);
+  const double length = control_time_step();
+  start_of_time_step_(length);
+  if (joint_targets_.connected()) {
+    const Eigen::VectorXd& targets = joint_targets_();
+    if (targets.size() != static_cast<Eigen::Index>(targets_.size())) ThrowForeignTargets();
+    std::copy(targets.begin(), targets.end(), targets_.begin());
+  }
+  for (int i = 0; i < world_->steps_per_control_step(); ++i) {
+    if (!StepPhysics(i)) return;
+  }
+  ++control_steps_;
+  end_of_time_step_(length);
+}
+
+void RobotEnvironment::ThrowForeignTargets() const {
+  throw UserError(fmt::format("`{}` gets {} joint targets, and the robot `{}` has {} joints",
+                              name(), joint_targets_().size(), robot_.name, targets_.size()));
+}
+
+bool RobotEnvironment::StepPhysics(int index) {
+  const double length = world_->time_step();
+  start_of_physics_step_(length);
+  try {
+    world_->Step(targets_);
+  } catch (const OdeFailure& failure) {
+    Diverge(failure.what());
+    return false;
+  }
+  // Counted, not summed, so that 4000 control steps of 5 ms are 20 s and not a little more.
+  const bool is_last = index + 1 == world_->steps_per_control_step();
+  time_ = is_last ? (control_steps_ + 1) * control_time_step()
+                  : control_steps_ * control_time_step() + (index + 1) * length;
+  sensors_.Refresh(*world_, time_);
+  end_of_physics_step_(length);
+  return true;
+}
+
+void RobotEnvironment::Diverge(const char* why) {
+  running_ = false;
+  sensors_.Freeze();
+  why_diverged_ = std::string("the simulation diverged: ") + why;
+  end_of_episode_({EndKind::kDiverged, why_diverged_.c_str()});
+}
+
+void RobotEnvironment::CapturePose(std::span<float> out) const {
+  assert(out.size() == 7 * robot_.links.size());
+  if (!running_) {
+    std::copy(last_pose_.begin(), last_pose_.end(), out.begin());
+    return;
+  }
+  for (int i = 0; i < link_count(); ++i) {
+    const dReal* position = dBodyGetPosition(world_->body().body(i));
+    const dReal* orientation = dBodyGetQuaternion(world_->body().body(i));
+    std::copy_n(position, 3, out.begin() + 7 * i);
+    std::copy_n(orientation, 4, out.begin() + 7 * i + 3);
+  }
+}
+
+}  // namespace runtime

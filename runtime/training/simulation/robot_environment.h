@@ -1,0 +1,86 @@
+// The module in which a robot lives: it steps the simulation, and offers the robot's sensors.
+#pragma once
+
+#include <deque>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "runtime/core/module/context.h"
+#include "runtime/core/module/module.h"
+#include "runtime/core/module/sensor_data.h"
+#include "runtime/core/module/values.h"
+#include "runtime/training/simulation/robot_sensors.h"
+#include "runtime/training/simulation/world.h"
+
+namespace runtime {
+
+// Parameters: `profile` (runtime/training/simulation/profile.h) and `start_pose` ("": the robot's
+// first pose).
+//
+// Out ports: one for each of the robot's sensors, with its name.
+// In port: `joint_targets`, one angle for each joint [rad], read at the start of every control
+// step, after start_of_time_step. Until the first one, and while nothing is connected, all targets
+// are 0.
+//
+// Signals, in their order: start_of_episode; in every control step start_of_time_step(length [s]),
+// then for each physics step start_of_physics_step(length) and end_of_physics_step(length), then
+// end_of_time_step(length).
+// A simulation that diverges emits end_of_episode(kDiverged, why) in place of the signals that
+// would follow. The sensors then keep what was last read from them.
+class RobotEnvironment : public Module {
+ public:
+  static constexpr const char* kRole = "environment";       // for Network::FindOnly()
+  static constexpr const char* kType = "RobotEnvironment";  // in agent files
+
+  // `context.robot` describes the robot.
+  RobotEnvironment(std::string name, const Context& context);
+
+  void Start() override;
+
+  // A fresh world with the robot in its start pose.
+  void StartEpisode();
+  // One control step; nothing if the episode has diverged, or none has been started.
+  void StepControl();
+
+  const std::string& profile() const { return profile_; }
+  int link_count() const { return static_cast<int>(robot_.links.size()); }
+  double control_time_step() const { return robot_.controller.time_step; }  // [s]
+  double time() const { return time_; }  // since the start of the episode [s]
+
+  // x, y, z, qw, qx, qy, qz of each link's frame in the world frame; in a diverged episode that of
+  // the last control step's start. Precondition: 7 elements for each link; an episode was started.
+  void CapturePose(std::span<float> out) const;
+
+ private:
+  // Returns whether the episode can go on.
+  [[noreturn]] void ThrowForeignTargets() const;
+  bool StepPhysics(int index);
+  void Diverge(const char* why);
+
+  const robot::RobotDescription& robot_;
+  std::string profile_ = "paper";
+  std::string start_pose_;
+
+  RobotSensors sensors_;
+  std::deque<SensorOut> sensor_ports_;
+  In<Eigen::VectorXd> joint_targets_{this, "joint_targets", "",
+                                     In<Eigen::VectorXd>::Need::kOptional};
+  Signal<> start_of_episode_{this, "start_of_episode"};
+  Signal<double> start_of_time_step_{this, "start_of_time_step"};
+  Signal<double> start_of_physics_step_{this, "start_of_physics_step"};
+  Signal<double> end_of_physics_step_{this, "end_of_physics_step"};
+  Signal<double> end_of_time_step_{this, "end_of_time_step"};
+  Signal<EpisodeEnd> end_of_episode_{this, "end_of_episode"};
+
+  std::unique_ptr<World> world_;
+  bool running_ = false;
+  int control_steps_ = 0;  // done in this episode
+  double time_ = 0;
+  std::vector<double> targets_;
+  std::vector<float> last_pose_;
+  std::string why_diverged_;
+};
+
+}  // namespace runtime

@@ -1,0 +1,96 @@
+#include "runtime/training/simulation/robot_sensors.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace runtime {
+namespace {
+
+void Copy(const dReal* from, size_t count, double* to) { std::copy_n(from, count, to); }
+
+// Column `index` of ODE's rotation matrix, which has rows of four.
+void CopyColumn(const dReal* rotation, int index, double* to) {
+  for (int row = 0; row < 3; ++row) to[row] = rotation[4 * row + index];
+}
+
+}  // namespace
+
+RobotSensor::RobotSensor(RobotSensors* all, const robot::SensorDescription& description,
+                         int element_count)
+    : all_(all), description_(&description) {
+  if (description.type.starts_with("bool")) {
+    flags_ = std::make_unique<bool[]>(element_count);
+    data_.data = flags_.get();
+  } else {
+    reals_.resize(element_count);
+    data_.data = reals_.data();
+  }
+}
+
+void RobotSensor::Compute() {
+  const World& world = *all_->world_;
+  const RobotBody& body = world.body();
+  const dBodyID base = body.body(0);
+  double* const out = reals_.data();
+  switch (description_->id) {
+    case robot::SensorId::kTime:
+      *out = all_->time_;
+      break;
+    case robot::SensorId::kBasePosition:
+      Copy(dBodyGetPosition(base), 3, out);
+      break;
+    case robot::SensorId::kBaseOrientation:
+      Copy(dBodyGetQuaternion(base), 4, out);
+      break;
+    case robot::SensorId::kBaseRotation:
+      for (int row = 0; row < 3; ++row) Copy(dBodyGetRotation(base) + 4 * row, 3, out + 3 * row);
+      break;
+    case robot::SensorId::kBaseForward:
+      CopyColumn(dBodyGetRotation(base), 0, out);
+      break;
+    case robot::SensorId::kBaseLeft:
+      CopyColumn(dBodyGetRotation(base), 1, out);
+      break;
+    case robot::SensorId::kBaseUp:
+      CopyColumn(dBodyGetRotation(base), 2, out);
+      break;
+    case robot::SensorId::kBaseVelocity:
+      Copy(dBodyGetLinearVel(base), 3, out);
+      break;
+    case robot::SensorId::kBaseAngularVelocity:
+      Copy(dBodyGetAngularVel(base), 3, out);
+      break;
+    case robot::SensorId::kJointAngle:
+      for (int j = 0; j < body.joint_count(); ++j) out[j] = dJointGetHingeAngle(body.hinge(j));
+      break;
+    case robot::SensorId::kJointVelocity:
+      for (int j = 0; j < body.joint_count(); ++j) out[j] = dJointGetHingeAngleRate(body.hinge(j));
+      break;
+    case robot::SensorId::kJointTorque:
+      std::copy_n(world.controller().torques().begin(), body.joint_count(), out);
+      break;
+    case robot::SensorId::kContact:
+      for (int i = 0; i < body.link_count(); ++i) flags_[i] = world.contacts().flag(i);
+      break;
+    case robot::SensorId::kCount:
+      assert(!"a sensor");
+  }
+}
+
+RobotSensors::RobotSensors(const robot::RobotDescription& robot) {
+  for (const robot::SensorDescription& description : robot::Sensors()) {
+    sensors_.emplace_back(this, description, robot::ElementCount(description, robot));
+  }
+}
+
+void RobotSensors::Refresh(const World& world, double time) {
+  world_ = &world;
+  time_ = time;
+  ++moment_;
+}
+
+void RobotSensors::Freeze() {
+  for (RobotSensor& sensor : sensors_) sensor.moment_ = moment_;
+}
+
+}  // namespace runtime

@@ -1,0 +1,52 @@
+// One episode's physics: a robot on flat ground.
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "plugins/robot/robot_description.h"
+#include "runtime/training/simulation/collision.h"
+#include "runtime/training/simulation/contact_filter.h"
+#include "runtime/training/simulation/joint_controller.h"
+#include "runtime/training/simulation/ode_library.h"
+#include "runtime/training/simulation/physics_solver.h"
+#include "runtime/training/simulation/profile.h"
+#include "runtime/training/simulation/robot_body.h"
+
+namespace runtime {
+
+// Two worlds made alike and stepped alike have the same bits. A world that was stepped has a past
+// in ODE's caches and orders, so every episode gets a new one.
+class World {
+ public:
+  // The robot rests in the pose. `robot` outlives the world.
+  World(const robot::RobotDescription& robot, const Profile& profile, const robot::Pose& pose);
+
+  World(const World&) = delete;
+  World& operator=(const World&) = delete;
+
+  double time_step() const { return settings_.time_step; }  // [s]
+  int steps_per_control_step() const { return steps_per_control_step_; }
+
+  // One physics step towards `targets`, one angle for each joint [rad]. Throws OdeFailure if there
+  // is no sensible state to continue from; the world must not be stepped again then.
+  void Step(std::span<const double> targets);
+
+  const RobotBody& body() const { return body_; }
+  const Collision& collision() const { return collision_; }
+  const JointController& controller() const { return controller_; }
+  const ContactFilter& contacts() const { return contact_filter_; }
+
+ private:
+  int steps_per_control_step_;
+  SolverSettings settings_;
+  OdeThreading threading_;
+  OdeWorld world_;
+  RobotBody body_;
+  Collision collision_;
+  JointController controller_;
+  ContactFilter contact_filter_;
+  std::unique_ptr<PhysicsSolver> solver_;
+};
+
+}  // namespace runtime

@@ -1,0 +1,145 @@
+// The `test` blocks of tasks.
+#include "compiler/task_tests/test_task.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/compiler/check/checked_source.h"
+#include "tests/compiler/temporary_folder.h"
+
+namespace compiler {
+namespace {
+
+using testing::ElementsAre;
+
+constexpr const char* kTask = R"(task tested for humanoid
+param penalty: real = 4
+memory fallen: bool = false per action
+memory place: vec3 [m] = 1 m
+metric height = base.position.z
+metric attitude = sum(base.orientation.wxyz) + sum(base.rotation[1, 0..2])
+metric axes = norm(base.forward + base.left)
+on end_of_time_step {
+  reward rate up = base.up.z
+  if not fallen and any(contact[body, head]) {
+    fallen = true
+    reward fall = -penalty
+    log impact = norm(base.velocity)
+  }
+  require base.position.z > -1 m "above the ground"
+  if base.position.x > 5 m { end_episode success "crosses the line" }
+  if time > 20 s { truncate_episode "time is up" }
+}
+)";
+
+// Each as "ok", or what is said of it.
+std::string TextOf(const std::string& tests, const std::string& filter = "") {
+  static const TemporaryFolder cache;
+  const CheckedSource checked("tested.task", kTask + tests);
+  if (!checked.task) return checked.Messages();
+  return ToText(TestTask(*checked.task, checked.sources, filter, cache.path()), checked.sources);
+}
+
+TEST(TestTask, RunsATestOfThePaper) {
+  EXPECT_EQ(TextOf(R"(test "a fall is paid once in an action" {
+  given contact[head] = true
+  fire start_of_action, 2 * end_of_time_step
+  expect total(fall) == -4
+  expect fallen
+}
+)"),
+            "ok      a fall is paid once in an action\n");
+}
+
+TEST(TestTask, TellsWhatItSaw) {
+  EXPECT_EQ(TextOf(R"(test "too much" {
+  given contact = true
+  given base.velocity.xy = 3 m/s
+  fire 2 * end_of_time_step
+  expect total(fall) == -8
+  expect fallen and value(impact) < 4 m/s
+  expect not fallen
+  expect ended
+}
+)"),
+            R"(FAILED  too much
+        tested.task:23: expect total(fall) == -8
+            total(fall) is -4
+        tested.task:24: expect fallen and value(impact) < 4 m/s
+            value(impact) is 4.242640687119285 m/s
+        tested.task:25: expect not fallen
+        tested.task:26: expect ended
+)");
+}
+
+TEST(TestTask, BeginsUprightAndAtRest) {
+  EXPECT_EQ(TextOf(R"(test "rest" {
+  expect base.orientation.w == 1
+  expect base.rotation[2, 2] == 1 and base.rotation[0, 1] == 0
+  expect base.up.z == 1 and base.forward.x == 1 and base.left.y == 1
+  expect norm(base.velocity) == 0 and none(contact)
+  expect place.y == 1 m and not ended
+  fire end_of_time_step
+  expect reward == 0.005
+}
+)"),
+            "ok      rest\n");
+}
+
+TEST(TestTask, GivesParamsMemoryAndTheTimeStep) {
+  EXPECT_EQ(TextOf(R"(test "given" {
+  given penalty = 7
+  given place.xy = 2 m
+  given fallen = true
+  given time_step = 10 ms
+  fire end_of_time_step
+  expect total(fall) == 0
+  expect total(up) == 0.01
+  expect place.x == 2 m and place.z == 1 m
+  given fallen = false
+  given contact[body] = true
+  fire end_of_time_step
+  expect total(fall) == -7
+  given base.position.z = 0.5 m
+  expect value(height) == 0.5 m
+}
+)"),
+            "ok      given\n");
+}
+
+TEST(TestTask, KnowsTheFirstEnd) {
+  EXPECT_EQ(TextOf(R"(test "ends" {
+  fire end_of_time_step
+  expect truncate_episode "time is up"
+  given time = 21 s
+  fire end_of_time_step
+  given base.position.x = 6 m
+  fire end_of_time_step
+  expect truncate_episode "time is up"
+  expect end_episode success "crosses the line"
+}
+)"),
+            R"(FAILED  ends
+        tested.task:21: expect truncate_episode "time is up"
+            the episode has not ended
+        tested.task:27: expect end_episode success "crosses the line"
+            it ended otherwise: truncate_episode "time is up"
+)");
+}
+
+TEST(TestTask, BeginsEachTestAnew) {
+  const std::string test = R"({
+  expect not fallen and total(fall) == 0
+  given contact[body] = true
+  fire end_of_time_step
+  expect fallen
+}
+)";
+  const std::string tests = "test \"one\" " + test + "test \"another\" " + test;
+  EXPECT_EQ(TextOf(tests), "ok      one\nok      another\n");
+  EXPECT_EQ(TextOf(tests, "other"), "ok      another\n");
+  EXPECT_EQ(TextOf(tests, "none of them"), "");
+}
+
+}  // namespace
+}  // namespace compiler

@@ -1,0 +1,86 @@
+#include "runtime/analysis/picture/snapshot_strip.h"
+
+#include <gmock/gmock.h>
+
+#include "base/seal/sha256.h"
+#include "runtime/training/run/body_json.h"
+#include "tests/runtime/analysis/picture/decode_png.h"
+#include "tests/runtime/analysis/picture/standing_ball.h"
+#include "tests/runtime/analysis/report/sample_run.h"
+
+namespace runtime {
+namespace {
+
+using testing::ElementsAre;
+
+// A frame each 0.5 s.
+Motion MotionOf(int frames) {
+  return MotionThrough(std::vector<Eigen::Vector3d>(static_cast<size_t>(frames), {0, 0, 1}));
+}
+
+struct Crawl {
+  std::vector<robot::Link> links = ParseBody(SampleRunRecord().body).value();
+  Motion motion = ReadMotion(SampleRecording(2, 0.3), static_cast<int>(links.size()));
+};
+
+TEST(SnapshotTimes, SpanTheMotionInEqualSteps) {
+  EXPECT_THAT(SnapshotTimes(MotionOf(9), {.count = 3}), ElementsAre(0, 2, 4));
+  EXPECT_EQ(SnapshotTimes(MotionOf(100)).size(), 8u);
+}
+
+TEST(SnapshotTimes, AreThoseOfTheNearestFrames) {
+  EXPECT_THAT(SnapshotTimes(MotionOf(6), {.count = 4}), ElementsAre(0, 1, 1.5, 2.5));
+}
+
+TEST(SnapshotTimes, StayWithinTheChosenPart) {
+  const Motion motion = MotionOf(9);
+  EXPECT_THAT(SnapshotTimes(motion, {.count = 3, .from = 1, .to = 3}), ElementsAre(1, 2, 3));
+  EXPECT_THAT(SnapshotTimes(motion, {.count = 3, .from = 3, .to = 9}), ElementsAre(3, 3.5, 4));
+  EXPECT_THAT(SnapshotTimes(motion, {.count = 2, .from = 9}), ElementsAre(4, 4));
+}
+
+TEST(SnapshotTimes, RepeatFramesWhereThereAreTooFew) {
+  EXPECT_THAT(SnapshotTimes(MotionOf(1), {.count = 2}), ElementsAre(0, 0));
+  EXPECT_THAT(SnapshotTimes(MotionOf(9), {.count = 1}), ElementsAre(0));
+}
+
+// The pixels of a crawl. Where they have changed on purpose, look at them (`trainer snapshots`),
+// then write down what the test says they are.
+TEST(SnapshotStrip, HasTheSamePixelsEverywhere) {
+  const Crawl crawl;
+  const Image image =
+      DecodePng(SnapshotStrip(crawl.motion, crawl.links, {.count = 3, .height = 100}));
+  EXPECT_EQ(image.width, 300);
+  EXPECT_EQ(image.height, 100);
+  EXPECT_EQ(seal::Sha256({reinterpret_cast<const char*>(image.bytes.data()), image.bytes.size()}),
+            "123e58588cf741ada9f4142b9fd1063ec9b6d768189d340bb7e8aeff4673c1bc");
+}
+
+TEST(SnapshotStrip, IsTheSameFileEachTime) {
+  const Crawl crawl;
+  const StripOptions options{.count = 2, .height = 60};
+  EXPECT_EQ(SnapshotStrip(crawl.motion, crawl.links, options),
+            SnapshotStrip(crawl.motion, crawl.links, options));
+}
+
+// Whatever stands beside it.
+TEST(SnapshotStrip, ShowsTheChosenPart) {
+  const Motion motion = MotionThrough({{0, 0, 0.1}, {1, 0, 0.1}, {2, 0, 0.1}, {2, 0, 0.5}});
+  const auto strip = [&](double from, double to) {
+    return DecodePng(
+        SnapshotStrip(motion, Ball(0.1), {.count = 1, .height = 60, .from = from, .to = to}));
+  };
+  EXPECT_EQ(strip(0.5, 0.5).bytes, strip(0.6, 0.6).bytes);
+  EXPECT_NE(strip(0.5, 0.5).bytes, strip(1.5, 1.5).bytes);
+}
+
+TEST(SnapshotStrip, DrawsWhatASimulationThatDivergedLeaves) {
+  const std::vector<Eigen::Vector3d> places = {
+      {0, 0, 0.1}, {1e30, -1e30, 1e30}, {0, 0, -1e30}, {3e38, 3e38, -3e38}};
+  const Image image =
+      DecodePng(SnapshotStrip(MotionThrough(places), Ball(0.1), {.count = 4, .height = 32}));
+  EXPECT_EQ(image.width, 4 * 32);
+}
+
+}  // namespace
+}  // namespace runtime

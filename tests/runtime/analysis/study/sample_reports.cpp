@@ -1,0 +1,50 @@
+// sample_reports FOLDER: runs with made-up contents and their reports, for looking at the page:
+// FOLDER/full with recordings, FOLDER/first with one episode and none, FOLDER/tuned with changes,
+// and FOLDER/study, many runs.
+
+#include <cstdio>
+#include <exception>
+#include <functional>
+
+#include "runtime/analysis/report/report.h"
+#include "runtime/analysis/study/study_report.h"
+#include "tests/runtime/analysis/report/sample_run.h"
+#include "tests/runtime/analysis/study/sample_study.h"
+
+namespace {
+
+void WriteReportOf(const std::filesystem::path& folder,
+                   const std::function<void(const std::filesystem::path&)>& write_run) {
+  std::filesystem::remove_all(folder);
+  write_run(folder);
+  std::printf("%s\n", runtime::WriteReport(folder).c_str());
+}
+
+void WriteSample(const std::filesystem::path& folder, const runtime::SampleSize& size) {
+  WriteReportOf(folder, [&](const auto& place) { runtime::WriteSampleRun(place, size); });
+}
+
+void WriteStudySample(const std::filesystem::path& folder) {
+  std::filesystem::remove_all(folder);
+  const auto runs = runtime::WriteStudy(folder);
+  std::printf("%s\n", runtime::WriteStudyReport(folder, runs, {}).c_str());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 2) {
+    std::fprintf(stderr, "usage: sample_reports FOLDER\n");
+    return 2;
+  }
+  const std::filesystem::path folder = argv[1];
+  try {
+    WriteSample(folder / "full", {.episodes = 800, .record_every = 100, .duration = 20});
+    WriteSample(folder / "first", {.episodes = 1});
+    WriteReportOf(folder / "tuned", runtime::WriteTunedRun);
+    WriteStudySample(folder / "study");
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 1;
+  }
+}

@@ -1,4 +1,0 @@
-// A task without params.
-#include "tests/runtime/task/plugins/plugin_table.h"
-
-PLUGIN(.name = "bare", .robot = "")

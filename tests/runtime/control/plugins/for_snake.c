@@ -1,3 +1,0 @@
-#include "tests/runtime/task/plugins/plugin_table.h"
-
-PLUGIN(.robot = "snake")

@@ -1,0 +1,57 @@
+#include "runtime/core/task/robot_check.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/runtime/core/task/test_plugins.h"
+
+namespace runtime {
+namespace {
+
+std::string MessageOfCheck(const std::string& plugin) {
+  return MessageOf([&] { CheckFitsRobot(Plugin(PluginFile(plugin)), Walker()); });
+}
+
+TEST(CheckFitsRobot, AcceptsWhatFits) {
+  EXPECT_EQ(MessageOfCheck("walking"), "no error");
+  EXPECT_EQ(MessageOfCheck("empty"), "no error");
+}
+
+TEST(CheckFitsRobot, AcceptsATaskForAnyRobotThatKnowsTheNumberOfLinks) {
+  EXPECT_EQ(MessageOfCheck("for_any_robot"), "no error");
+}
+
+TEST(CheckFitsRobot, RefusesATaskForAnotherRobot) {
+  EXPECT_EQ(MessageOfCheck("other_robot"),
+            "test.task: the task `test` is for the robot `snake`, and this run has the robot "
+            "`walker`");
+}
+
+TEST(CheckFitsRobot, RefusesAnUnknownSensor) {
+  EXPECT_EQ(MessageOfCheck("unknown_sensor"),
+            "test.task: the task reads the sensor `base.velocty`, which the robot `walker` "
+            "does not have: did you mean `base.velocity`?");
+}
+
+TEST(CheckFitsRobot, RefusesAnotherType) {
+  EXPECT_EQ(
+      MessageOfCheck("sensor_of_other_type"),
+      "test.task: the task reads the sensor `base.velocity` as `quat [m/s]`, and "
+      "the robot `walker` gives `vec3 [m/s]`: correct the task, and build it again with `taskc "
+      "build`");
+}
+
+TEST(CheckFitsRobot, RefusesAnotherUnit) {
+  EXPECT_EQ(MessageOfCheck("sensor_of_other_unit"),
+            "test.task: the task reads the sensor `base.velocity` as `vec3 [m]`, and the "
+            "robot `walker` gives `vec3 [m/s]`: correct the task, and build it again with `taskc "
+            "build`");
+}
+
+TEST(CheckFitsRobot, RefusesABodyWithAnotherNumberOfLinks) {
+  EXPECT_EQ(MessageOfCheck("other_body"),
+            "test.task: the task was built for another `walker`: its sensor `contact` has 18 "
+            "elements, this robot's has 3; build it again with `taskc build`");
+}
+
+}  // namespace
+}  // namespace runtime

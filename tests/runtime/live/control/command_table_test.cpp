@@ -1,0 +1,62 @@
+#include "runtime/live/control/command_table.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <string>
+
+#include "runtime/base/user_error.h"
+
+namespace runtime {
+namespace {
+
+std::string ErrorOf(const char* command, const nlohmann::json& arguments) {
+  try {
+    CheckArguments(FindCommand(command), arguments);
+  } catch (const UserError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(CommandTable, NamesAreUnique) {
+  std::set<std::string> names;
+  for (const CommandSpec& command : Commands()) {
+    EXPECT_TRUE(names.insert(command.name).second) << command.name;
+    std::set<std::string> arguments;
+    for (const ArgumentSpec& argument : command.arguments) {
+      EXPECT_TRUE(arguments.insert(argument.name).second) << command.name << " " << argument.name;
+    }
+  }
+}
+
+TEST(CommandTable, AMisspeltCommandIsToldTheNearest) {
+  try {
+    FindCommand("swop");
+    FAIL();
+  } catch (const UserError& error) {
+    EXPECT_STREQ(error.what(), "there is no command `swop`: did you mean `swap`?");
+  }
+}
+
+TEST(CommandTable, ArgumentsAreChecked) {
+  EXPECT_EQ(ErrorOf("swap", {{"name", "task"}, {"file", "a.task"}, {"now", true}}), "");
+  EXPECT_EQ(ErrorOf("set", {{"name", "task.gain"}, {"value", 0.5}}), "");
+  EXPECT_EQ(ErrorOf("set", {{"name", "task.gain"}, {"value", "20 s"}}), "");
+  EXPECT_EQ(ErrorOf("status", nlohmann::json::array()),
+            "the arguments of `status` must be a JSON object");
+  EXPECT_EQ(ErrorOf("swap", {{"name", "task"}}),
+            "`swap` needs the argument `file`: a .task file, or a .so of taskc");
+  EXPECT_EQ(ErrorOf("swap", {{"name", "task"}, {"file", 3}}),
+            "the argument `file` of `swap` must be a text");
+  EXPECT_EQ(ErrorOf("step", {{"count", 1.5}}),
+            "the argument `count` of `step` must be a whole number");
+  EXPECT_EQ(ErrorOf("set", {{"name", "task.gain"}, {"value", nullptr}}),
+            "the argument `value` of `set` must be a number, a truth value, a text or a list of "
+            "numbers");
+  EXPECT_EQ(ErrorOf("unload", {{"name", "task"}, {"nmae", "task"}}),
+            "`unload` has no argument `nmae`: did you mean `name`?");
+}
+
+}  // namespace
+}  // namespace runtime

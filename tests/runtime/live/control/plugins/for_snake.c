@@ -1,0 +1,3 @@
+#include "tests/runtime/core/task/plugins/plugin_table.h"
+
+PLUGIN(.robot = "snake")

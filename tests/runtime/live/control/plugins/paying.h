@@ -1,0 +1,56 @@
+// A task for any robot that pays per second, counts its episodes and ends when its time is up. To
+// be included with NAME defined.
+#include "tests/runtime/core/task/plugins/plugin_table.h"
+
+typedef struct memory {
+  taskc_int64 episodes;  // per run
+  double time;           // [s], per episode
+} memory;
+
+enum { GAIN, LIMIT, COUNT, PARAM_COUNT };
+
+static void initialize(taskc_frame* frame) {
+  memory* m = (memory*)frame->memory;
+  m->episodes = 0;
+  m->time = 0;
+}
+
+static void start_of_episode(taskc_frame* frame) {
+  memory* m = (memory*)frame->memory;
+  m->episodes += 1;
+  m->time = 0;
+}
+
+static void end_of_time_step(taskc_frame* frame) {
+  memory* m = (memory*)frame->memory;
+  m->time += frame->time_step;
+  frame->reward = frame->params[GAIN] * frame->time_step;
+  frame->terms[0] += frame->reward;
+  if (m->time > frame->params[LIMIT]) frame->end = 0;
+}
+
+static void measure(taskc_frame* frame) {
+  frame->metrics[0] = (double)((const memory*)frame->memory)->episodes;
+}
+
+static const taskc_sensor sensors[] = {
+    {"time", "real", "s", TASKC_REAL, 1, 1, 1u << TASKC_END_OF_TIME_STEP}};
+static const taskc_param params[PARAM_COUNT] = {
+    {"gain", "per second", "", TASKC_REAL, 1, 0, 10},
+    {"limit", "of the time", "s", TASKC_REAL, 0.0999, 0.001, 10},
+    {"count", "of nothing", "", TASKC_INT, 3, 0, 100},
+};
+static const taskc_memory variables[] = {
+    {"episodes", "int", "", TASKC_INT, 1, 1, TASKC_PER_RUN, offsetof(memory, episodes)},
+    {"time", "real", "s", TASKC_REAL, 1, 1, TASKC_PER_EPISODE, offsetof(memory, time)},
+};
+static const taskc_reward_term terms[] = {{"presence", "", {0, 10}}};
+static const taskc_metric metrics[] = {{"episodes", "", "", TASKC_LAST}};
+static const taskc_end ends[] = {{"time is up", TASKC_TRUNCATED, {0, 16}}};
+
+PLUGIN(.name = NAME, .robot = "", .sensors = sensors, .sensor_count = 1, .params = params,
+       .param_count = PARAM_COUNT, .memory = variables, .memory_count = 2, .terms = terms,
+       .term_count = 1, .metrics = metrics, .metric_count = 1, .ends = ends, .end_count = 1,
+       .memory_size = sizeof(memory), .initialize = initialize, .measure = measure,
+       .events = {[TASKC_START_OF_EPISODE] = start_of_episode,
+                  [TASKC_END_OF_TIME_STEP] = end_of_time_step})

@@ -1,0 +1,91 @@
+#include "runtime/training/simulation/joint_controller.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/runtime/training/simulation/robots.h"
+
+namespace runtime {
+namespace {
+
+class JointControllerTest : public testing::TestWithParam<const char*> {
+ protected:
+  const Profile& profile() const { return FindProfile(GetParam()); }
+};
+
+INSTANTIATE_TEST_SUITE_P(, JointControllerTest,
+                         testing::Values("paper", "fast", "paper-tree", "fast-tree"),
+                         ProfileInName);
+
+TEST_P(JointControllerTest, TorqueIsThatOfTheSpringAndTheDamper) {
+  World world(Humanoid(), profile(), Humanoid().poses[0]);
+  std::vector<double> targets = Zeros(Humanoid());
+  targets[8] = 0.1;
+  StepFor(world, 0.01, targets);
+  const double angle = dJointGetHingeAngle(world.body().hinge(8));
+  const double rate = dJointGetHingeAngleRate(world.body().hinge(8));
+  ASSERT_NE(rate, 0);
+  targets[8] = 0.2;
+  world.Step(targets);
+  EXPECT_DOUBLE_EQ(world.controller().torques()[8], 2.5 * (0.2 - angle) - 0.08 * rate);
+}
+
+TEST_P(JointControllerTest, TorqueIsLimited) {
+  World world(Humanoid(), profile(), Humanoid().poses[0]);
+  std::vector<double> targets = Zeros(Humanoid());
+  targets[1] = 1;  // asks for 2.5 N m
+  targets[4] = -1;
+  world.Step(targets);
+  EXPECT_EQ(world.controller().torques()[1], 1.029);
+  EXPECT_EQ(world.controller().torques()[4], -1.029);
+  EXPECT_EQ(world.controller().torques()[0], 0);
+}
+
+TEST_P(JointControllerTest, APositiveTorqueIncreasesTheAngle) {
+  for (size_t j = 0; j < Humanoid().joints.size(); ++j) {
+    robot::Pose pose = Humanoid().poses[0];
+    pose.position[2] = 10;
+    World world(Humanoid(), profile(), pose);
+    std::vector<double> targets = Zeros(Humanoid());
+    targets[j] = 0.1;
+    world.Step(targets);
+    EXPECT_GT(world.controller().torques()[j], 0) << Humanoid().joints[j].name;
+    EXPECT_GT(dJointGetHingeAngleRate(world.body().hinge(j)), 0) << Humanoid().joints[j].name;
+  }
+}
+
+// The limit is one of what acts, not only of what is reported: from rest, the greatest torque on
+// the rotor's reduced inertia.
+TEST_P(JointControllerTest, TheLimitActs) {
+  robot::RobotDescription rotor = Rotor();
+  rotor.controller.max_torque = 0.002;  // the spring asks for 0.01
+  World world(rotor, profile(), rotor.poses[0]);
+  StepFor(world, 0.1, {0});
+  const double hub = 0.4 * 1.0 * 0.1 * 0.1;
+  const double wheel = 0.4 * 0.5 * 0.08 * 0.08;
+  const double inertia = hub * wheel / (hub + wheel);
+  EXPECT_NEAR(dJointGetHingeAngleRate(world.body().hinge(0)), -0.002 / inertia * 0.1, 1e-6);
+}
+
+TEST_P(JointControllerTest, FollowsTheAnalyticDampedOscillation) {
+  const robot::RobotDescription rotor = Rotor();
+  World world(rotor, profile(), rotor.poses[0]);
+  const double hub = 0.4 * 1.0 * 0.1 * 0.1;
+  const double wheel = 0.4 * 0.5 * 0.08 * 0.08;
+  const double inertia = hub * wheel / (hub + wheel);
+  const double decay = rotor.controller.damping / (2 * inertia);
+  const double omega = std::sqrt(rotor.controller.stiffness / inertia - decay * decay);
+  // Both are methods of first order: their errors shrink with the step.
+  const double tolerance = 5 * world.time_step();
+  for (int i = 1; i <= 20; ++i) {
+    StepFor(world, 0.05, {0});
+    const double t = 0.05 * i;
+    const double angle =
+        0.5 * std::exp(-decay * t) * (std::cos(omega * t) + decay / omega * std::sin(omega * t));
+    EXPECT_NEAR(dJointGetHingeAngle(world.body().hinge(0)), angle, tolerance) << t;
+  }
+}
+
+}  // namespace
+}  // namespace runtime
