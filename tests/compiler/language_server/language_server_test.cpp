@@ -12,7 +12,7 @@
 #include "compiler/language_server/message_stream.h"
 #include "compiler/language_server/uri.h"
 #include "tests/compiler/golden.h"
-#include "tests/compiler/language_server/marked_text.h"
+#include "tests/compiler/language_server/editor.h"
 #include "tests/compiler/temporary_folder.h"
 
 namespace compiler {
@@ -27,121 +27,6 @@ using testing::IsEmpty;
 using testing::Not;
 using testing::StartsWith;
 using testing::UnorderedElementsAre;
-
-constexpr const char* kTask = R"(/// Move forward.
-task crawling for humanoid
-
-start standing
-
-/// What a fall costs.
-param fall_penalty: real = 4 in 0 .. 20
-
-memory fallen: bool = false per action
-
-on end_of_time_step {
-  let speed = norm(base.velocity.xy)
-  reward rate forward = speed / 1 m
-  if not fallen and any(contact[body, head]) {
-    fallen = true
-    reward fall = -fall_penalty
-  }
-  if time > 20 s { truncate_episode "time is up" }
-}
-)";
-
-// An editor with a folder of its own.
-class Editor {
- public:
-  explicit Editor(const Json& capabilities = Json::object())
-      : server_({.robots = SOURCE_DIR "/plugins", .diagnostics_page = "/page.md"}) {
-    const Json folder{{"uri", UriOfPath(folder_.path())}, {"name", "tasks"}};
-    greeting = Ask("initialize",
-                   {{"capabilities", capabilities}, {"workspaceFolders", Json::array({folder})}});
-    Tell("initialized", Json::object());
-  }
-
-  // The answer's result, or its error.
-  Json Ask(const std::string& method, const Json& params) {
-    const Json request{{"jsonrpc", "2.0"}, {"id", 7}, {"method", method}, {"params", params}};
-    const std::vector<Json> answers = server_.Receive(request.dump());
-    EXPECT_EQ(answers.size(), 1u);
-    EXPECT_EQ(answers.at(0)["id"], 7);
-    return answers[0].contains("result") ? answers[0]["result"] : answers[0].at("error");
-  }
-
-  // What the server then says by itself.
-  std::vector<Json> Tell(const std::string& method, const Json& params) {
-    const Json notification{{"jsonrpc", "2.0"}, {"method", method}, {"params", params}};
-    EXPECT_THAT(server_.Receive(notification.dump()), IsEmpty());
-    return server_.Report();
-  }
-
-  std::string UriOf(const std::string& name) const { return UriOfPath(folder_.path() / name); }
-
-  std::vector<Json> Open(const std::string& name, const std::string& text) {
-    return Tell("textDocument/didOpen",
-                {{"textDocument",
-                  {{"uri", UriOf(name)}, {"languageId", "task"}, {"version", 1}, {"text", text}}}});
-  }
-  void Write(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_.path() / name) << text;
-  }
-
-  // Asks about the place of the cursor in a text that is opened for it.
-  Json AskAt(const std::string& method, const std::string& marked, Json more = Json::object()) {
-    const MarkedText at(marked);
-    Open("asked.task", at.text);
-    return AskIn("asked.task", method, at, std::move(more));
-  }
-  Json AskIn(const std::string& name, const std::string& method, const MarkedText& at,
-             Json more = Json::object()) {
-    const TextPositions positions(at.text, PositionEncoding::kUtf16);
-    more["textDocument"] = {{"uri", UriOf(name)}};
-    more["position"] = protocol::ToJson(positions.PositionOf(at.offset));
-    return Ask("textDocument/" + method, more);
-  }
-
-  std::string HoverAt(const std::string& marked) {
-    const Json hover = AskAt("hover", marked);
-    return hover.is_null() ? "" : hover["contents"]["value"].get<std::string>();
-  }
-
-  std::vector<std::string> CompleteAt(const std::string& marked) {
-    std::vector<std::string> labels;
-    const Json list = AskAt("completion", marked);
-    for (const Json& item : list["items"]) labels.push_back(item["label"]);
-    return labels;
-  }
-
-  LanguageServer& server() { return server_; }
-
-  Json greeting;
-
- private:
-  TemporaryFolder folder_;
-  LanguageServer server_;
-};
-
-// The task with its first `from` replaced.
-std::string TaskWith(const std::string& from, const std::string& to) {
-  std::string text = kTask;
-  const size_t place = text.find(from);
-  EXPECT_NE(place, std::string::npos) << from;
-  return text.replace(place, from.size(), to);
-}
-
-// "2:4-2:9"
-std::string Text(const Json& range) {
-  return fmt::format("{}:{}-{}:{}", range["start"]["line"].get<int>(),
-                     range["start"]["character"].get<int>(), range["end"]["line"].get<int>(),
-                     range["end"]["character"].get<int>());
-}
-
-std::vector<std::string> Ranges(const Json& places) {
-  std::vector<std::string> ranges;
-  for (const Json& place : places) ranges.push_back(Text(place["range"]));
-  return ranges;
-}
 
 // ---- Life ---------------------------------------------------------------------------------------
 
@@ -254,88 +139,6 @@ TEST(Diagnostics, OfARobotWithAWrongFileAreGivenInTheTask) {
   Editor editor;
   const auto said = editor.Open("a.task", "task a for nobody\n");
   EXPECT_EQ(said.at(0)["params"]["diagnostics"].at(0)["code"], "E0212");
-}
-
-// ---- Code actions -------------------------------------------------------------------------------
-
-// What is offered at the cursor.
-Json ActionsAt(Editor& editor, const std::string& marked, Json context = Json::object()) {
-  const MarkedText at(marked);
-  editor.Open("asked.task", at.text);
-  const TextPositions positions(at.text, PositionEncoding::kUtf16);
-  const Json place = protocol::ToJson(positions.PositionOf(at.offset));
-  context["diagnostics"] = Json::array();
-  return editor.Ask("textDocument/codeAction",
-                    {{"textDocument", {{"uri", editor.UriOf("asked.task")}}},
-                     {"range", {{"start", place}, {"end", place}}},
-                     {"context", context}});
-}
-
-TEST(CodeActions, AreAnnounced) {
-  EXPECT_EQ(Editor().greeting["capabilities"]["codeActionProvider"]["codeActionKinds"],
-            Json({"quickfix"}));
-}
-
-TEST(CodeActions, AreTheFixesOfMessages) {
-  Editor editor;
-  const Json actions = ActionsAt(editor, "task a for humanoid\nmetric far = bas.vel|ocity.x\n");
-  ASSERT_EQ(actions.size(), 1u);
-  EXPECT_EQ(actions[0]["title"], "Replace by `base.velocity`");
-  EXPECT_EQ(actions[0]["kind"], "quickfix");
-  EXPECT_EQ(actions[0]["isPreferred"], true);
-  EXPECT_EQ(actions[0]["diagnostics"][0]["code"], "E0202");
-  const Json edit = actions[0]["edit"]["changes"][editor.UriOf("asked.task")].at(0);
-  EXPECT_EQ(Text(edit["range"]), "1:13-1:25");
-  EXPECT_EQ(edit["newText"], "base.velocity");
-}
-
-TEST(CodeActions, OfferEachAlternative) {
-  Editor editor;
-  const Json actions = ActionsAt(editor, "task a\nmetric far = sin(|30)\n");
-  ASSERT_EQ(actions.size(), 2u);
-  EXPECT_EQ(actions[0]["title"], "Replace by `30 deg`");
-  EXPECT_EQ(actions[1]["title"], "Replace by `30 rad`");
-  EXPECT_EQ(actions[0]["isPreferred"], false);
-}
-
-TEST(CodeActions, SayWhatTheyRemoveAndInsert) {
-  Editor editor;
-  EXPECT_EQ(ActionsAt(editor, "task a\nmetric far = 1 + |+2\n").at(0)["title"], "Remove `+`");
-  EXPECT_EQ(ActionsAt(editor, "task a\nmetric far = sin(exp(1)|)\n").at(0)["title"],
-            "Insert ` * 1 rad`");
-}
-
-TEST(CodeActions, AreThereOnlyWhereTheMistakeIs) {
-  Editor editor;
-  EXPECT_EQ(ActionsAt(editor, "task| a\nmetric far = sin(30)\n"), Json::array());
-  EXPECT_EQ(ActionsAt(editor, "task a\nmetric far = completely_unknown|\n"), Json::array());
-}
-
-TEST(CodeActions, AreOnlyOfTheKindsThatAreWanted) {
-  Editor editor;
-  const std::string text = "task a\nmetric far = sin(|30)\n";
-  EXPECT_EQ(ActionsAt(editor, text, {{"only", {"refactor"}}}), Json::array());
-  EXPECT_EQ(ActionsAt(editor, text, {{"only", {"refactor", "quickfix"}}}).size(), 2u);
-}
-
-// The message that shows a mistake may still be under way.
-TEST(CodeActions, AreThoseOfThePresentText) {
-  Editor editor;
-  editor.Open("a.task", "task a\nmetric far = sin(30)\n");
-  const Json document{{"uri", editor.UriOf("a.task")}, {"version", 2}};
-  const Json change{{"jsonrpc", "2.0"},
-                    {"method", "textDocument/didChange"},
-                    {"params",
-                     {{"textDocument", document},
-                      {"contentChanges", {{{"text", "task a\n\nmetric far = sin(40)\n"}}}}}}};
-  editor.server().Receive(change.dump());
-  const Json whole{{"start", {{"line", 0}, {"character", 0}}},
-                   {"end", {{"line", 9}, {"character", 0}}}};
-  const Json actions =
-      editor.Ask("textDocument/codeAction", {{"textDocument", document},
-                                             {"range", whole},
-                                             {"context", {{"diagnostics", Json::array()}}}});
-  EXPECT_EQ(actions.at(0)["title"], "Replace by `40 deg`");
 }
 
 // ---- Hover --------------------------------------------------------------------------------------
