@@ -69,6 +69,16 @@ uint32_t DisplayWidth(char32_t value) {
   return Contains(kDoubleWidth, value) ? 2 : 1;
 }
 
+uint32_t DisplayWidth(std::string_view text) {
+  uint32_t width = 0;
+  for (size_t i = 0; i < text.size();) {
+    const CodePoint point = DecodeUtf8(text, i);
+    width += DisplayWidth(point.value);
+    i += point.length;
+  }
+  return width;
+}
+
 bool IsUnprintable(char32_t value) { return Contains(kUnprintable, value); }
 
 }  // namespace text

@@ -19,6 +19,8 @@ CodePoint DecodeUtf8(std::string_view text, size_t offset);
 
 // How many columns of a terminal a code point fills: 0, 1 or 2.
 uint32_t DisplayWidth(char32_t value);
+// The sum over a text without line ends and tabs.
+uint32_t DisplayWidth(std::string_view text);
 
 // True for characters that would disturb the display: control characters, the line ends of Unicode,
 // and those that change the direction of writing.

@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/text/utf8.h"
 #include "compiler/format/gap.h"
 #include "compiler/format/line_list.h"
 #include "compiler/format/spacing.h"
@@ -68,11 +69,11 @@ class Formatter {
   // Is the block written in one line, short enough to be left there?
   bool IsOneLine(size_t open) const {
     const size_t close = EndOfBlock(open);
-    uint32_t width = lines_.width() + WidthOf(TextOf(tokens_[open]));
+    uint32_t width = lines_.width() + text::DisplayWidth(TextOf(tokens_[open]));
     for (size_t i = open + 1; i <= close; ++i) {
       if (GapBefore(i).find_first_of("\r\n") != std::string_view::npos) return false;
       if (IsSpaced(tokens_[i - 1].role, tokens_[i].role)) ++width;
-      width += WidthOf(TextOf(tokens_[i]));
+      width += text::DisplayWidth(TextOf(tokens_[i]));
     }
     return width <= kLineWidth && CountStatements(open, close) <= 1;
   }

@@ -20,7 +20,9 @@ void LineList::Append(std::string_view text) { lines_.back().code += text; }
 
 void LineList::AddTrailingComment(std::string_view comment) { lines_.back().comment = comment; }
 
-uint32_t LineList::width() const { return lines_.empty() ? 0 : WidthOf(lines_.back().code); }
+uint32_t LineList::width() const {
+  return lines_.empty() ? 0 : text::DisplayWidth(lines_.back().code);
+}
 
 std::string LineList::Join(std::string_view line_end) {
   AlignComments();
@@ -34,22 +36,13 @@ void LineList::AlignComments() {
     const auto last =
         std::find_if(first, lines_.end(), [](const Line& line) { return line.comment.empty(); });
     uint32_t column = 0;
-    for (auto line = first; line != last; ++line) column = std::max(column, WidthOf(line->code));
+    for (auto line = first; line != last; ++line)
+      column = std::max(column, text::DisplayWidth(line->code));
     for (auto line = first; line != last; ++line) {
-      line->code.append(column + kCommentDistance - WidthOf(line->code), ' ');
+      line->code.append(column + kCommentDistance - text::DisplayWidth(line->code), ' ');
     }
     first = last == lines_.end() ? last : last + 1;
   }
-}
-
-uint32_t WidthOf(std::string_view text) {
-  uint32_t width = 0;
-  for (size_t i = 0; i < text.size();) {
-    const text::CodePoint point = text::DecodeUtf8(text, i);
-    width += text::DisplayWidth(point.value);
-    i += point.length;
-  }
-  return width;
 }
 
 }  // namespace compiler

@@ -34,7 +34,4 @@ class LineList {
   std::vector<Line> lines_;
 };
 
-// Columns of a text in a terminal or an editor.
-uint32_t WidthOf(std::string_view text);
-
 }  // namespace compiler

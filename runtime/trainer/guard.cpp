@@ -15,7 +15,6 @@
 #include <cstring>
 #include <fstream>
 #include <new>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -217,9 +216,8 @@ std::string EpisodesText(int64_t first, int64_t last) {
 // What is left of a run that was told to stop at once.
 void SayWhatIsKept(const std::filesystem::path& run) {
   const RunDatabase database = RunDatabase::OpenToRead(run);
-  const std::optional<Checkpoint> checkpoint = database.ReadCheckpoint();
   const std::vector<EpisodeRecord> episodes = database.ReadEpisodes();
-  const int64_t kept = checkpoint ? checkpoint->episode : 0;
+  const int64_t kept = database.ReadCheckpointEpisode();
   const int64_t present = (episodes.empty() ? 0 : episodes.back().number) + 1;
   text::Print(stderr,
               "stopped at once; kept: {}; lost: {}, which `trainer resume {}` runs again, bit for "

@@ -48,6 +48,7 @@ TEST(Utf8, WideAndCombiningCharactersHaveTheirWidth) {
   EXPECT_EQ(DisplayWidth(U'\u0301'), 0u);
   EXPECT_EQ(DisplayWidth(U'\u6f22'), 2u);
   EXPECT_EQ(DisplayWidth(U'\U0001F600'), 2u);
+  EXPECT_EQ(DisplayWidth("a\u00f6\u0301\u6f22"), 4u);
 }
 
 TEST(Utf8, ControlAndDirectionCharactersAreUnprintable) {

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/text/print.h"
+#include "base/text/utf8.h"
 
 namespace runtime {
 namespace {
@@ -25,7 +26,7 @@ size_t RowsOf(std::string_view lines, size_t columns) {
   size_t rows = 0;
   while (!lines.empty()) {
     const size_t end = lines.find('\n');
-    const size_t width = ColumnsOf(lines.substr(0, end));
+    const size_t width = text::DisplayWidth(lines.substr(0, end));
     rows += std::max<size_t>(1, width / columns + (width % columns > 0 ? 1 : 0));
     lines.remove_prefix(end == std::string_view::npos ? lines.size() : end + 1);
   }
@@ -33,11 +34,6 @@ size_t RowsOf(std::string_view lines, size_t columns) {
 }
 
 }  // namespace
-
-size_t ColumnsOf(std::string_view text) {
-  const auto goes_on = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; };
-  return text.size() - static_cast<size_t>(std::ranges::count_if(text, goes_on));
-}
 
 std::string FittingLine(const std::vector<LineField>& fields, size_t columns,
                         std::string_view between) {
@@ -47,7 +43,8 @@ std::string FittingLine(const std::vector<LineField>& fields, size_t columns,
   std::vector<bool> is_shown(fields.size());
   size_t width = 0;
   for (const size_t i : by_rank) {
-    const size_t with = width + (width > 0 ? between.size() : 0) + ColumnsOf(fields[i].text);
+    const size_t with =
+        width + (width > 0 ? between.size() : 0) + text::DisplayWidth(fields[i].text);
     if (fields[i].text.empty() || with > columns) continue;
     is_shown[i] = true;
     width = with;

@@ -12,9 +12,6 @@ namespace runtime {
 
 inline constexpr size_t kAnyWidth = std::numeric_limits<size_t>::max();
 
-// Columns that UTF-8 `text` takes on a terminal, each character being as wide as a letter.
-size_t ColumnsOf(std::string_view text);
-
 // A part of a line that is shown whole or not at all: a number that is cut is another number.
 struct LineField {
   std::string text;

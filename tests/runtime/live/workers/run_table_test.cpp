@@ -5,6 +5,8 @@
 #include <limits>
 #include <sstream>
 
+#include "base/text/utf8.h"
+
 namespace runtime {
 namespace {
 
@@ -64,7 +66,7 @@ TEST(RunTable, NeverIsWiderThanTheTerminal) {
   runs[0].episodes_planned = 100'000'000;
   for (size_t columns = 24; columns < 130; ++columns) {
     for (const std::string& line : Lines(RunTable(runs, columns))) {
-      EXPECT_LE(ColumnsOf(line), columns) << line;
+      EXPECT_LE(text::DisplayWidth(line), columns) << line;
     }
   }
 }

@@ -5,6 +5,7 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include "base/text/utf8.h"
 #include "tests/terminal.h"
 
 namespace runtime {
@@ -23,7 +24,7 @@ TEST(FittingLine, DropsWholeFieldsByTheirRanks) {
 }
 
 TEST(FittingLine, CountsCharactersNotBytes) {
-  EXPECT_EQ(ColumnsOf("…früh"), 5u);
+  EXPECT_EQ(text::DisplayWidth("…früh"), 5u);
   EXPECT_EQ(FittingLine({{"…früh", 0}}, 5), "…früh");
 }
 
