@@ -23,7 +23,7 @@ const GaussianNet& Net() {
 
 Eigen::VectorXd FeaturesAt(int unit) {
   Eigen::VectorXd features(Net().units());
-  Net().Evaluate(Net().centres().row(unit).transpose(), features);
+  Net().Evaluate(Net().centers().row(unit).transpose(), features);
   return features;
 }
 
@@ -37,7 +37,7 @@ void MakeBubbleNet(benchmark::State& state) {
 BENCHMARK(MakeBubbleNet)->Unit(benchmark::kMillisecond);
 
 void Features(benchmark::State& state) {
-  const Eigen::VectorXd point = Net().centres().row(7).transpose();
+  const Eigen::VectorXd point = Net().centers().row(7).transpose();
   Eigen::VectorXd features(Net().units());
   for (auto _ : state) {
     Net().Evaluate(point, features);
@@ -52,7 +52,7 @@ void Selection(benchmark::State& state) {
   for (double& value : values) value = random.Uniform();
   for (auto _ : state) {
     BoltzmannProbabilities(values, kTemperature, probabilities);
-    benchmark::DoNotOptimize(SpinRoulette(probabilities, random.Uniform()));
+    benchmark::DoNotOptimize(SampleCategorical(probabilities, random.Uniform()));
   }
 }
 BENCHMARK(Selection);

@@ -19,7 +19,7 @@
 #include "runtime/base/user_error.h"
 #include "runtime/core/agent/agent.h"
 #include "runtime/live/client/client.h"
-#include "runtime/live/control/live_network.h"
+#include "runtime/live/control/live_graph.h"
 #include "runtime/training/run/module_types.h"
 #include "runtime/training/simulation/robot_environment.h"
 
@@ -34,14 +34,14 @@ std::shared_ptr<const Plugin> LoadTask(const std::string& name) {
 class Humanoid {
  public:
   Humanoid() {
-    network_.Start();
+    graph_.Start();
     environment().StartEpisode();
     for (int step = 0; step < 20; ++step) environment().StepControl();
   }
 
-  RobotEnvironment& environment() { return network_.FindOnly<RobotEnvironment>(); }
-  UniversalTask& task() { return network_.FindOnly<UniversalTask>(); }
-  LiveNetwork& live() { return live_; }
+  RobotEnvironment& environment() { return graph_.FindOnly<RobotEnvironment>(); }
+  UniversalTask& task() { return graph_.FindOnly<UniversalTask>(); }
+  LiveGraph& live() { return live_; }
   // Nothing hears what the task pays: only the task itself is measured.
   void Isolate() {
     for (Port* slot : task().reward.Connections()) Port::Disconnect(task().reward, *slot);
@@ -51,9 +51,9 @@ class Humanoid {
   robot::RobotDescription robot_ = robot::ReadRobot(SOURCE_DIR "/plugins/humanoid/robot.toml");
   const ModuleTypes& types_ = ProgramModuleTypes();
   Context context_{&robot_, LoadTask("crawling"), 1};
-  Network network_ =
-      BuildNetwork(ReadAgent(SOURCE_DIR "/plugins/humanoid/agent.toml"), types_, context_);
-  LiveNetwork live_{network_, types_, context_};
+  ModuleGraph graph_ =
+      BuildGraph(ReadAgent(SOURCE_DIR "/plugins/humanoid/agent.toml"), types_, context_);
+  LiveGraph live_{graph_, types_, context_};
 };
 
 // ---- A time step ----------------------------------------------------------------------------
@@ -106,7 +106,7 @@ void EventWithShadows(benchmark::State& state) {
   std::vector<UniversalTask*> tasks = {&humanoid.task()};
   const auto plugin = LoadTask("crawling");
   // A shadow listens like the active task, which pays the learner: give it one.
-  auto& learner = humanoid.live().network().FindPort("learner.reward");
+  auto& learner = humanoid.live().graph().FindPort("learner.reward");
   Port::Connect(humanoid.task().reward, learner);
   for (int64_t i = 0; i < state.range(0); ++i) {
     tasks.push_back(

@@ -46,11 +46,11 @@ void Run(const Profile& profile, unsigned seed, Averages& averages) {
   World world(Humanoid(), profile, Humanoid().poses[0]);
   RandomMotion motion(seed);
   std::vector<double> targets(Humanoid().joints.size());
-  const int control_steps = static_cast<int>(kSeconds / Humanoid().controller.time_step + 0.5);
+  const int time_steps = static_cast<int>(kSeconds / Humanoid().controller.time_step + 0.5);
   double contacts = 0, links = 0, joint_speed = 0;
-  for (int step = 0; step < control_steps; ++step) {
+  for (int step = 0; step < time_steps; ++step) {
     motion.Next(targets);
-    for (int i = 0; i < world.steps_per_control_step(); ++i) world.Step(targets);
+    for (int i = 0; i < world.physics_steps_per_time_step(); ++i) world.Step(targets);
     contacts += static_cast<double>(world.collision().contacts().size());
     for (int i = 0; i < world.body().link_count(); ++i) links += world.contacts().flag(i);
     for (int j = 0; j < world.body().joint_count(); ++j) {
@@ -60,9 +60,9 @@ void Run(const Profile& profile, unsigned seed, Averages& averages) {
   const dReal* base = dBodyGetPosition(world.body().body(0));
   averages.height.Add(base[2]);
   averages.distance.Add(std::hypot(base[0], base[1]));
-  averages.contacts.Add(contacts / control_steps);
-  averages.links.Add(links / control_steps);
-  averages.joint_speed.Add(joint_speed / control_steps / world.body().joint_count());
+  averages.contacts.Add(contacts / time_steps);
+  averages.links.Add(links / time_steps);
+  averages.joint_speed.Add(joint_speed / time_steps / world.body().joint_count());
 }
 
 double CpuSeconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }

@@ -19,16 +19,16 @@ class RandomMotion {
  public:
   explicit RandomMotion(unsigned seed) : random_(seed) {}
 
-  // The joints' targets of the next control step; those of joints that do not move stay as they
+  // The joints' targets of the next time step; those of joints that do not move stay as they
   // are.
   void Next(std::span<double> targets) {
-    if (steps_ % kControlSteps == 0) {
+    if (steps_ % kTimeSteps == 0) {
       from_ = now_;
       for (size_t i = 0; i < to_.size(); ++i) {
         to_[i] = std::uniform_real_distribution(net_.low[i], net_.high[i])(random_);
       }
     }
-    const double rest = 1 - (steps_ % kControlSteps) / 60.0;
+    const double rest = 1 - (steps_ % kTimeSteps) / 60.0;
     for (size_t i = 0; i < to_.size(); ++i) {
       now_[i] = to_[i] - (to_[i] - from_[i]) * rest * rest * rest;
     }
@@ -39,7 +39,7 @@ class RandomMotion {
   }
 
  private:
-  static constexpr int kControlSteps = 32;  // of one posture
+  static constexpr int kTimeSteps = 32;  // of one posture
 
   const robot::DofConfiguration& dof_ = *Humanoid().FindDof("5");
   const robot::NetDescription& net_ = *Humanoid().FindNet("bq01");

@@ -1,5 +1,5 @@
 // What it costs to save an episode, to draw one, to write the reports of one run and of many, and
-// to fit gains to preferences.
+// to fit weights to preferences.
 
 #include <benchmark/benchmark.h>
 
@@ -93,7 +93,7 @@ StudyExperiment TenRuns() {
   return experiment;
 }
 
-// The fit to nine preferences, and all episodes under the new gains.
+// The fit to nine preferences, and all episodes under the new weights.
 void FitPreferencesOfTenRuns(benchmark::State& state) {
   const StudyExperiment experiment = TenRuns();
   ExperimentResult result{&experiment, 50, {}, {}};

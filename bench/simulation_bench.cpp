@@ -130,8 +130,8 @@ class Episode {
   double seconds_ = 0;
 };
 
-void ControlStep(benchmark::State& state, Situation situation) {
-  const double control_step = Humanoid().controller.time_step;
+void TimeStep(benchmark::State& state, Situation situation) {
+  const double time_step = Humanoid().controller.time_step;
   std::vector<std::unique_ptr<Episode>> episodes;
   for (const Profile& profile : kProfiles) {
     episodes.push_back(std::make_unique<Episode>(profile.name, situation));
@@ -142,13 +142,14 @@ void ControlStep(benchmark::State& state, Situation situation) {
   for (size_t i = 0; i < kProfiles.size(); ++i) {
     const std::string name(kProfiles[i].name);
     const double seconds = episodes[i]->seconds() / static_cast<double>(state.iterations());
-    state.counters[name + "_us"] = 1e6 * seconds / kProfiles[i].StepsPerControlStep(control_step);
-    state.counters[name + "_x"] = control_step / seconds;
+    state.counters[name + "_us"] =
+        1e6 * seconds / kProfiles[i].PhysicsStepsPerTimeStep(time_step);
+    state.counters[name + "_x"] = time_step / seconds;
   }
 }
-BENCHMARK_CAPTURE(ControlStep, standing, kStanding)->Unit(benchmark::kMicrosecond)->MinTime(3);
-BENCHMARK_CAPTURE(ControlStep, lying, kLying)->Unit(benchmark::kMicrosecond)->MinTime(3);
-BENCHMARK_CAPTURE(ControlStep, crawling, kCrawling)->Unit(benchmark::kMicrosecond)->MinTime(3);
+BENCHMARK_CAPTURE(TimeStep, standing, kStanding)->Unit(benchmark::kMicrosecond)->MinTime(3);
+BENCHMARK_CAPTURE(TimeStep, lying, kLying)->Unit(benchmark::kMicrosecond)->MinTime(3);
+BENCHMARK_CAPTURE(TimeStep, crawling, kCrawling)->Unit(benchmark::kMicrosecond)->MinTime(3);
 
 // The part of a physics step of `paper` that is not ODE's dWorldStep: controller, collisions,
 // filter, checks, signals, sensors.

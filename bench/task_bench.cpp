@@ -1,5 +1,5 @@
-// What a control step costs with each of the six tasks, besides physics and learning:
-//   Sensing    the sensors that the task reads at the end of every control step, out of the
+// What a time step costs with each of the six tasks, besides physics and learning:
+//   Sensing    the sensors that the task reads at the end of every time step, out of the
 //   simulation Callback   the task's end_of_time_step on them
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
@@ -43,7 +43,7 @@ class Scene {
     RandomMotion motion(1);
     for (int step = 0; step < 200; ++step) {
       motion.Next(targets);
-      for (int i = 0; i < world_.steps_per_control_step(); ++i) world_.Step(targets);
+      for (int i = 0; i < world_.physics_steps_per_time_step(); ++i) world_.Step(targets);
     }
     for (const taskc_sensor& sensor : std::span(plugin.sensors, plugin.sensor_count)) {
       RobotSensor& found = Find(sensor.name);
@@ -53,7 +53,7 @@ class Scene {
     Sense();
   }
 
-  // As in every control step.
+  // As in every time step.
   void Sense() {
     sensors_.Refresh(world_, 1);
     for (RobotSensor* sensor : read_) benchmark::DoNotOptimize(sensor->Read().data);
@@ -74,7 +74,7 @@ class Scene {
   World world_;
   RobotSensors sensors_;
   std::vector<RobotSensor*> found_;  // in the plugin's order
-  std::vector<RobotSensor*> read_;   // at the end of a control step
+  std::vector<RobotSensor*> read_;   // at the end of a time step
 };
 
 void Sensing(benchmark::State& state, const char* task) {

@@ -12,7 +12,7 @@ target_compile_definitions(project_options INTERFACE TASKC_VERSION="${PROJECT_VE
 if(TASKC_SANITIZE)
   target_compile_options(project_options INTERFACE
     -fsanitize=${TASKC_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all
-    # With sanitizers g++ 12 takes parts of std::regex for uninitialised.
+    # With sanitizers g++ 12 takes parts of std::regex for uninitialized.
     $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   target_link_options(project_options INTERFACE -fsanitize=${TASKC_SANITIZE})
 endif()

@@ -10,7 +10,7 @@
 namespace text {
 
 // How many single mistakes turn one name into the other: a missing, an additional or a wrong
-// character, or two neighbours swapped (Damerau's distance, each stretch edited at most once).
+// character, or two neighbors swapped (Damerau's distance, each stretch edited at most once).
 // Differences in case count as nothing.
 size_t SpellingDistance(std::string_view a, std::string_view b);
 

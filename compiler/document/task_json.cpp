@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "compiler/gains/gains.h"
 #include "compiler/syntax/words.h"
+#include "compiler/weights/weights.h"
 
 namespace compiler {
 namespace {
@@ -37,10 +37,10 @@ Json ToJson(const CheckedParam& param, const ParamUse& use, const CheckedTask& t
   return json;
 }
 
-Json ToJson(const CheckedTerm& term, std::optional<uint32_t> gain, const CheckedTask& task) {
+Json ToJson(const CheckedTerm& term, std::optional<uint32_t> weight, const CheckedTask& task) {
   return {{"name", term.name},
           {"doc", term.doc},
-          {"gain", gain ? Json(task.params[*gain].name) : Json()}};
+          {"weight", weight ? Json(task.params[*weight].name) : Json()}};
 }
 
 Json ToJson(const CheckedMetric& metric) {
@@ -54,7 +54,7 @@ Json ToJson(const CheckedMetric& metric) {
 
 Json ToJson(const Analysis& analysis) {
   const CheckedTask& task = *analysis.task;
-  const Gains gains = FindGains(task);
+  const Weights weights = FindWeights(task);
   Json json = {{"task", task.name},
                {"doc", task.doc},
                {"file", analysis.sources.main().path()},
@@ -64,9 +64,9 @@ Json ToJson(const Analysis& analysis) {
                {"terms", Json::array()},
                {"metrics", Json::array()}};
   for (size_t i = 0; i < task.params.size(); ++i)
-    json["params"].push_back(ToJson(task.params[i], gains.params[i], task));
+    json["params"].push_back(ToJson(task.params[i], weights.params[i], task));
   for (size_t i = 0; i < task.terms.size(); ++i)
-    json["terms"].push_back(ToJson(task.terms[i], gains.terms[i], task));
+    json["terms"].push_back(ToJson(task.terms[i], weights.terms[i], task));
   for (const CheckedMetric& metric : task.metrics) json["metrics"].push_back(ToJson(metric));
   return json;
 }

@@ -8,8 +8,8 @@
 
 #include "compiler/bounds/bounds.h"
 #include "compiler/document/equations.h"
-#include "compiler/gains/gains.h"
 #include "compiler/syntax/words.h"
+#include "compiler/weights/weights.h"
 #include "plugins/robot/sensors.h"
 
 namespace compiler {
@@ -77,7 +77,7 @@ class PageWriter {
       : analysis_(analysis),
         task_(*analysis.task),
         tree_(*analysis.tree),
-        gains_(FindGains(task_)) {}
+        weights_(FindWeights(task_)) {}
 
   Page Write() {
     page_.title = task_.name;
@@ -164,11 +164,11 @@ class PageWriter {
   void Bounds() {
     if (task_.terms.empty()) return;
     const TaskBounds bounds = ComputeBounds(task_);
-    Table table{{"term", "per second", "each time", "gain", "meaning"}, {}};
+    Table table{{"term", "per second", "each time", "weight", "meaning"}, {}};
     for (size_t i = 0; i < task_.terms.size(); ++i) {
       const TermBounds& term = bounds.terms[i];
       table.rows.push_back({Code(task_.terms[i].name), IntervalText(term.rate),
-                            IntervalText(term.payment), GainText(gains_.terms[i]),
+                            IntervalText(term.payment), WeightText(weights_.terms[i]),
                             FromDoc(task_.terms[i].doc)});
     }
     page_.blocks.push_back(
@@ -182,7 +182,7 @@ class PageWriter {
     return Plain(ToText(interval->low) + " .. " + ToText(interval->high));
   }
 
-  Text GainText(std::optional<uint32_t> param) const {
+  Text WeightText(std::optional<uint32_t> param) const {
     return param ? Code(task_.params[*param].name) : Text{};
   }
 
@@ -228,7 +228,7 @@ class PageWriter {
   void Params() {
     if (task_.params.empty()) return;
     AddHeading("Params");
-    Table table{{"param", "type", "default", "range", "gain of", "ends episodes", "meaning"}, {}};
+    Table table{{"param", "type", "default", "range", "weight of", "ends episodes", "meaning"}, {}};
     for (size_t i = 0; i < task_.params.size(); ++i) {
       const CheckedParam& param = task_.params[i];
       const bool is_bool = param.type.scalar == Scalar::kBool;
@@ -237,8 +237,8 @@ class PageWriter {
       table.rows.push_back(
           {Code(param.name), Code(ToString(param.type)), Plain(initial),
            is_bool ? Text{} : Plain(RangeText(param.minimum, param.maximum, param.unit)),
-           TermsText(gains_.params[i].scales),
-           gains_.params[i].changes_course ? Plain("yes") : Text{}, FromDoc(param.doc)});
+           TermsText(weights_.params[i].scales),
+           weights_.params[i].changes_course ? Plain("yes") : Text{}, FromDoc(param.doc)});
     }
     AddTable(std::move(table));
   }
@@ -383,7 +383,7 @@ class PageWriter {
   const Analysis& analysis_;
   const CheckedTask& task_;
   const SyntaxTree& tree_;
-  const Gains gains_;
+  const Weights weights_;
   Page page_;
 };
 

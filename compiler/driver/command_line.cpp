@@ -21,7 +21,7 @@ constexpr const char* kDescription =
 constexpr const char* kFooter =
     "`taskc VERB --help` tells more of a verb.\n"
     "Environment: CXX, the C++ compiler; TASKC_CACHE, the folder of built plugins;\n"
-    "TASKC_ROBOT_PATH, folders with robots; NO_COLOR, no colours.\n"
+    "TASKC_ROBOT_PATH, folders with robots; NO_COLOR, no colors.\n"
     "Exit status: 0 fine, 1 the task has errors, 2 the call is wrong, 3 an error in taskc.";
 
 constexpr const char* kVersion = "taskc " TASKC_VERSION;

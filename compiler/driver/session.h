@@ -1,4 +1,4 @@
-// One call of `taskc`: what all its verbs share. Analyses tasks and reports what is wrong with
+// One call of `taskc`: what all its verbs share. Analyzes tasks and reports what is wrong with
 // them, to a person or to another program.
 #pragma once
 

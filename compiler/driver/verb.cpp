@@ -36,7 +36,7 @@ const std::vector<Verb> kVerbs = {
     {"doc", "Write a task's page: equations, sensors, params, bounds",
      "taskc doc crawling.task                     # as Markdown\n"
      "taskc doc crawling.task -o crawling.html    # one file, with the equations set\n"
-     "taskc doc crawling.task --json              # params, terms, metrics; gains of rewards",
+     "taskc doc crawling.task --json              # params, terms, metrics; weights of rewards",
      DeclareDoc},
     {"seal", "Seal plugins that taskc has not built, so that the trainer loads them",
      "taskc seal mine.so   # written by hand against the ABI; its code runs when it is loaded",
@@ -96,7 +96,7 @@ void AddReport(CLI::App& app, Session& session) {
   command_line::AddChoice(app, "--format", session.format, {"text", "json", "sarif"}, "")
       ->group("");
   command_line::AddChoice(app, "--color", session.color, {"auto", "always", "never"},
-                          "colours; auto: on a terminal, where NO_COLOR is not set");
+                          "colors; auto: on a terminal, where NO_COLOR is not set");
 }
 
 }  // namespace compiler

@@ -54,7 +54,7 @@ void AddTasks(CLI::App& app, std::vector<std::string>& tasks);
 void AddOutput(CLI::App& app, std::filesystem::path& output, const std::string& what,
                const std::string& description);
 void AddRobots(CLI::App& app, Session& session);
-// In which form, and in which colours, what is wrong is reported.
+// In which form, and in which colors, what is wrong is reported.
 void AddReport(CLI::App& app, Session& session);
 
 }  // namespace compiler

@@ -19,7 +19,7 @@ struct HelperDescription {
 
 // Functions of the library are declared under names of our own: a C++ compiler that knows what it
 // is calling computes calls with constant arguments by itself, with other last bits than the
-// library's, and so lets the result depend on how well it optimises.
+// library's, and so lets the result depend on how well it optimizes.
 constexpr std::array<HelperDescription, kHelperCount> kHelpers{{
     {Helper::kExp, "Exp",
      R"(extern "C" double Exp(double) __asm__("exp") __attribute__((const));)"},

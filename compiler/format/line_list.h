@@ -20,7 +20,7 @@ class LineList {
   // Columns of the current line.
   uint32_t width() const;
 
-  // All lines, each ended by `line_end`. Trailing comments of neighbouring lines stand in one
+  // All lines, each ended by `line_end`. Trailing comments of neighboring lines stand in one
   // column.
   std::string Join(std::string_view line_end);
 

@@ -9,7 +9,7 @@ bool IsBracketOpen(TokenRole role) {
          role == TokenRole::kSetOpen;
 }
 
-// What holds both its neighbours.
+// What holds both its neighbors.
 bool IsTight(TokenRole role) {
   return role == TokenRole::kDot || role == TokenRole::kPower || role == TokenRole::kRange ||
          role == TokenRole::kUnitOperator;

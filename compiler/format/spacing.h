@@ -5,7 +5,7 @@
 
 namespace compiler {
 
-// Does a blank stand between these two neighbours?
+// Does a blank stand between these two neighbors?
 bool IsSpaced(TokenRole left, TokenRole right);
 
 // May a line end between these two? It may only where a blank or an opening bracket stands.

@@ -61,7 +61,7 @@ class Workspace {
   // first.
   std::vector<std::shared_ptr<const Findings>> Users(const std::filesystem::path& file);
 
-  // Analyses a file with some texts in the place of what is there.
+  // Analyzes a file with some texts in the place of what is there.
   std::shared_ptr<const Findings> Analyze(
       const std::filesystem::path& file,
       const std::map<std::filesystem::path, std::string>& replaced = {}) const;

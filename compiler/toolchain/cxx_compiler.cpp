@@ -87,7 +87,7 @@ const std::vector<std::string>& PluginFlags() {
       "-O2", "-std=c++20", "-shared", "-fPIC", "-pipe", "-w",
       // A debugger steps through the .task file; DWARF 5 would show it our file's name instead.
       "-g1", "-gdwarf-4", "-fvisibility=hidden", "-fno-exceptions", "-fno-rtti",
-      // The same bits on every machine and at every level of optimisation; no undefined overflow.
+      // The same bits on every machine and at every level of optimization; no undefined overflow.
       "-ffp-contract=off", "-fno-builtin", "-fno-math-errno", "-fwrapv",
       // Nothing of the C++ runtime is needed, and the link is faster without.
       "-nostdlib", "-fno-use-linker-plugin", "-Wl,-z,defs"};

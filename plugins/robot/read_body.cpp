@@ -121,7 +121,7 @@ std::vector<Link> ReadLinks(const TomlValue& root) {
     link.position = position.ToVector3();
     if (links.empty() && link.position != Vector3{}) {
       position.Fail(fmt::format("the base link `{}` is not at the origin", link.name),
-                    "give all positions relative to the centre of the first link");
+                    "give all positions relative to the center of the first link");
     }
     links.push_back(std::move(link));
   }

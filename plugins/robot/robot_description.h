@@ -30,7 +30,7 @@ struct LinkShape {
 struct Link {
   std::string name;
   double mass = 0;
-  Vector3 position{};  // centre of mass relative to the base link's centre, zero pose
+  Vector3 position{};  // center of mass relative to the base link's center, zero pose
   LinkShape shape;
 };
 
@@ -41,7 +41,7 @@ struct Joint {
   int parent = 0;  // link index
   int child = 0;
   Vector3 axis{};    // unit vector, world frame, zero pose
-  Vector3 anchor{};  // relative to the base link's centre, zero pose
+  Vector3 anchor{};  // relative to the base link's center, zero pose
   double low = 0;    // stops
   double high = 0;
 };
@@ -86,7 +86,7 @@ struct DofConfiguration {
 
 enum class NetKind { kGrid, kBubble };
 
-// How the basis functions of a normalised Gaussian network are laid out in the space of a DoF
+// How the basis functions of a normalized Gaussian network are laid out in the space of a DoF
 // configuration's coordinates.
 struct NetDescription {
   std::string name;
@@ -94,9 +94,9 @@ struct NetDescription {
   std::string dof;                 // name of the DoF configuration; others with the same
                                    // representatives fit as well
   std::vector<double> low, high;   // one for each coordinate
-  std::vector<int> counts;         // grid: centres along each coordinate
+  std::vector<int> counts;         // grid: centers along each coordinate
   std::vector<double> deviations;  // grid: one for each coordinate; empty: from the spacing
-  int units = 0;                   // bubble: number of centres
+  int units = 0;                   // bubble: number of centers
 };
 
 // The values that a number can have: from `low` to `high`, where these are known.

@@ -18,7 +18,7 @@ constexpr double kIdentity[] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
 constexpr std::array<SensorDescription, static_cast<size_t>(SensorId::kCount)> kSensors = {{
     {SensorId::kTime, "time", "real", "s", "since the start of the episode", kZeros},
     {SensorId::kBasePosition, "base.position", "vec3", "m",
-     "centre of the base link, in the world frame", kZeros},
+     "center of the base link, in the world frame", kZeros},
     {SensorId::kBaseOrientation, "base.orientation", "quat", "",
      "orientation of the base link (w, x, y, z), from its own frame to the world frame", kNoTurn},
     {SensorId::kBaseRotation, "base.rotation", "mat3", "",
@@ -31,7 +31,7 @@ constexpr std::array<SensorDescription, static_cast<size_t>(SensorId::kCount)> k
     {SensorId::kBaseUp, "base.up", "vec3", "", "the base link's own z axis, in the world frame",
      kZ},
     {SensorId::kBaseVelocity, "base.velocity", "vec3", "m/s",
-     "velocity of the base link's centre, in the world frame", kZeros},
+     "velocity of the base link's center, in the world frame", kZeros},
     {SensorId::kBaseAngularVelocity, "base.angular_velocity", "vec3", "rad/s",
      "angular velocity of the base link, in the world frame", kZeros},
     {SensorId::kJointAngle, "joint.angle", "real[joint]", "rad",

@@ -113,7 +113,7 @@ const Mistake kMistakes[] = {
      "  help: rename one of the two"},
     {"BaseIsNotAtTheOrigin", "mass = 1, position = [0, 0, 0]", "mass = 1, position = [0, 0, 1]",
      "7:81: error: the base link `trunk` is not at the origin\n"
-     "  help: give all positions relative to the centre of the first link"},
+     "  help: give all positions relative to the center of the first link"},
     {"UnknownLinkInAJoint", "child = \"shank\"", "child = \"shanc\"",
      "14:46: error: there is no link `shanc`\n"
      "  help: did you mean `shank`?"},

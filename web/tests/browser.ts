@@ -39,8 +39,8 @@ async function onPage(
   assert.deepEqual(complaints, []);
 }
 
-/** How many pixels of what `selector` shows are coloured, as the robot's limbs are. */
-async function colourfulPixels(page: Page, selector: string): Promise<number> {
+/** How many pixels of what `selector` shows are colored, as the robot's limbs are. */
+async function colorfulPixels(page: Page, selector: string): Promise<number> {
   const png = await page.locator(selector).screenshot();
   return page.evaluate(async (base64) => {
     const image = new Image();
@@ -50,12 +50,12 @@ async function colourfulPixels(page: Page, selector: string): Promise<number> {
     if (!context) return 0;
     context.drawImage(image, 0, 0);
     const { data } = context.getImageData(0, 0, image.width, image.height);
-    let colourful = 0;
+    let colorful = 0;
     for (let i = 0; i < data.length; i += 4) {
       const [r = 0, g = 0, b = 0] = data.subarray(i, i + 3);
-      if (Math.max(r, g, b) - Math.min(r, g, b) > 60) ++colourful;
+      if (Math.max(r, g, b) - Math.min(r, g, b) > 60) ++colorful;
     }
-    return colourful;
+    return colorful;
   }, png.toString("base64"));
 }
 
@@ -85,7 +85,7 @@ const showsTheRun: Check = async (page) => {
 const drawsTheStrip: Check = async (page) => {
   assert.equal(await page.locator("#strip button").count(), 8);
   for (let i = 1; i <= 8; ++i) {
-    const pixels = await colourfulPixels(page, `#strip li:nth-child(${i}) canvas`);
+    const pixels = await colorfulPixels(page, `#strip li:nth-child(${i}) canvas`);
     assert.ok(pixels > 500, `snapshot ${i} shows the robot`);
   }
   await page.locator("#strip button").nth(7).click();
@@ -147,7 +147,7 @@ const showsChangesAndShadows: Check = async (page) => {
   assert.ok(await label.isHidden());
   await marks.nth(2).hover();
   assert.ok(await label.isVisible());
-  assert.match((await label.textContent()) ?? "", /swap task: .*careful.*\n.*task\.gain/);
+  assert.match((await label.textContent()) ?? "", /swap task: .*careful.*\n.*task\.weight/);
   assert.equal(await page.locator("#history tbody tr").count(), 4 + 2);
   assert.match(await textOf(page, "#curve-key"), /shadow careful/);
   await page.locator("#curve").focus();
@@ -193,7 +193,7 @@ const drawsTheGroups: Check = async (page) => {
   const group = page.locator("#experiment-1 .group").nth(1);
   await group.scrollIntoViewIfNeeded();
   const strip = "#experiment-1 .group:nth-child(2) .snapshots";
-  assert.ok((await colourfulPixels(page, `${strip} img`)) > 8 * 300, "the robot is drawn");
+  assert.ok((await colorfulPixels(page, `${strip} img`)) > 8 * 300, "the robot is drawn");
   assert.equal(await page.locator(`${strip} li`).count(), 8);
   await group.locator(".group-head").click();
   assert.equal(await group.locator(".group-head").getAttribute("aria-pressed"), "true");
@@ -222,7 +222,7 @@ const replaysAGroup: Check = async (page) => {
   await page.locator("#experiment-1 .group button.text").first().click();
   await page.locator('#play[data-state="playing"]').waitFor();
   assert.match(await textOf(page, "#replay-heading"), /crawling, group A: seed \d, episode 40/);
-  assert.ok((await colourfulPixels(page, "#stage canvas")) > 2000, "the robot is drawn");
+  assert.ok((await colorfulPixels(page, "#stage canvas")) > 2000, "the robot is drawn");
   await screenshot("study-replay")(page);
   await page.locator("#close").click();
   assert.ok(await page.locator("#stage").isHidden());
@@ -273,7 +273,7 @@ async function inBrowser(args: string[], run: (browser: Browser) => Promise<void
 
 async function checkFullPage(browser: Browser): Promise<void> {
   await onPage(browser, fullPage, { colorScheme: "light" }, async (page) => {
-    assert.ok((await colourfulPixels(page, "#stage canvas")) > 2000, "the robot is drawn");
+    assert.ok((await colorfulPixels(page, "#stage canvas")) > 2000, "the robot is drawn");
     await screenshot("light")(page);
     const replays = [drawsTheStrip, playsByKeys, scrubs, replaysAMark];
     const charts = [showsValuesOfAnEpisode, hidesATerm, showsNoChanges];

@@ -52,7 +52,7 @@ test("a group is told with its share of the runs", () => {
   assert.equal(shareOf(group), "2 of 7 runs, 29 %");
 });
 
-test("groups are coloured", () => {
+test("groups are colored", () => {
   assert.equal(colorOf(0), "--series-1");
   assert.equal(colorOf(8), "--series-1");
   assert.equal(colorOf(null), "--ink-faint");

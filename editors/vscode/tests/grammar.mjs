@@ -1,4 +1,4 @@
-// The colours: every word of the language has one, and samples are taken apart as they should be.
+// The colors: every word of the language has one, and samples are taken apart as they should be.
 // The environment variable TASKC_SOURCES holds the project's folder.
 import assert from 'node:assert/strict';
 import {readFileSync} from 'node:fs';
@@ -65,7 +65,7 @@ test('samples have the scopes that they should', () => {
 });
 
 test('every word of the language stands in the grammar', () => {
-  const colours = readFileSync(kGrammar, 'utf8');
+  const colors = readFileSync(kGrammar, 'utf8');
   const rules = readFileSync(join(sources, 'grammar/Task.g4'), 'utf8');
   const words = readFileSync(join(sources, 'compiler/syntax/words.h'), 'utf8');
   const table = readFileSync(join(sources, 'compiler/check/builtin_table.def'), 'utf8');
@@ -77,6 +77,6 @@ test('every word of the language stands in the grammar', () => {
   ];
   assert.ok(builtins.length > 40);
   assert.ok(names.length > builtins.length + 60);
-  const missing = names.filter((name) => !new RegExp(`\\b${name}\\b`).test(colours));
+  const missing = names.filter((name) => !new RegExp(`\\b${name}\\b`).test(colors));
   assert.deepEqual(missing, []);
 });

@@ -27,8 +27,8 @@ typedef int taskc_int32;
 typedef unsigned int taskc_uint32;
 typedef long long taskc_int64;
 
-// The moments at which a task computes. A time step is one control step (5 ms for the humanoid); a
-// physics step is one step of the simulator.
+// The moments at which a task computes. In a time step the controller's
+// targets change once (every 5 ms for the humanoid); a physics step is one step of the simulator.
 enum {
   TASKC_START_OF_EPISODE,
   TASKC_END_OF_EPISODE,

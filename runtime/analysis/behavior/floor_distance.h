@@ -6,7 +6,7 @@
 
 namespace runtime {
 
-// The height of the lowest point of a link with this shape, whose centre is at `height` [m].
+// The height of the lowest point of a link with this shape, whose center is at `height` [m].
 double LowestPoint(const robot::LinkShape& shape, double height,
                    const Eigen::Quaterniond& orientation);
 

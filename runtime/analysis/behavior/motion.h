@@ -11,7 +11,7 @@ namespace runtime {
 struct Motion {
   double frame_interval = 0;  // [s]
   int link_count = 0;
-  // [frame][link], at least one frame; of each link's centre in the world frame [m].
+  // [frame][link], at least one frame; of each link's center in the world frame [m].
   std::vector<Eigen::Vector3d> positions;
   std::vector<Eigen::Quaterniond> orientations;
 

@@ -44,12 +44,12 @@ Reach ReachAlong(const Vector3d& direction, const Motion& motion,
   return reach;
 }
 
-// How far the camera must be from `target` to have a ball at `centre` in the picture.
-double DistanceFor(const Camera& camera, const Vector3d& target, const Vector3d& centre,
+// How far the camera must be from `target` to have a ball at `center` in the picture.
+double DistanceFor(const Camera& camera, const Vector3d& target, const Vector3d& center,
                    double radius) {
   constexpr double kTangent = (1 - 2 * kMargin) * Camera::kHalfWidth;
   const double cosine = 1 / std::sqrt(1 + kTangent * kTangent);
-  const Vector3d to = centre - target;
+  const Vector3d to = center - target;
   const double aside = std::max(std::abs(to.dot(camera.right)), std::abs(to.dot(camera.up)));
   return (aside + radius / cosine) / kTangent - to.dot(camera.forward);
 }

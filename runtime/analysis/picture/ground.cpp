@@ -11,7 +11,7 @@ constexpr double kFine = 0.1, kCoarse = 0.5;  // between lines [m]
 constexpr double kSmoothing = 0.3;            // half the time over which the trail is averaged [s]
 constexpr double kDisc = 0.52;                // radius, of what a picture shows
 constexpr double kLine = 0.0042;              // width, of what a picture shows
-constexpr uint32_t kDiscColour = 0x8b98a5, kLineColour = 0x6d7b88, kTrailColour = 0x4f86c6;
+constexpr uint32_t kDiscColor = 0x8b98a5, kLineColor = 0x6d7b88, kTrailColor = 0x4f86c6;
 constexpr double kDiscCover = 0.16, kFineCover = 0.22, kCoarseCover = 0.6, kTrailCover = 0.9;
 
 Point BaseAbove(const Motion& motion, int frame) { return motion.position(frame, 0).head<2>(); }
@@ -108,9 +108,9 @@ Layer Ground::Look(const Point& place, const Point& du, const Point& dv) const {
   const double fine = kFineCover * GridCover(place, width, kFine, line_);
   const double coarse = kCoarseCover * GridCover(place, width, kCoarse, line_);
   const double trail = kTrailCover * TrailCover(place, 0.5 * (width.x() + width.y()));
-  return Layer::Of(LightOf(kTrailColour), presence * trail)
-      .Over(Layer::Of(LightOf(kLineColour), presence * std::max(fine, coarse)))
-      .Over(Layer::Of(LightOf(kDiscColour), presence * kDiscCover));
+  return Layer::Of(LightOf(kTrailColor), presence * trail)
+      .Over(Layer::Of(LightOf(kLineColor), presence * std::max(fine, coarse)))
+      .Over(Layer::Of(LightOf(kDiscColor), presence * kDiscCover));
 }
 
 }  // namespace runtime

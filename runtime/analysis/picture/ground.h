@@ -7,7 +7,7 @@
 
 #include "runtime/analysis/behavior/motion.h"
 #include "runtime/analysis/picture/camera.h"
-#include "runtime/analysis/picture/colour.h"
+#include "runtime/analysis/picture/color.h"
 
 namespace runtime {
 

@@ -8,9 +8,9 @@ namespace {
 
 constexpr size_t kChannels = Image::kChannels;
 
-// A colour of the image, as it adds to what is behind it: red, green and blue are multiplied by
-// alpha. Differences of such colours are what is seen, on a white page and on a dark one.
-struct Colour {
+// A color of the image, as it adds to what is behind it: red, green and blue are multiplied by
+// alpha. Differences of such colors are what is seen, on a white page and on a dark one.
+struct Color {
   std::array<int64_t, kChannels> values{};
   int64_t count = 0;   // of pixels
   uint32_t pixel = 0;  // its bytes
@@ -21,39 +21,39 @@ uint32_t Pack(const uint8_t* pixel) {
          static_cast<uint32_t>(pixel[2]) << 8 | pixel[3];
 }
 
-Colour ColourOf(uint32_t pixel) {
+Color ColorOf(uint32_t pixel) {
   const int64_t alpha = pixel & 255;
-  Colour colour{{}, 0, pixel};
+  Color color{{}, 0, pixel};
   for (size_t i = 0; i < 3; ++i) {
-    colour.values[i] = ((pixel >> (24 - 8 * i) & 255) * alpha + 127) / 255;
+    color.values[i] = ((pixel >> (24 - 8 * i) & 255) * alpha + 127) / 255;
   }
-  colour.values[3] = alpha;
-  return colour;
+  color.values[3] = alpha;
+  return color;
 }
 
-// All colours that are seen, with their numbers of pixels.
-std::vector<Colour> ColoursOf(const std::vector<uint32_t>& pixels) {
+// All colors that are seen, with their numbers of pixels.
+std::vector<Color> ColorsOf(const std::vector<uint32_t>& pixels) {
   std::vector<uint32_t> sorted = pixels;
   std::ranges::sort(sorted);
-  std::vector<Colour> colours;
+  std::vector<Color> colors;
   for (const uint32_t pixel : sorted) {
     if ((pixel & 255) == 0) continue;
-    if (colours.empty() || colours.back().pixel != pixel) colours.push_back(ColourOf(pixel));
-    ++colours.back().count;
+    if (colors.empty() || colors.back().pixel != pixel) colors.push_back(ColorOf(pixel));
+    ++colors.back().count;
   }
-  return colours;
+  return colors;
 }
 
-// Colours that become one.
+// Colors that become one.
 class Bin {
  public:
-  explicit Bin(std::span<Colour> colours) : colours_(colours) {
+  explicit Bin(std::span<Color> colors) : colors_(colors) {
     std::array<int64_t, kChannels> squares{};
-    for (const Colour& colour : colours) {
-      count_ += colour.count;
+    for (const Color& color : colors) {
+      count_ += color.count;
       for (size_t i = 0; i < kChannels; ++i) {
-        sums_[i] += colour.count * colour.values[i];
-        squares[i] += colour.count * colour.values[i] * colour.values[i];
+        sums_[i] += color.count * color.values[i];
+        squares[i] += color.count * color.values[i] * color.values[i];
       }
     }
     for (size_t i = 0; i < kChannels; ++i) {
@@ -66,18 +66,18 @@ class Bin {
     }
   }
 
-  // Sum of the squares by which the colours differ from their mean, in the channel where it is
+  // Sum of the squares by which the colors differ from their mean, in the channel where it is
   // largest.
   double error() const { return error_; }
-  std::span<Colour> colours() const { return colours_; }
+  std::span<Color> colors() const { return colors_; }
 
-  // The colours below the mean of that channel, and the others.
+  // The colors below the mean of that channel, and the others.
   std::pair<Bin, Bin> Split() const {
-    const auto upper = std::ranges::partition(colours_, [&](const Colour& colour) {
-      return colour.values[widest_] * count_ < sums_[widest_];
+    const auto upper = std::ranges::partition(colors_, [&](const Color& color) {
+      return color.values[widest_] * count_ < sums_[widest_];
     });
-    const size_t lower = colours_.size() - upper.size();
-    return {Bin(colours_.first(lower)), Bin(colours_.subspan(lower))};
+    const size_t lower = colors_.size() - upper.size();
+    return {Bin(colors_.first(lower)), Bin(colors_.subspan(lower))};
   }
 
   Rgba Mean() const {
@@ -91,7 +91,7 @@ class Bin {
   }
 
  private:
-  std::span<Colour> colours_;
+  std::span<Color> colors_;
   int64_t count_ = 0;
   std::array<int64_t, kChannels> sums_{};
   double error_ = 0;
@@ -99,10 +99,10 @@ class Bin {
 };
 
 // The bin that is least like its mean is split until there are enough.
-std::vector<Bin> BinsOf(std::vector<Colour>& colours) {
+std::vector<Bin> BinsOf(std::vector<Color>& colors) {
   std::vector<Bin> bins;
-  if (!colours.empty()) bins.emplace_back(colours);
-  while (!bins.empty() && bins.size() < IndexedImage::kMostColours - 1) {
+  if (!colors.empty()) bins.emplace_back(colors);
+  while (!bins.empty() && bins.size() < IndexedImage::kMostColors - 1) {
     const auto worst = std::ranges::max_element(bins, {}, &Bin::error);
     if (worst->error() <= 0) break;
     auto [lower, upper] = worst->Split();
@@ -114,19 +114,19 @@ std::vector<Bin> BinsOf(std::vector<Colour>& colours) {
 
 }  // namespace
 
-IndexedImage ReduceColours(const Image& image) {
+IndexedImage ReduceColors(const Image& image) {
   std::vector<uint32_t> pixels;
   for (size_t i = 0; i < image.bytes.size(); i += kChannels) {
     pixels.push_back(Pack(image.bytes.data() + i));
   }
-  std::vector<Colour> colours = ColoursOf(pixels);
+  std::vector<Color> colors = ColorsOf(pixels);
   IndexedImage reduced{image.width, image.height, {Rgba{}}, {}};
   std::vector<std::pair<uint32_t, uint8_t>> index_of;  // ascending
-  for (const Bin& bin : BinsOf(colours)) {
-    for (const Colour& colour : bin.colours()) {
-      index_of.emplace_back(colour.pixel, static_cast<uint8_t>(reduced.colours.size()));
+  for (const Bin& bin : BinsOf(colors)) {
+    for (const Color& color : bin.colors()) {
+      index_of.emplace_back(color.pixel, static_cast<uint8_t>(reduced.colors.size()));
     }
-    reduced.colours.push_back(bin.Mean());
+    reduced.colors.push_back(bin.Mean());
   }
   std::ranges::sort(index_of);
   for (const uint32_t pixel : pixels) {

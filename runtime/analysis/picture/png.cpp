@@ -29,14 +29,14 @@ struct Writer {
   png_infop info = nullptr;
 };
 
-void SetColours(const std::vector<Rgba>& colours, Writer& writer) {
+void SetColors(const std::vector<Rgba>& colors, Writer& writer) {
   std::vector<png_color> opaque;
   std::vector<png_byte> alphas;
-  for (const Rgba& colour : colours) {
-    opaque.push_back({colour[0], colour[1], colour[2]});
-    alphas.push_back(colour[3]);
+  for (const Rgba& color : colors) {
+    opaque.push_back({color[0], color[1], color[2]});
+    alphas.push_back(color[3]);
   }
-  const int count = static_cast<int>(colours.size());
+  const int count = static_cast<int>(colors.size());
   png_set_PLTE(writer.png, writer.info, opaque.data(), count);
   png_set_tRNS(writer.png, writer.info, alphas.data(), count, nullptr);
 }
@@ -50,7 +50,7 @@ std::string EncodePng(const IndexedImage& image) {
   png_set_IHDR(writer.png, writer.info, static_cast<png_uint_32>(image.width),
                static_cast<png_uint_32>(image.height), 8, PNG_COLOR_TYPE_PALETTE,
                PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-  SetColours(image.colours, writer);
+  SetColors(image.colors, writer);
   png_set_filter(writer.png, PNG_FILTER_TYPE_BASE, PNG_FILTER_NONE);
   png_set_compression_level(writer.png, 9);
   png_write_info(writer.png, writer.info);

@@ -33,21 +33,21 @@ PosedRobot::PosedRobot(const std::vector<robot::Link>& links, const Motion& moti
     const Bounds bounds{motion.position(frame, link), BoundingRadius(shape)};
     links_.push_back({&shape, bounds, motion.orientation(frame, link).toRotationMatrix(),
                       CoreOf(shape), RadiusOf(shape)});
-    whole_.centre += bounds.centre / static_cast<double>(links.size());
+    whole_.center += bounds.center / static_cast<double>(links.size());
   }
   for (const Posed& link : links_) {
-    const double reach = (link.bounds.centre - whole_.centre).norm() + link.bounds.radius;
+    const double reach = (link.bounds.center - whole_.center).norm() + link.bounds.radius;
     whole_.radius = std::max(whole_.radius, reach);
   }
 }
 
 Ray PosedRobot::ToLink(const Posed& link, const Ray& ray) {
-  return {link.rotation.transpose() * (ray.origin - link.bounds.centre),
+  return {link.rotation.transpose() * (ray.origin - link.bounds.center),
           link.rotation.transpose() * ray.direction};
 }
 
 bool PosedRobot::Bounds::IsNear(const Ray& ray, double width, double widening) const {
-  const Vector3d to = centre - ray.origin;
+  const Vector3d to = center - ray.origin;
   const double along = std::max(0., to.dot(ray.direction));
   const double reach = radius + width + widening * (along + radius);
   return (to - along * ray.direction).squaredNorm() < reach * reach;
@@ -87,7 +87,7 @@ bool PosedRobot::IsBlocked(const std::vector<size_t>& links, const Ray& ray, siz
 double PosedRobot::Hidden(const Posed& link, const Vector3d& place, const Vector3d& normal) {
   constexpr double kReach = 5;  // of so many radii
   const double reach = kReach * link.radius;
-  const Vector3d from = place - link.bounds.centre;
+  const Vector3d from = place - link.bounds.center;
   const double farthest = link.bounds.radius + reach;
   if (from.squaredNorm() > farthest * farthest) return 0;
   const Vector3d local = link.rotation.transpose() * from;

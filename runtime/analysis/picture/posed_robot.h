@@ -40,14 +40,14 @@ class PosedRobot {
  private:
   // A ball that holds a link, or all of them.
   struct Bounds {
-    Eigen::Vector3d centre;
+    Eigen::Vector3d center;
     double radius;
 
     bool IsNear(const Ray& ray, double width, double widening) const;
   };
   struct Posed {
     const robot::LinkShape* shape;
-    Bounds bounds;             // around the link's centre
+    Bounds bounds;             // around the link's center
     Eigen::Matrix3d rotation;  // from the link's frame to that of the world
     // What the link is about: all points within `radius` of a box with these half extents.
     Eigen::Vector3d core;

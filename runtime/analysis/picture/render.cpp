@@ -17,7 +17,7 @@ constexpr int kSamples = kGrid * kGrid;
 constexpr double kLampLeft = 0.75, kLampFront = 0.62, kLampAbove = 1.6;
 constexpr double kLampRadius = 0.075;  // as seen from there, in radians: softens shadows
 constexpr int kParts = 4 * kSamples;   // of the lamp, each seen or not
-constexpr uint32_t kShadowColour = 0x10161c;
+constexpr uint32_t kShadowColor = 0x10161c;
 constexpr double kShadowCover = 0.3, kContactCover = 0.5;
 
 // The directions to the parts of a lamp, evenly over its disc, from the middle outwards: each a
@@ -95,7 +95,7 @@ class Renderer {
     const FloorPatch patch = {middle, OnFloor(right) - middle, OnFloor(up) - middle};
     const double open = scene_.robot.Openness(middle, Vector3d::UnitZ(), PosedRobot::kNone);
     const double cover = 1 - (1 - kContactCover * (1 - open)) * (1 - kShadowCover * Shadow(patch));
-    return Layer::Of(LightOf(kShadowColour), cover)
+    return Layer::Of(LightOf(kShadowColor), cover)
         .Over(scene_.ground.Look(middle.head<2>(), patch.du.head<2>(), patch.dv.head<2>()));
   }
 
@@ -133,8 +133,8 @@ class Renderer {
     light.to_fill = scene_.camera.right;
     light.is_lit = normal.dot(lamp) > 0 && !scene_.robot.IsBlocked(all_, {place, lamp}, hit.link);
     light.openness = Openness(hit.link, place, normal);
-    const Light colour = ColourAt(paints_[hit.link], scene_.links[hit.link].shape, hit.place);
-    return Layer::Of(Shade(colour, normal, light), 1);
+    const Light color = ColorAt(paints_[hit.link], scene_.links[hit.link].shape, hit.place);
+    return Layer::Of(Shade(color, normal, light), 1);
   }
 
   // One for all samples of a pixel that show the same link: it changes little.

@@ -24,8 +24,8 @@ std::optional<double> FirstRoot(double a, double b, double c) {
   return root;
 }
 
-std::optional<Hit> HitSphere(const Vector3d& centre, double radius, const Ray& ray) {
-  const Vector3d from = ray.origin - centre;
+std::optional<Hit> HitSphere(const Vector3d& center, double radius, const Ray& ray) {
+  const Vector3d from = ray.origin - center;
   const auto distance = FirstRoot(1, from.dot(ray.direction), from.squaredNorm() - radius * radius);
   if (!distance) return std::nullopt;
   return Hit{*distance, (from + *distance * ray.direction) / radius};
@@ -34,9 +34,9 @@ std::optional<Hit> HitSphere(const Vector3d& centre, double radius, const Ray& r
 // All points within `radius` of a line of twice `half_length` along `axis`. A ray that enters the
 // endless tube around it beside the line enters the capsule there; beyond the line's end it can
 // meet only the ball at that end.
-std::optional<Hit> HitCapsule(const Vector3d& centre, int axis, double half_length, double radius,
+std::optional<Hit> HitCapsule(const Vector3d& center, int axis, double half_length, double radius,
                               const Ray& ray) {
-  Vector3d from = ray.origin - centre;
+  Vector3d from = ray.origin - center;
   Vector3d across = ray.direction;
   const double along = from[axis];
   from[axis] = across[axis] = 0;
@@ -50,7 +50,7 @@ std::optional<Hit> HitCapsule(const Vector3d& centre, int axis, double half_leng
   const double place = along + entry.value_or(0) * ray.direction[axis];
   if (std::abs(place) > half_length) {
     const double end = place > 0 ? half_length : -half_length;
-    return HitSphere(centre + end * Vector3d::Unit(axis), radius, ray);
+    return HitSphere(center + end * Vector3d::Unit(axis), radius, ray);
   }
   if (!entry) return std::nullopt;  // it begins inside
   return Hit{*entry, (from + *entry * across) / radius};
@@ -86,10 +86,10 @@ std::optional<Hit> HitEdges(const Vector3d& inner, double radius, const Ray& ray
   std::optional<Hit> nearest;
   for (int axis = 0; axis < 3; ++axis) {
     for (int edge = 0; edge < 4; ++edge) {
-      Vector3d centre = Vector3d::Zero();
-      centre[(axis + 1) % 3] = (edge & 1 ? 1 : -1) * inner[(axis + 1) % 3];
-      centre[(axis + 2) % 3] = (edge & 2 ? 1 : -1) * inner[(axis + 2) % 3];
-      KeepNearer(nearest, HitCapsule(centre, axis, inner[axis], radius, ray));
+      Vector3d center = Vector3d::Zero();
+      center[(axis + 1) % 3] = (edge & 1 ? 1 : -1) * inner[(axis + 1) % 3];
+      center[(axis + 2) % 3] = (edge & 2 ? 1 : -1) * inner[(axis + 2) % 3];
+      KeepNearer(nearest, HitCapsule(center, axis, inner[axis], radius, ray));
     }
   }
   return nearest;

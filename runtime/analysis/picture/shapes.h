@@ -21,13 +21,13 @@ struct Hit {
 };
 
 // The point at which `ray` enters the shape; nothing where it misses it or begins inside. The ray
-// is in the link's own frame, whose origin is the shape's centre. Boxes have rounded edges.
+// is in the link's own frame, whose origin is the shape's center. Boxes have rounded edges.
 std::optional<Hit> FirstHit(const robot::LinkShape& shape, const Ray& ray);
 
 // Of the edges of a box.
 double EdgeRadius(const robot::LinkShape& box);
 
-// Of the smallest sphere around the shape's centre that holds the shape [m].
+// Of the smallest sphere around the shape's center that holds the shape [m].
 double BoundingRadius(const robot::LinkShape& shape);
 
 }  // namespace runtime

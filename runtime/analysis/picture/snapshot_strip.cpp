@@ -53,7 +53,7 @@ std::string SnapshotStrip(const Motion& motion, const std::vector<robot::Link>& 
     pictures.push_back(std::async(std::launch::async, draw, i));
   }
   for (std::future<void>& picture : pictures) picture.get();
-  return EncodePng(ReduceColours(image));
+  return EncodePng(ReduceColors(image));
 }
 
 }  // namespace runtime

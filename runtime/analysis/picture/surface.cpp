@@ -58,11 +58,11 @@ std::vector<Paint> PaintsOf(const std::vector<robot::Link>& links) {
   return paints;
 }
 
-Light ColourAt(const Paint& paint, const robot::LinkShape& shape, const Vector3d& place) {
+Light ColorAt(const Paint& paint, const robot::LinkShape& shape, const Vector3d& place) {
   return paint.has_plate && IsOnPlate(shape, place) ? LightOf(kPlate) : paint.light;
 }
 
-Light Shade(const Light& colour, const Vector3d& normal, const Illumination& light) {
+Light Shade(const Light& color, const Vector3d& normal, const Illumination& light) {
   const double upward = 0.5 + 0.5 * normal.z();
   double strength = (kBounce + (kSky - kBounce) * upward) * light.openness +
                     kFill * std::max(0., normal.dot(light.to_fill)) * light.openness;
@@ -74,7 +74,7 @@ Light Shade(const Light& colour, const Vector3d& normal, const Illumination& lig
     for (int i = 0; i < 5; ++i) shine *= shine;  // to the 32nd power
     gloss = Light::Constant(kGloss * shine);
   }
-  return strength * colour + gloss;
+  return strength * color + gloss;
 }
 
 }  // namespace runtime

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "plugins/robot/robot_description.h"
-#include "runtime/analysis/picture/colour.h"
+#include "runtime/analysis/picture/color.h"
 
 namespace runtime {
 
@@ -15,7 +15,7 @@ enum class Side { kLeft, kRight, kTrunk };
 // By the words of a link's name: "left_shank".
 Side SideOf(std::string_view link);
 
-// How a link is painted: a colour for each side, joints (balls of limbs) darker. Base and head have
+// How a link is painted: a color for each side, joints (balls of limbs) darker. Base and head have
 // a dark plate on their front, without which front and back look alike.
 struct Paint {
   Light light = Light::Zero();
@@ -24,8 +24,8 @@ struct Paint {
 
 std::vector<Paint> PaintsOf(const std::vector<robot::Link>& links);
 
-// The colour at a place of the link's surface, in the link's frame.
-Light ColourAt(const Paint& paint, const robot::LinkShape& shape, const Eigen::Vector3d& place);
+// The color at a place of the link's surface, in the link's frame.
+Light ColorAt(const Paint& paint, const robot::LinkShape& shape, const Eigen::Vector3d& place);
 
 // What light reaches a place.
 struct Illumination {
@@ -34,7 +34,7 @@ struct Illumination {
   double openness = 1;                       // how much of its surroundings it sees
 };
 
-// The light that comes from a surface of this colour to the eye.
-Light Shade(const Light& colour, const Eigen::Vector3d& normal, const Illumination& light);
+// The light that comes from a surface of this color to the eye.
+Light Shade(const Light& color, const Eigen::Vector3d& normal, const Illumination& light);
 
 }  // namespace runtime

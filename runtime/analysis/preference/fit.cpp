@@ -9,15 +9,15 @@
 namespace runtime {
 namespace {
 
-constexpr double kTolerance = 1e-9;  // of x: of a gain's ratio
+constexpr double kTolerance = 1e-9;  // of x: of a weight's ratio
 constexpr int kMostSteps = 2000;
-// How far the other starts are from the recorded gains, in deviations of the prior.
+// How far the other starts are from the recorded weights, in deviations of the prior.
 constexpr double kFarStart = 2;
 // By how much smaller scales become until a comparison counts as either right or wrong.
 constexpr double kSharpening = 0.1;
 constexpr int kSharpenings = 4;
 constexpr double kAsGoodAsNothing = 0.01;  // of an advantage
-// Of the prior that leaves gains alone which no comparison needs, and keeps from nothing else.
+// Of the prior that leaves weights alone which no comparison needs, and keeps from nothing else.
 constexpr double kWidePrior = 100;
 
 std::vector<double> ToVector(const Eigen::VectorXd& x) { return {x.begin(), x.end()}; }
@@ -52,13 +52,13 @@ Eigen::VectorXd Descend(const PreferenceModel& model, const Eigen::VectorXd& sta
   return ToEigen(x);
 }
 
-// A comparison that is wrong by far pulls at no gain, so that there may be several minima.
+// A comparison that is wrong by far pulls at no weight, so that there may be several minima.
 Eigen::VectorXd Minimize(const PreferenceModel& model) {
-  const Eigen::Index gains = model.loads.cols();
-  std::vector<Eigen::VectorXd> starts = {Eigen::VectorXd::Zero(gains)};
-  for (Eigen::Index gain = 0; gain < gains; ++gain) {
+  const Eigen::Index weights = model.loads.cols();
+  std::vector<Eigen::VectorXd> starts = {Eigen::VectorXd::Zero(weights)};
+  for (Eigen::Index weight = 0; weight < weights; ++weight) {
     for (const double sign : {1., -1.}) {
-      starts.push_back(sign * kFarStart * model.prior_sd * Eigen::VectorXd::Unit(gains, gain));
+      starts.push_back(sign * kFarStart * model.prior_sd * Eigen::VectorXd::Unit(weights, weight));
     }
   }
   Eigen::VectorXd best;
@@ -75,15 +75,15 @@ Eigen::VectorXd Minimize(const PreferenceModel& model) {
 
 }  // namespace
 
-Fit FitGains(const PreferenceModel& model) {
+Fit FitWeights(const PreferenceModel& model) {
   const Eigen::VectorXd x = Minimize(model);
   const Eigen::MatrixXd information = Information(model, x);
   return {x, information.llt().solve(
                  Eigen::MatrixXd::Identity(information.rows(), information.cols()))};
 }
 
-// Where each term has one gain at most, advantages are linear in the gains, so that a smaller scale
-// leads from the one minimum to the next.
+// Where each term has one weight at most, advantages are linear in the weights, so that a smaller
+// scale leads from the one minimum to the next.
 std::vector<bool> HoldAtBest(const PreferenceModel& model) {
   PreferenceModel sharp = model;
   sharp.prior_sd = kWidePrior;

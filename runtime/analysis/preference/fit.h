@@ -1,4 +1,4 @@
-// The gains that explain best what a user prefers.
+// The weights that explain best what a user prefers.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,19 +9,19 @@
 namespace runtime {
 
 struct Fit {
-  Eigen::VectorXd x;           // logarithms of the gains' ratios, new to recorded
+  Eigen::VectorXd x;           // logarithms of the weights' ratios, new to recorded
   Eigen::MatrixXd covariance;  // of x
 };
 
-// The most probable gains within their bounds. Deterministic.
-Fit FitGains(const PreferenceModel& model);
+// The most probable weights within their bounds. Deterministic.
+Fit FitWeights(const PreferenceModel& model);
 
-// Whether each comparison holds, to a hundredth of a scale, under the gains within their bounds
+// Whether each comparison holds, to a hundredth of a scale, under the weights within their bounds
 // that make the sum of what is wrong as small as it can be, however far they are from the recorded
 // ones.
 std::vector<bool> HoldAtBest(const PreferenceModel& model);
 
-// How much, in nats, the user's answer about two behaviors would tell of the gains.
+// How much, in nats, the user's answer about two behaviors would tell of the weights.
 double ExpectedInformation(const PreferenceModel& model, const Fit& fit,
                            const Eigen::VectorXd& difference);
 

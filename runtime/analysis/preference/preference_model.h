@@ -1,9 +1,9 @@
-// The Bradley-Terry model of what a user prefers, as a function of a task's gains.
+// The Bradley-Terry model of what a user prefers, as a function of a task's weights.
 //
-// A term that pays a gain times something pays f times as much where the gain is f times what it
-// was. So the sums of the terms, recorded once, tell an episode's return under any gains: the sum
-// over terms of sum * exp(loads * x), with the logarithms x of the gains' ratios, new to recorded.
-// The terms without a gain fix the scale.
+// A term that pays a weight times something pays f times as much where the weight is f times what
+// it was. So the sums of the terms, recorded once, tell an episode's return under any weights: the
+// sum over terms of sum * exp(loads * x), with the logarithms x of the weights' ratios, new to
+// recorded. The terms without a weight fix the scale.
 #pragma once
 
 #include <Eigen/Core>
@@ -20,7 +20,7 @@ struct Comparison {
 };
 
 struct PreferenceModel {
-  Eigen::MatrixXd loads;  // terms x gains: 1 where the gain scales the term, else 0
+  Eigen::MatrixXd loads;  // terms x weights: 1 where the weight scales the term, else 0
   std::vector<Comparison> comparisons;
   double scale = 1;       // of differences of returns: of one scale, 73 % prefer the higher return
   double prior_sd = 1;    // of each x; its mean is 0

@@ -1,4 +1,4 @@
-// A task with other gains than the one it extends.
+// A task with other weights than the one it extends.
 #pragma once
 
 #include <filesystem>

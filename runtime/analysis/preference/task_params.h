@@ -1,4 +1,4 @@
-// Which params of a task are gains of which reward terms, as `taskc doc --json` says it.
+// Which params of a task are weights of which reward terms, as `taskc doc --json` says it.
 #pragma once
 
 #include <filesystem>

@@ -11,8 +11,8 @@
 
 namespace runtime {
 
-// Why the sums of a run's terms say nothing under other gains: they were not paid by one task with
-// the same params throughout. Nothing where they do.
+// Why the sums of a run's terms say nothing under other weights: they were not paid by one task
+// with the same params throughout. Nothing where they do.
 std::optional<std::string> WhyIncomparable(const StudyRun& run);
 
 // The sums of the task's terms, in their order, in the behavior: of the episode, or the means over

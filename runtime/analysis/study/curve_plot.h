@@ -7,7 +7,7 @@
 
 namespace runtime {
 
-// The curves of all runs, coloured by their groups, and their mean with its confidence interval, as
+// The curves of all runs, colored by their groups, and their mean with its confidence interval, as
 // SVG. `curves`: those of `result`, of an episode at least. Throws UserError where gnuplot is
 // missing or fails.
 std::string DrawCurves(const ExperimentResult& result, const Curves& curves);

@@ -12,7 +12,7 @@ namespace runtime {
 using GroupPair = std::pair<size_t, size_t>;
 
 // Which two groups the user should compare next: of those that were not compared yet and are not
-// among the `skipped`, the two about whose typical runs the answer would tell most of the gains.
+// among the `skipped`, the two about whose typical runs the answer would tell most of the weights.
 // Nothing if there are none.
 std::optional<GroupPair> MostInformativePair(const PreferenceFit& fit,
                                              const std::set<GroupPair>& skipped);

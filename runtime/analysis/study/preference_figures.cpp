@@ -19,18 +19,18 @@ Json PreferenceJson(const PreferenceResult& result) {
           {"can_hold", result.can_hold}};
 }
 
-Json GainJson(const GainChange& gain) {
-  return {{"name", gain.param.name},
-          {"unit", gain.param.unit},
-          {"scales", gain.param.scales},
-          {"before", gain.value.before},
-          {"after", gain.value.after},
-          {"low", gain.low},
-          {"high", gain.high},
-          {"sd_of_log", gain.sd},
-          {"least", gain.param.least},
-          {"greatest", gain.param.greatest},
-          {"changes_course", gain.param.changes_course}};
+Json WeightJson(const WeightChange& weight) {
+  return {{"name", weight.param.name},
+          {"unit", weight.param.unit},
+          {"scales", weight.param.scales},
+          {"before", weight.value.before},
+          {"after", weight.value.after},
+          {"low", weight.low},
+          {"high", weight.high},
+          {"sd_of_log", weight.sd},
+          {"least", weight.param.least},
+          {"greatest", weight.param.greatest},
+          {"changes_course", weight.param.changes_course}};
 }
 
 Json RunJson(const RunResult& run, const RunReturns& returns) {
@@ -46,8 +46,8 @@ Json PreferenceFigures(const PreferenceFit& fit) {
   const ExperimentResult& result = *fit.result;
   Json preferences = Json::array();
   for (const PreferenceResult& each : fit.preferences) preferences.push_back(PreferenceJson(each));
-  Json gains = Json::array();
-  for (const GainChange& gain : fit.gains) gains.push_back(GainJson(gain));
+  Json weights = Json::array();
+  for (const WeightChange& weight : fit.weights) weights.push_back(WeightJson(weight));
   Json kept = Json::array();
   for (const KeptParam& param : fit.kept) {
     kept.push_back(
@@ -71,7 +71,7 @@ Json PreferenceFigures(const PreferenceFit& fit) {
           {"is_consistent", fit.is_consistent()},
           {"scale", fit.model.scale},
           {"preferences", std::move(preferences)},
-          {"gains", std::move(gains)},
+          {"weights", std::move(weights)},
           {"kept", std::move(kept)},
           {"terms", std::move(terms)},
           {"groups", std::move(groups)},

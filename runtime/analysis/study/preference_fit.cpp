@@ -7,16 +7,16 @@
 #include <map>
 
 #include "runtime/analysis/preference/contradictions.h"
-#include "runtime/analysis/preference/gain_value.h"
+#include "runtime/analysis/preference/weight_value.h"
 #include "runtime/analysis/study/compared_behavior.h"
 #include "runtime/base/user_error.h"
 
 namespace runtime {
 namespace {
 
-// Of a gain whose range says nothing, or includes zero.
+// Of a weight whose range says nothing, or includes zero.
 constexpr double kMostChange = 1000;
-// A gain that changes less stays as it is.
+// A weight that changes less stays as it is.
 constexpr double kUnchanged = 1e-6;
 
 Eigen::Index IndexOf(size_t index) { return static_cast<Eigen::Index>(index); }
@@ -35,7 +35,7 @@ class Fitter {
   PreferenceFit Fit(const std::vector<Preference>& preferences) {
     for (const Preference& preference : preferences) AddPreference(preference);
     SetScale();
-    fit_.fit = FitGains(fit_.model);
+    fit_.fit = FitWeights(fit_.model);
     TakeValues();
     Judge();
     fit_.rescored = Rescore(result_, TermFactors(fit_.model.loads, x_), left_out_);
@@ -52,39 +52,39 @@ class Fitter {
       const RecordedParam value =
           found == recorded.end() ? RecordedParam{param.initial} : found->second;
       if (param.scales.empty()) {
-        fit_.kept.push_back({param, value, "it is no gain of a reward term"});
+        fit_.kept.push_back({param, value, "it is no weight of a reward term"});
       } else if (value.value == 0) {
         fit_.kept.push_back(
             {param, value, "it was 0 in these runs, so that what it weighs was not recorded"});
       } else {
-        fit_.gains.push_back({param, {value.value, value.value}});
+        fit_.weights.push_back({param, {value.value, value.value}});
         kinds_.push_back(value.kind);
       }
     }
-    if (fit_.gains.empty()) {
-      throw UserError(
-          fmt::format("{}: no param of the task {} is a gain that can be fitted; a gain is a param "
-                      "by which all "
-                      "that a reward term pays is multiplied: `reward fall = -fall_penalty`",
-                      result_.experiment->name, result_.experiment->task().task));
+    if (fit_.weights.empty()) {
+      throw UserError(fmt::format(
+          "{}: no param of the task {} is a weight that can be fitted; a weight is a param "
+          "by which all "
+          "that a reward term pays is multiplied: `reward fall = -fall_penalty`",
+          result_.experiment->name, result_.experiment->task().task));
     }
   }
 
   void SetBounds() {
-    const Eigen::Index gains = IndexOf(fit_.gains.size());
-    fit_.model.loads = Eigen::MatrixXd::Zero(IndexOf(terms_.size()), gains);
-    fit_.model.lower.resize(gains);
-    fit_.model.upper.resize(gains);
-    for (size_t gain = 0; gain < fit_.gains.size(); ++gain) {
-      const TaskParam& param = fit_.gains[gain].param;
+    const Eigen::Index weights = IndexOf(fit_.weights.size());
+    fit_.model.loads = Eigen::MatrixXd::Zero(IndexOf(terms_.size()), weights);
+    fit_.model.lower.resize(weights);
+    fit_.model.upper.resize(weights);
+    for (size_t weight = 0; weight < fit_.weights.size(); ++weight) {
+      const TaskParam& param = fit_.weights[weight].param;
       for (size_t term = 0; term < terms_.size(); ++term) {
         const bool is_scaled = std::ranges::count(param.scales, terms_[term].name) > 0;
-        fit_.model.loads(IndexOf(term), IndexOf(gain)) = is_scaled ? 1 : 0;
+        fit_.model.loads(IndexOf(term), IndexOf(weight)) = is_scaled ? 1 : 0;
       }
-      const double before = fit_.gains[gain].value.before;
+      const double before = fit_.weights[weight].value.before;
       const auto [low, high] = std::minmax({param.least / before, param.greatest / before});
-      fit_.model.lower[IndexOf(gain)] = std::log(std::clamp(low, 1 / kMostChange, 1.));
-      fit_.model.upper[IndexOf(gain)] = std::log(std::clamp(high, 1., kMostChange));
+      fit_.model.lower[IndexOf(weight)] = std::log(std::clamp(low, 1 / kMostChange, 1.));
+      fit_.model.upper[IndexOf(weight)] = std::log(std::clamp(high, 1., kMostChange));
     }
   }
 
@@ -129,20 +129,20 @@ class Fitter {
 
   void TakeValues() {
     x_ = Eigen::VectorXd::Zero(fit_.fit.x.size());
-    for (size_t i = 0; i < fit_.gains.size(); ++i) {
-      GainChange& gain = fit_.gains[i];
+    for (size_t i = 0; i < fit_.weights.size(); ++i) {
+      WeightChange& weight = fit_.weights[i];
       const Eigen::Index index = IndexOf(i);
       if (std::abs(fit_.fit.x[index]) > kUnchanged) {
-        gain.value.after =
-            RoundGain(gain.value.before * std::exp(fit_.fit.x[index]), gain.param.least,
-                      gain.param.greatest, kinds_[i] == RecordedParam::Kind::kWhole);
-        x_[index] = std::log(gain.value.after / gain.value.before);
+        weight.value.after =
+            RoundWeight(weight.value.before * std::exp(fit_.fit.x[index]), weight.param.least,
+                        weight.param.greatest, kinds_[i] == RecordedParam::Kind::kWhole);
+        x_[index] = std::log(weight.value.after / weight.value.before);
       }
-      gain.sd = std::sqrt(fit_.fit.covariance(index, index));
+      weight.sd = std::sqrt(fit_.fit.covariance(index, index));
       const auto [low, high] = std::minmax(
-          {gain.value.after * std::exp(-gain.sd), gain.value.after * std::exp(gain.sd)});
-      gain.low = std::max(low, gain.param.least);
-      gain.high = std::min(high, gain.param.greatest);
+          {weight.value.after * std::exp(-weight.sd), weight.value.after * std::exp(weight.sd)});
+      weight.low = std::max(low, weight.param.least);
+      weight.high = std::min(high, weight.param.greatest);
     }
   }
 
@@ -171,18 +171,18 @@ class Fitter {
       fit_.notes.push_back(
           fmt::format("{} does not count: {}.", result_.runs[i].run->name, *left_out_[i]));
     }
-    for (const GainChange& gain : fit_.gains) {
-      if (!gain.param.changes_course || gain.value.after == gain.value.before) continue;
+    for (const WeightChange& weight : fit_.weights) {
+      if (!weight.param.changes_course || weight.value.after == weight.value.before) continue;
       fit_.notes.push_back(fmt::format(
           "{} also decides when an episode ends; returns are as if the episodes had gone the same "
           "way.",
-          gain.param.name));
+          weight.param.name));
     }
   }
 
   const ExperimentResult& result_;
   const std::vector<TermRecord>& terms_;
-  std::vector<RecordedParam::Kind> kinds_;            // of the gains
+  std::vector<RecordedParam::Kind> kinds_;            // of the weights
   std::vector<std::optional<std::string>> left_out_;  // why, of the experiment's runs
   std::map<BehaviorName, Eigen::VectorXd> sums_;
   Eigen::VectorXd x_;  // of the rounded values

@@ -1,4 +1,4 @@
-// What a user's preferences between the behaviors of an experiment say of its task's gains.
+// What a user's preferences between the behaviors of an experiment say of its task's weights.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@
 
 namespace runtime {
 
-struct GainChange {
+struct WeightChange {
   TaskParam param;
   BeforeAfter<double> value;
   double sd = 0;    // of the logarithm of the new value
@@ -34,24 +34,25 @@ struct PreferenceResult {
   BeforeAfter<double> probability;
   BeforeAfter<bool> holds;
   bool is_contradicted = false;  // by other preferences
-  bool can_hold = true;          // under gains in their ranges that explain most
+  bool can_hold = true;          // under weights in their ranges that explain most
 };
 
 struct PreferenceFit {
   const ExperimentResult* result = nullptr;
   std::vector<PreferenceResult> preferences;
-  std::vector<GainChange> gains;  // at least one
+  std::vector<WeightChange> weights;  // at least one
   std::vector<KeptParam> kept;
   Rescored rescored;
   std::vector<std::string> notes;  // what to mind
   PreferenceModel model;
   Fit fit;  // before its values were rounded
 
-  // Whether the preferences are free of contradictions, and gains in their ranges explain them all.
+  // Whether the preferences are free of contradictions, and weights in their ranges explain them
+  // all.
   bool is_consistent() const;
 };
 
-// By which factor a gain is expected to change at most, in two cases out of three.
+// By which factor a weight is expected to change at most, in two cases out of three.
 inline constexpr double kExpectedFactor = 2;
 
 // To each experiment the preferences between its runs. Throws UserError, with the place in the
@@ -62,7 +63,7 @@ std::vector<std::vector<Preference>> PreferencesByExperiment(
     const std::filesystem::path& folder);
 
 // `preferences`: about runs of this experiment; may be none. `params`: of its task. Throws
-// UserError where the task has no gain that can be fitted. `result` outlives what is returned.
+// UserError where the task has no weight that can be fitted. `result` outlives what is returned.
 PreferenceFit FitPreferences(const ExperimentResult& result, const TaskParams& params,
                              const std::vector<Preference>& preferences,
                              double expected_factor = kExpectedFactor);

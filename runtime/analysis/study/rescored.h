@@ -1,4 +1,4 @@
-// The recorded episodes of an experiment under other gains, as if they had gone the same way.
+// The recorded episodes of an experiment under other weights, as if they had gone the same way.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,7 +10,7 @@
 
 namespace runtime {
 
-// Under the gains that the runs had, and under the new ones.
+// Under the weights that the runs had, and under the new ones.
 template <class Value>
 struct BeforeAfter {
   Value before{};

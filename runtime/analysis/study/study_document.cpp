@@ -222,7 +222,7 @@ class Document {
     WriteFile(output_ / plot, DrawCurves(result, curves));
     std::string text = fmt::format(
         "## {}\n\n{}\n"
-        "![Learning curves: each run in the colour of its group, their mean and its 95 % interval]"
+        "![Learning curves: each run in the color of its group, their mean and its 95 % interval]"
         "({})\n\n{}\n{}\n{}",
         name, Provenance(experiment) + Settings(experiment), plot, KeyFigures(experiment),
         Terms(experiment), Evaluations(experiment));

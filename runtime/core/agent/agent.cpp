@@ -151,10 +151,10 @@ Agent Joined(Agent agent, const Agent& changes) {
   return agent;
 }
 
-Agent Resolved(const Agent& agent, const Network& network) {
+Agent Resolved(const Agent& agent, const ModuleGraph& graph) {
   Agent resolved = agent;
   for (ModuleSetting& setting : resolved.modules) {
-    const Module& module = network.Find(setting.name);
+    const Module& module = graph.Find(setting.name);
     std::vector<ParameterSetting> given = std::exchange(setting.parameters, {});
     for (const Parameter& parameter : module.parameters()) {
       const ParameterSetting* known = FindByName(given, parameter.name);

@@ -27,7 +27,7 @@
 #include <vector>
 
 #include "runtime/core/module/module.h"
-#include "runtime/core/module/network.h"
+#include "runtime/core/module/module_graph.h"
 
 namespace runtime {
 
@@ -85,7 +85,7 @@ struct CompositeSetting {
 
 // Reads an agent file and those that it includes. Throws UserError with file, line, column and, for
 // a misspelt key, the nearest one. Whether types, parameters and ports exist is found out by
-// BuildNetwork.
+// BuildGraph.
 Agent ReadAgent(const std::filesystem::path& file);
 // The same from a text, which cannot include; `name` stands for the file in messages.
 Agent ParseAgent(std::string_view text, const std::string& name);
@@ -104,11 +104,11 @@ ModuleTypes WithComposites(ModuleTypes types, const Agent& agent);
 
 // Makes the modules, sets their parameters and connects their ports. Throws UserError, with the
 // place in the agent file, for whatever does not exist or does not fit.
-Network BuildNetwork(const Agent& agent, const ModuleTypes& types, const Context& context);
+ModuleGraph BuildGraph(const Agent& agent, const ModuleTypes& types, const Context& context);
 
-// `agent` with the present values of all parameters of `network`, which was built from it: nothing
+// `agent` with the present values of all parameters of `graph`, which was built from it: nothing
 // is left to defaults that another version of the program might change.
-Agent Resolved(const Agent& agent, const Network& network);
+Agent Resolved(const Agent& agent, const ModuleGraph& graph);
 
 // As an agent file. The same agent gives the same text, byte for byte, and reading it gives the
 // same agent.

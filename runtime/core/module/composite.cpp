@@ -6,7 +6,7 @@
 
 namespace runtime {
 
-Composite::Composite(std::string name, Network inner)
+Composite::Composite(std::string name, ModuleGraph inner)
     : Module(std::move(name)), inner_(std::move(inner)) {}
 
 void Composite::ExportPort(const std::string& name, std::string_view inner) {

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "runtime/core/module/network.h"
+#include "runtime/core/module/module_graph.h"
 
 namespace runtime {
 
@@ -14,7 +14,7 @@ namespace runtime {
 class Composite : public Module {
  public:
   // Takes over the modules and their connections.
-  Composite(std::string name, Network inner);
+  Composite(std::string name, ModuleGraph inner);
 
   // `inner`: "learner.reward", "learner.temperature". Throw UserError where there is no such port
   // or parameter, or where `name` is taken.
@@ -22,7 +22,7 @@ class Composite : public Module {
   void ExportParameter(const std::string& name, std::string_view inner);
 
   // The modules that it is made of. Their exported ports are not among their ports any more.
-  const Network& inner() const { return inner_; }
+  const ModuleGraph& inner() const { return inner_; }
 
   void Set(std::string_view parameter, const ParameterValue& value) override;
   void Start() override { inner_.Start(); }
@@ -35,7 +35,7 @@ class Composite : public Module {
     std::string name;
   };
 
-  Network inner_;
+  ModuleGraph inner_;
   std::map<std::string, InnerParameter, std::less<>> exported_;
 };
 

@@ -77,6 +77,8 @@ class Assignment {
   void operator()(std::string* target) const {
     const std::string* text = std::get_if<std::string>(&value_);
     if (text == nullptr) ThrowWrongType(name_, "a text", value_);
+    const auto former = parameter_.former_choices.find(*text);
+    if (former != parameter_.former_choices.end()) text = &former->second;
     const auto& choices = parameter_.choices;
     if (!choices.empty() && std::find(choices.begin(), choices.end(), *text) == choices.end()) {
       throw UserError(

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <iosfwd>
 #include <limits>
+#include <map>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -29,6 +30,9 @@ struct Parameter {
   // For numbers, and each number of a list: the allowed range, limits included.
   double minimum = -std::numeric_limits<double>::infinity();
   double maximum = std::numeric_limits<double>::infinity();
+  // What a choice was called in earlier versions, and what it is called now: files with the old
+  // word go on being read.
+  std::map<std::string, std::string> former_choices = {};
   std::string unit = {};  // "s"; "" for a plain number
   bool is_live = true;    // false: what is set after the start has no effect
 

@@ -4,9 +4,9 @@
 //                    their connection, synchronously and depth first
 //   out    -> in     a value: an in port reads the one out port it is connected to, by reference
 //
-// Ports are connected by name (runtime/core/module/network.h) and their types are compared then. A
-// call through a connected port is a call through a pointer: nothing is allocated, copied or
-// locked.
+// Ports are connected by name (runtime/core/module/module_graph.h) and their types are compared
+// then. A call through a connected port is a call through a pointer: nothing is allocated, copied
+// or locked.
 //
 // Rewiring is allowed at any time, also from a slot while its signal is being emitted: a new slot
 // is called from the next emission on, a removed one is not called any more.
@@ -58,7 +58,7 @@ class Port {
   bool IsConnectedTo(const Port& other) const;
 
   // An in port that its module reads whether there is a value or not, so that it must stay
-  // connected while the network runs. All in ports are, but those that say otherwise.
+  // connected while the graph runs. All in ports are, but those that say otherwise.
   bool must_be_connected() const { return must_be_connected_; }
 
   // Whether kinds and types of the two fit each other, connected or not.
@@ -102,7 +102,7 @@ template <auto Method>
 struct Bind {};
 
 // The type of a signal or slot with these arguments, of an out or in port with this value, as shown
-// to the user. Specialise TypeText for types that a port carries.
+// to the user. Specialize TypeText for types that a port carries.
 template <class T>
 struct TypeText;  // static constexpr const char* value
 

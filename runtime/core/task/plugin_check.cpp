@@ -136,7 +136,7 @@ class TableCheck {
     Require(table_.memory_size <= kLargestMemory,
             fmt::format("it wants {} bytes of memory", table_.memory_size));
     Require(table_.memory_size == 0 || table_.initialize != nullptr,
-            "nothing initialises its memory");
+            "nothing initializes its memory");
     const auto memory = Entries(table_.memory, table_.memory_count, "variables");
     CheckNames(memory, "variable");
     for (const taskc_memory& variable : memory) {

@@ -20,10 +20,10 @@ std::span<const taskc_sensor> SensorsOf(const taskc_plugin& table) {
   return {table.sensors, table.sensor_count};
 }
 
-// The first out port of the network that offers the sensor, or null.
-Port* FindOffer(const Network& network, const taskc_sensor& sensor) {
+// The first out port of the graph that offers the sensor, or null.
+Port* FindOffer(const ModuleGraph& graph, const taskc_sensor& sensor) {
   const PortType type = TypeOf(sensor);
-  for (const auto& module : network.modules()) {
+  for (const auto& module : graph.modules()) {
     for (Port* port : module->ports()) {
       if (port->kind() == PortKind::kOut && port->name() == sensor.name && port->type() == type) {
         return port;
@@ -33,8 +33,9 @@ Port* FindOffer(const Network& network, const taskc_sensor& sensor) {
   return nullptr;
 }
 
-void CheckIsOffered(const Network& network, const taskc_sensor& sensor, const taskc_plugin& table) {
-  if (FindOffer(network, sensor) != nullptr) return;
+void CheckIsOffered(const ModuleGraph& graph, const taskc_sensor& sensor,
+                    const taskc_plugin& table) {
+  if (FindOffer(graph, sensor) != nullptr) return;
   throw UserError(fmt::format(
       "the task `{}` reads the sensor `{}`, and no module has an out port `{}` of the type `{}`",
       table.name, sensor.name, sensor.name, TypeOf(sensor).text));
@@ -104,36 +105,36 @@ void UniversalTask::BindSensors() {
 }
 
 void UniversalTask::CheckCanLoad(const Plugin& plugin, const robot::RobotDescription& robot,
-                                 const Network& network) {
+                                 const ModuleGraph& graph) {
   CheckFitsRobot(plugin, robot);
   for (const taskc_sensor& sensor : SensorsOf(plugin.table())) {
-    CheckIsOffered(network, sensor, plugin.table());
+    CheckIsOffered(graph, sensor, plugin.table());
   }
 }
 
-void UniversalTask::CheckCanSwap(const Plugin& plugin, const Network& network) const {
+void UniversalTask::CheckCanSwap(const Plugin& plugin, const ModuleGraph& graph) const {
   CheckFitsRobot(plugin, robot_);
   const taskc_plugin& table = plugin.table();
   for (const taskc_sensor& sensor : SensorsOf(table)) {
     const auto present = FindSensor(sensor);
     if (present != sensors_.end() && (*present)->connected()) continue;
-    CheckIsOffered(network, sensor, table);
+    CheckIsOffered(graph, sensor, table);
   }
 }
 
-void UniversalTask::ConnectSensors(const Network& network) {
+void UniversalTask::ConnectSensors(const ModuleGraph& graph) {
   for (size_t i = 0; i < sensors_.size(); ++i) {
     if (sensors_[i]->connected()) continue;
-    Port::Connect(*FindOffer(network, plugin().sensors[i]), *sensors_[i]);
+    Port::Connect(*FindOffer(graph, plugin().sensors[i]), *sensors_[i]);
   }
 }
 
-void UniversalTask::Swap(std::unique_ptr<TaskInstance> next, const Network& network) {
-  CheckCanSwap(*next->plugin(), network);
+void UniversalTask::Swap(std::unique_ptr<TaskInstance> next, const ModuleGraph& graph) {
+  CheckCanSwap(*next->plugin(), graph);
   const bool in_episode = !episode_is_over_ && !is_asleep_;
   next->TakeOver(*instance_, in_episode);
   previous_ = Exchange(std::move(next));
-  ConnectSensors(network);
+  ConnectSensors(graph);
 }
 
 // Not the previous instance itself: what it remembers of an episode is of one that is long over.
@@ -142,11 +143,11 @@ const TaskInstance& UniversalTask::FindPrevious() const {
   throw UserError(fmt::format("`{}` has no previous task: it was not swapped yet", name()));
 }
 
-void UniversalTask::Rollback(const Network& network) {
+void UniversalTask::Rollback(const ModuleGraph& graph) {
   const TaskInstance& previous = FindPrevious();
   auto next = std::make_unique<TaskInstance>(previous.plugin(), previous.id());
   next->TakeOver(previous, false);
-  Swap(std::move(next), network);
+  Swap(std::move(next), graph);
 }
 
 void UniversalTask::StartEpisode() {

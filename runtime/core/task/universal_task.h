@@ -13,7 +13,7 @@
 
 #include "runtime/core/module/context.h"
 #include "runtime/core/module/module.h"
-#include "runtime/core/module/network.h"
+#include "runtime/core/module/module_graph.h"
 #include "runtime/core/module/sensor_data.h"
 #include "runtime/core/module/values.h"
 #include "runtime/core/task/plugin.h"
@@ -41,7 +41,7 @@ struct TaskEnd {
 // same event reached. The task's params are this module's parameters.
 class UniversalTask : public Module {
  public:
-  static constexpr const char* kRole = "task module";  // for Network::FindOnly()
+  static constexpr const char* kRole = "task module";  // for ModuleGraph::FindOnly()
 
   Slot<> on_start_of_episode{this, "on_start_of_episode", Bind<&UniversalTask::StartEpisode>{}};
   Slot<EpisodeEnd> on_end_of_episode{this, "on_end_of_episode", Bind<&UniversalTask::EndEpisode>{}};
@@ -73,22 +73,22 @@ class UniversalTask : public Module {
 
   // Connects the sensors that are not connected yet to the out ports of their name. Precondition:
   // there are such ports.
-  void ConnectSensors(const Network& network);
+  void ConnectSensors(const ModuleGraph& graph);
   // Throws UserError if the task does not fit the robot, or if it reads a sensor that no module of
-  // `network` offers.
+  // `graph` offers.
   static void CheckCanLoad(const Plugin& plugin, const robot::RobotDescription& robot,
-                           const Network& network);
+                           const ModuleGraph& graph);
   // Throws UserError if the task does not fit the robot, or if it reads a sensor that this module
-  // has not, or not connected, and that no module of `network` offers.
-  void CheckCanSwap(const Plugin& plugin, const Network& network) const;
+  // has not, or not connected, and that no module of `graph` offers.
+  void CheckCanSwap(const Plugin& plugin, const ModuleGraph& graph) const;
   // Another task from now on, which takes over what it can (TaskInstance::TakeOver). The sensors
   // that are new in it are connected to the out ports of their name. What was until now is kept as
   // the previous task. Not from inside an event. Throws as CheckCanSwap(), and changes nothing
   // then.
-  void Swap(std::unique_ptr<TaskInstance> next, const Network& network);
+  void Swap(std::unique_ptr<TaskInstance> next, const ModuleGraph& graph);
   // The previous task again; the present one becomes the previous. Throws UserError if there is
   // none.
-  void Rollback(const Network& network);
+  void Rollback(const ModuleGraph& graph);
   // Null before the first swap.
   const TaskInstance* previous() const { return previous_.get(); }
   // Throws UserError before the first swap.

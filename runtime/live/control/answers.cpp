@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "runtime/base/suggestion.h"
-#include "runtime/core/module/graph.h"
+#include "runtime/core/module/graph_text.h"
 #include "runtime/live/control/parameter_json.h"
 #include "runtime/live/control/versions.h"
 
@@ -50,14 +50,13 @@ nlohmann::json TaskJson(const std::string& module, const TaskRecord& task) {
   return {{"module", module}, {"task", task.task}, {"hash", task.task_hash}};
 }
 
-nlohmann::json ListJson(const LiveNetwork& network, const Schedules& schedules,
-                        const RunRecord& run) {
+nlohmann::json ListJson(const LiveGraph& graph, const Schedules& schedules, const RunRecord& run) {
   nlohmann::json list = {{"tasks", nlohmann::json::array()},
                          {"modules", nlohmann::json::array()},
                          {"schedules", nlohmann::json::array()}};
-  for (const auto& module : network.network().modules()) {
+  for (const auto& module : graph.graph().modules()) {
     list["modules"].push_back(
-        {{"name", module->name()}, {"started", network.WhyNotStarted(module->name()).empty()}});
+        {{"name", module->name()}, {"started", graph.WhyNotStarted(module->name()).empty()}});
     const auto* task = dynamic_cast<const UniversalTask*>(module.get());
     if (task != nullptr) list["tasks"].push_back(TaskModuleJson(*task, run));
   }
@@ -71,17 +70,17 @@ nlohmann::json ListJson(const LiveNetwork& network, const Schedules& schedules,
   return list;
 }
 
-nlohmann::json ParametersJson(const LiveNetwork& network, const std::string& name) {
+nlohmann::json ParametersJson(const LiveGraph& graph, const std::string& name) {
   const size_t dot = name.find('.');
-  const Module& module = network.network().Find(name.substr(0, dot));
+  const Module& module = graph.graph().Find(name.substr(0, dot));
   if (dot == std::string::npos) return AllParameters(module);
   return ParameterJson(module, module.FindParameter(name.substr(dot + 1)));
 }
 
-nlohmann::json GraphAnswer(const LiveNetwork& network, const std::string& format) {
-  if (format == "text") return {{"text", GraphText(network.network())}};
-  if (format == "json") return {{"text", GraphJson(network.network())}};
-  if (format == "dot") return {{"text", GraphDot(network.network())}};
+nlohmann::json GraphAnswer(const LiveGraph& graph, const std::string& format) {
+  if (format == "text") return {{"text", GraphText(graph.graph())}};
+  if (format == "json") return {{"text", GraphJson(graph.graph())}};
+  if (format == "dot") return {{"text", GraphDot(graph.graph())}};
   throw UserError(
       fmt::format("`{}` is no format{}", format, Suggestion(format, {"text", "json", "dot"})));
 }

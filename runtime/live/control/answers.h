@@ -3,15 +3,14 @@
 
 #include <nlohmann/json.hpp>
 
-#include "runtime/live/control/live_network.h"
+#include "runtime/live/control/live_graph.h"
 #include "runtime/live/control/schedules.h"
 #include "runtime/training/run/run_records.h"
 
 namespace runtime {
 
 // {"tasks": [...], "modules": [...], "schedules": [...]}
-nlohmann::json ListJson(const LiveNetwork& network, const Schedules& schedules,
-                        const RunRecord& run);
+nlohmann::json ListJson(const LiveGraph& graph, const Schedules& schedules, const RunRecord& run);
 
 // "active" or "shadow"
 const char* RoleName(const UniversalTask& task);
@@ -19,11 +18,11 @@ const char* RoleName(const UniversalTask& task);
 // {"module", "task", "hash"}
 nlohmann::json TaskJson(const std::string& module, const TaskRecord& task);
 
-// Of "task.gain" its value with what belongs to it; of "task" all parameters. Throws UserError for
-// an unknown name.
-nlohmann::json ParametersJson(const LiveNetwork& network, const std::string& name);
+// Of "task.weight" its value with what belongs to it; of "task" all parameters. Throws UserError
+// for an unknown name.
+nlohmann::json ParametersJson(const LiveGraph& graph, const std::string& name);
 
-// {"text"}: the network as `text`, `json` or `dot`. Throws UserError for another format.
-nlohmann::json GraphAnswer(const LiveNetwork& network, const std::string& format);
+// {"text"}: the graph as `text`, `json` or `dot`. Throws UserError for another format.
+nlohmann::json GraphAnswer(const LiveGraph& graph, const std::string& format);
 
 }  // namespace runtime

@@ -41,9 +41,9 @@ std::string Change::Description(const RunRecord& run) const {
   return fmt::format("{} {}", command, text("name"));
 }
 
-ChangeMaker::ChangeMaker(LiveNetwork& network, Schedules& schedules, const RunRecord& run,
+ChangeMaker::ChangeMaker(LiveGraph& graph, Schedules& schedules, const RunRecord& run,
                          std::filesystem::path folder)
-    : network_(network), schedules_(schedules), run_(run), folder_(std::move(folder)) {}
+    : graph_(graph), schedules_(schedules), run_(run), folder_(std::move(folder)) {}
 
 void ChangeMaker::Do(const Change& change, int64_t episode) {
   const std::string kind = change.kind();
@@ -53,15 +53,15 @@ void ChangeMaker::Do(const Change& change, int64_t episode) {
   if (kind == "set") return Set(change, episode);
   if (kind == "module_add") return AddModule(change);
   if (kind == "load") {
-    network_.Load(change.text("name"), MakeInstance(change.task()));
+    graph_.Load(change.text("name"), MakeInstance(change.task()));
   } else if (kind == "unload") {
-    network_.Unload(change.text("name"));
+    graph_.Unload(change.text("name"));
   } else if (kind == "connect") {
-    network_.Connect(change.text("first"), change.text("second"));
+    graph_.Connect(change.text("first"), change.text("second"));
   } else if (kind == "disconnect") {
-    network_.Disconnect(change.text("first"), change.text("second"));
+    graph_.Disconnect(change.text("first"), change.text("second"));
   } else if (kind == "module_remove") {
-    network_.RemoveModule(change.text("name"));
+    graph_.RemoveModule(change.text("name"));
   } else {
     throw UserError(fmt::format("this version of the trainer knows no change `{}`", kind));
   }
@@ -86,39 +86,39 @@ std::shared_ptr<const Plugin> ChangeMaker::LoadKept(const TaskRecord& task) cons
 // The task that is there already stays, with its previous one: only what was learned from it may be
 // forgotten.
 void ChangeMaker::Swap(const Change& change) {
-  const UniversalTask& task = network_.FindTask(change.text("name"));
+  const UniversalTask& task = graph_.FindTask(change.text("name"));
   const bool is_there = task.instance().id() == change.task();
   if (is_there && !change.flag("forget")) return;
-  if (!is_there) network_.Swap(task.name(), MakeInstance(change.task()));
+  if (!is_there) graph_.Swap(task.name(), MakeInstance(change.task()));
   SettleLearner(change, task);
 }
 
 // Back to the very task that was the previous one then: where a swap is left out, there may be
 // nothing to do.
 void ChangeMaker::Rollback(const Change& change) {
-  const UniversalTask& task = network_.FindTask(change.text("name"));
+  const UniversalTask& task = graph_.FindTask(change.text("name"));
   if (task.instance().id() == change.task()) return;
   if (task.previous() == nullptr || task.previous()->id() != change.task()) return Swap(change);
-  network_.Rollback(task.name());
+  graph_.Rollback(task.name());
   SettleLearner(change, task);
 }
 
 void ChangeMaker::Promote(const Change& change) {
-  network_.Promote(change.text("name"));
-  SettleLearner(change, network_.FindTask(change.text("name")));
+  graph_.Promote(change.text("name"));
+  SettleLearner(change, graph_.FindTask(change.text("name")));
 }
 
 void ChangeMaker::SettleLearner(const Change& change, const UniversalTask& task) {
-  if (&task != &network_.active_task()) return;
-  network_.learner().ForgetCredit();
-  if (change.flag("forget")) network_.learner().Forget();
+  if (&task != &graph_.active_task()) return;
+  graph_.learner().ForgetCredit();
+  if (change.flag("forget")) graph_.learner().Forget();
 }
 
 void ChangeMaker::Set(const Change& change, int64_t episode) {
   const std::string name = change.text("name");
-  const Parameter& parameter = network_.FindParameter(name);
+  const Parameter& parameter = graph_.FindParameter(name);
   if (change.data().contains("value")) {
-    network_.Set(name, ValueFromJson(change.data().at("value"), parameter, name));
+    graph_.Set(name, ValueFromJson(change.data().at("value"), parameter, name));
     schedules_.Remove(name);
     return;
   }
@@ -136,7 +136,7 @@ void ChangeMaker::AddModule(const Change& change) {
       parameters.emplace_back(name, ValueFromJson(value, any, name));
     }
   }
-  network_.AddModule(change.text("type"), change.text("name"), parameters);
+  graph_.AddModule(change.text("type"), change.text("name"), parameters);
 }
 
 }  // namespace runtime

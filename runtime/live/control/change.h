@@ -1,11 +1,11 @@
-// A change of a running network, as it is written down so that it can be repeated.
+// A change of a running graph, as it is written down so that it can be repeated.
 #pragma once
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "runtime/live/control/live_network.h"
+#include "runtime/live/control/live_graph.h"
 #include "runtime/live/control/schedules.h"
 #include "runtime/training/run/run_records.h"
 
@@ -19,7 +19,7 @@ class Change {
 
   const nlohmann::json& data() const { return data_; }
   std::string kind() const { return data_.at("command").get<std::string>(); }
-  // The task that it brings into the network; 0 for none.
+  // The task that it brings into the graph; 0 for none.
   int64_t task() const { return data_.value("task", int64_t{0}); }
   std::string text(const std::string& name) const { return data_.at(name).get<std::string>(); }
   bool flag(const std::string& name) const { return data_.value(name, false); }
@@ -35,7 +35,7 @@ class Change {
 class ChangeMaker {
  public:
   // `folder`: of the run, with its plugins. All of these outlive this object.
-  ChangeMaker(LiveNetwork& network, Schedules& schedules, const RunRecord& run,
+  ChangeMaker(LiveGraph& graph, Schedules& schedules, const RunRecord& run,
               std::filesystem::path folder);
 
   // `episode`: the first one that a schedule sets. Throws UserError, and changes nothing then;
@@ -53,7 +53,7 @@ class ChangeMaker {
   // What was learned from other rewards.
   void SettleLearner(const Change& change, const UniversalTask& task);
 
-  LiveNetwork& network_;
+  LiveGraph& graph_;
   Schedules& schedules_;
   const RunRecord& run_;
   const std::filesystem::path folder_;

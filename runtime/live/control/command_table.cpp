@@ -39,9 +39,9 @@ constexpr ArgumentSpec kRollback[] = {
     kNow};
 constexpr ArgumentSpec kPromote[] = {kTaskModule, kNow, kForget};
 constexpr ArgumentSpec kGet[] = {
-    {"name", kText, kRequired, "`task.gain`, or `task` for all of a module"}};
+    {"name", kText, kRequired, "`task.weight`, or `task` for all of a module"}};
 constexpr ArgumentSpec kSet[] = {
-    {"name", kText, kRequired, "`task.gain`"},
+    {"name", kText, kRequired, "`task.weight`"},
     {"value", kValue, kOptional, "the new value; a text may carry the unit: \"20 s\""},
     {"from", kNumber, kOptional, "of a schedule: the value in the next episode"},
     {"to", kNumber, kOptional, "of a schedule: the value in its last episode"},

@@ -13,10 +13,10 @@
 
 namespace runtime {
 
-// Between two control steps of a run.
+// Between two time steps of a run.
 struct RunPosition {
   int64_t episode = 0;  // that runs, or is about to start
-  int64_t step = 0;     // control steps done in it
+  int64_t step = 0;     // time steps done in it
 
   auto operator<=>(const RunPosition&) const = default;
   // The first episode all of which comes after it.

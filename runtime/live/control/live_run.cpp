@@ -23,9 +23,9 @@ LiveRun::LiveRun(const RunParts& run, Progress& progress, WhenDone when_done,
       progress_(progress),
       when_done_(when_done),
       stop_(stop),
-      network_(run.network, run.types, run.context),
+      graph_(run.graph, run.types, run.context),
       journal_(run.database),
-      maker_(network_, schedules_, run.record, run.folder),
+      maker_(graph_, schedules_, run.record, run.folder),
       loader_(run.folder) {
   if (journal_.bad_tasks().contains(run.record.tasks.front().id)) {
     throw UserError(fmt::format(
@@ -79,7 +79,7 @@ std::set<std::string> LiveRun::BeforeRestore(int64_t episode) {
   position_ = {episode + 1, 0};
   episodes_done_ = episode;
   recent_.clear();
-  network_has_changed_ = false;
+  graph_has_changed_ = false;
   for (const ChangeRecord& change : journal_.passed_over()) NoteNotAgain(change);
   return not_again_;
 }
@@ -95,7 +95,7 @@ void LiveRun::NoteNotAgain(const ChangeRecord& change) {
 // meanwhile. After the last step nothing was changed any more, whatever was planned for later.
 void LiveRun::RepeatEpisode(const EpisodeRecord& episode) {
   RepeatPast({episode.number, 0});
-  schedules_.Apply(episode.number, network_);
+  schedules_.Apply(episode.number, graph_);
   RepeatPast({episode.number, episode.steps - 1});
 }
 
@@ -119,8 +119,8 @@ bool LiveRun::AtSafePoint(int64_t episode, int64_t step) {
     ServeQueue();
   }
   if (state_ == State::kPaused) SetState(State::kRunning);  // to the end of the episode
-  if (step == 0) schedules_.Apply(episode, network_);
-  return std::exchange(network_has_changed_, false);
+  if (step == 0) schedules_.Apply(episode, graph_);
+  return std::exchange(graph_has_changed_, false);
 }
 
 void LiveRun::CountDown() {
@@ -159,7 +159,7 @@ void LiveRun::Do(const ChangeRecord& record) {
 }
 
 void LiveRun::NoteDone(const ChangeRecord& record) {
-  network_has_changed_ = true;
+  graph_has_changed_ = true;
   recent_.push_back(record);
   Publish({{"event", "change"},
            {"id", record.id},

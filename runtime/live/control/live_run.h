@@ -10,7 +10,7 @@
 
 #include "runtime/live/control/change.h"
 #include "runtime/live/control/journal.h"
-#include "runtime/live/control/live_network.h"
+#include "runtime/live/control/live_graph.h"
 #include "runtime/live/control/request.h"
 #include "runtime/live/control/request_queue.h"
 #include "runtime/live/control/schedules.h"
@@ -27,7 +27,7 @@ struct RunParts {
   std::filesystem::path folder;
   RunRecord& record;
   RunDatabase& database;
-  Network& network;  // started
+  ModuleGraph& graph;  // started
   const ModuleTypes& types;
   const Context& context;
 };
@@ -59,7 +59,7 @@ class LiveRun : public RequestHandler, public TrainingHooks {
   bool wants_stop() const override { return stop_was_asked_for_; }
   bool PlanMore(int64_t episodes_done) override;
 
-  // The network has failed. If a change of the last two episodes can be blamed for it, this change
+  // The graph has failed. If a change of the last two episodes can be blamed for it, this change
   // is put into quarantine, so that the run can go on from its checkpoint without it.
   bool BlameLastChange(const std::string& why);
 
@@ -111,7 +111,7 @@ class LiveRun : public RequestHandler, public TrainingHooks {
   Progress& progress_;
   const WhenDone when_done_;
   const StopRequest& stop_;
-  LiveNetwork network_;
+  LiveGraph graph_;
   Schedules schedules_;
   Journal journal_;
   ChangeMaker maker_;
@@ -120,7 +120,7 @@ class LiveRun : public RequestHandler, public TrainingHooks {
   EventSink* events_ = nullptr;
 
   RunPosition position_;
-  bool network_has_changed_ = false;  // since the training was told last
+  bool graph_has_changed_ = false;  // since the training was told last
   State state_ = State::kRunning;
   std::optional<StepUnit> counts_;  // what is left of `step`
   int64_t steps_left_ = 0;

@@ -70,12 +70,12 @@ Json LiveRun::Answer(const QueuedRequest& request) {
 std::optional<Json> LiveRun::Look(const Request& request) const {
   const std::string& command = request.command;
   if (command == "status") return StatusJson();
-  if (command == "list") return ListJson(network_, schedules_, run_.record);
+  if (command == "list") return ListJson(graph_, schedules_, run_.record);
   if (command == "get") {
-    return ParametersJson(network_, request.arguments.at("name").get<std::string>());
+    return ParametersJson(graph_, request.arguments.at("name").get<std::string>());
   }
   if (command == "graph") {
-    return GraphAnswer(network_, request.arguments.value("format", std::string("text")));
+    return GraphAnswer(graph_, request.arguments.value("format", std::string("text")));
   }
   return std::nullopt;
 }
@@ -135,12 +135,12 @@ Json LiveRun::StatusJson() const {
   static constexpr const char* kNames[] = {"running", "paused", "finished"};
   const double wall = last_episode_.wall_seconds;
   return {{"run", run_.folder.string()},
-          {"task", network_.active_task().plugin().name},
+          {"task", graph_.active_task().plugin().name},
           {"robot", run_.record.robot},
           {"state", kNames[static_cast<int>(state_)]},
           {"episode", position_.episode},
           {"step", position_.step},
-          {"time", position_.step == 0 ? 0.0 : network_.environment().time()},
+          {"time", position_.step == 0 ? 0.0 : graph_.environment().time()},
           {"episodes_done", episodes_done_},
           {"episodes_planned", run_.record.episodes_planned},
           {"speed", wall > 0 ? last_episode_.simulated_seconds / wall : 0.0},
@@ -177,12 +177,12 @@ Json LiveRun::LoadOrSwap(const QueuedRequest& request) {
   CheckIsGood(task);
   Json reply;
   if (command == "swap") {
-    network_.CheckSwap(name, plugin);
+    graph_.CheckSwap(name, plugin);
     Json data = {{"command", command}, {"name", name}, {"task", RecordTask(std::move(task)).id}};
     if (arguments.value("forget", false)) data["forget"] = true;
     reply = Exchange(std::move(data), arguments.value("now", false));
   } else {
-    network_.CheckLoad(name, plugin);
+    graph_.CheckLoad(name, plugin);
     const TaskRecord& loaded = RecordTask(std::move(task));
     reply = TaskJson(name, loaded);
     Make(Change({{"command", command}, {"name", name}, {"task", loaded.id}}), true);
@@ -194,7 +194,7 @@ Json LiveRun::LoadOrSwap(const QueuedRequest& request) {
 }
 
 int64_t LiveRun::TaskToCome(const std::string& module, bool now) const {
-  int64_t task = network_.FindTask(module).instance().id();
+  int64_t task = graph_.FindTask(module).instance().id();
   if (now || position_.step == 0) return task;
   const RunPosition next_start = {position_.episode + 1, 0};
   for (const ChangeRecord& due : journal_.due()) {
@@ -212,7 +212,7 @@ Json LiveRun::Exchange(Json data, bool now) {
   const std::string name = change.text("name");
   const bool changes = change.flag("forget") || TaskToCome(name, now) != change.task();
   Json reply = TaskJson(name, TaskWithId(run_.record, change.task()));
-  reply["role"] = RoleName(network_.FindTask(name));
+  reply["role"] = RoleName(graph_.FindTask(name));
   reply["takes_effect"] = changes ? Make(change, now) : "already";
   return reply;
 }
@@ -221,15 +221,15 @@ Json LiveRun::Rollback(const Json& arguments) {
   const std::string name = arguments.at("name").get<std::string>();
   int64_t task = 0;
   if (arguments.contains("version")) {
-    const UniversalTask& module = network_.FindTask(name);
+    const UniversalTask& module = graph_.FindTask(name);
     const TaskRecord& version =
         FindVersion(run_.record, module.name(), arguments.at("version").get<std::string>());
     CheckIsGood(version);
     const Plugin plugin(FindKeptPlugin(run_.folder, version.plugin), version.task_file);
-    network_.CheckSwap(name, plugin);
+    graph_.CheckSwap(name, plugin);
     task = version.id;
   } else {
-    task = network_.FindTask(name).FindPrevious().id();
+    task = graph_.FindTask(name).FindPrevious().id();
   }
   return Exchange({{"command", "rollback"}, {"name", name}, {"task", task}},
                   arguments.value("now", false));
@@ -238,17 +238,17 @@ Json LiveRun::Rollback(const Json& arguments) {
 Json LiveRun::Promote(const Json& arguments) {
   const std::string name = arguments.at("name").get<std::string>();
   const bool now = arguments.value("now", false);
-  network_.CheckPromote(name, now && position_.step != 0);
+  graph_.CheckPromote(name, now && position_.step != 0);
   Json data = {{"command", "promote"}, {"name", name}};
   if (arguments.value("forget", false)) data["forget"] = true;
-  Json reply = TaskJson(name, TaskWithId(run_.record, network_.FindTask(name).instance().id()));
+  Json reply = TaskJson(name, TaskWithId(run_.record, graph_.FindTask(name).instance().id()));
   reply["takes_effect"] = Make(Change(std::move(data)), now);
   return reply;
 }
 
 Json LiveRun::SetParameter(const Json& arguments) {
   const std::string name = arguments.at("name").get<std::string>();
-  const Parameter& parameter = network_.FindParameter(name);
+  const Parameter& parameter = graph_.FindParameter(name);
   Json data = {{"command", "set"}, {"name", name}};
   if (arguments.contains("value")) {
     for (const char* key : {"from", "to", "episodes"}) {
@@ -258,7 +258,7 @@ Json LiveRun::SetParameter(const Json& arguments) {
     }
     data["value"] = ToJson(ValueFromJson(arguments.at("value"), parameter, name));
     const std::string takes_effect = Make(Change(std::move(data)), true);
-    Json reply = ParametersJson(network_, name);
+    Json reply = ParametersJson(graph_, name);
     reply["takes_effect"] = takes_effect;
     return reply;
   }

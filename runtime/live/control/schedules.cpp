@@ -25,11 +25,11 @@ void Schedules::Set(const std::string& parameter, const Schedule& schedule) {
   schedules_[parameter] = schedule;
 }
 
-void Schedules::Apply(int64_t episode, LiveNetwork& network) {
+void Schedules::Apply(int64_t episode, LiveGraph& graph) {
   std::erase_if(schedules_, [&](const auto& each) {
     const auto& [parameter, schedule] = each;
     try {
-      network.Set(parameter, ValueFor(network.FindParameter(parameter), schedule.At(episode)));
+      graph.Set(parameter, ValueFor(graph.FindParameter(parameter), schedule.At(episode)));
     } catch (const UserError&) {
       return true;
     }

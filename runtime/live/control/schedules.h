@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-#include "runtime/live/control/live_network.h"
+#include "runtime/live/control/live_graph.h"
 
 namespace runtime {
 
@@ -22,13 +22,13 @@ struct Schedule {
 
 class Schedules {
  public:
-  // In the place of one that `parameter` ("task.gain") may have.
+  // In the place of one that `parameter` ("task.weight") may have.
   void Set(const std::string& parameter, const Schedule& schedule);
   void Remove(const std::string& parameter) { schedules_.erase(parameter); }
 
   // Gives all parameters their values for an episode that is about to start. A schedule whose
   // parameter is gone, or does not take its value any more, is dropped.
-  void Apply(int64_t episode, LiveNetwork& network);
+  void Apply(int64_t episode, LiveGraph& graph);
 
   const std::map<std::string, Schedule>& all() const { return schedules_; }
 

@@ -74,7 +74,7 @@ const CommandSpec& CommandAt(std::string_view path) {
   }
 }
 
-Request ReadRequest(const Call& call) {
+Request ReadRequest(const HttpRequest& call) {
   const CommandSpec& command = CommandAt(PathOf(call.target));
   const bool is_get = call.method == "GET";
   if (call.method != "POST" && (!is_get || command.changes)) {
@@ -91,7 +91,7 @@ Request ReadRequest(const Call& call) {
   return request;
 }
 
-void CheckIsGet(const Call& call) {
+void CheckIsGet(const HttpRequest& call) {
   if (call.method == "GET") return;
   throw HttpError(405, fmt::format("`{}` takes GET", PathOf(call.target)));
 }
@@ -102,15 +102,15 @@ std::string Text(const json& object) {
 
 }  // namespace
 
-Wish ReadCall(const Call& call) {
+Route ReadRoute(const HttpRequest& call) {
   const std::string_view path = PathOf(call.target);
   if (path == "/") {
     CheckIsGet(call);
-    return PageWish();
+    return PageRoute();
   }
   if (path == "/api/events") {
     CheckIsGet(call);
-    return EventsWish();
+    return EventsRoute();
   }
   if (path.starts_with(kApi)) return ReadRequest(call);
   throw HttpError(404, fmt::format("there is nothing at `{}`; commands are at /api/COMMAND, the "

@@ -10,18 +10,18 @@
 namespace runtime {
 
 // The parts of an HTTP request that decide what is done.
-struct Call {
+struct HttpRequest {
   std::string_view method;  // "POST"
-  std::string_view target;  // "/api/get?name=task.gain"
+  std::string_view target;  // "/api/get?name=task.weight"
   std::string_view body;    // JSON object of arguments; "": none
 };
 
-struct PageWish {};    // the run's report page
-struct EventsWish {};  // a stream of events
-using Wish = std::variant<PageWish, EventsWish, Request>;
+struct PageRoute {};    // the run's report page
+struct EventsRoute {};  // a stream of events
+using Route = std::variant<PageRoute, EventsRoute, Request>;
 
 // The arguments of a Request are checked. Throws HttpError.
-Wish ReadCall(const Call& call);
+Route ReadRoute(const HttpRequest& call);
 
 // The value of `name` in the query of `target`; "" where there is none.
 std::string QueryValue(std::string_view target, std::string_view name);

@@ -19,20 +19,21 @@ class EventStream final : public Connection,
                           public std::enable_shared_from_this<EventStream> {
  public:
   EventStream(Service& service, Stream stream,
-              beast::http::request<beast::http::string_body> request, Seat seat)
+              beast::http::request<beast::http::string_body> request, ConnectionSlot slot)
       : service_(service),
         websocket_(std::move(stream)),
         request_(std::move(request)),
-        seat_(std::move(seat)),
+        slot_(std::move(slot)),
         events_(service.limits.waiting_events) {}
 
   // Events of this moment count already; they are sent when the client has been accepted.
   void Start() {
     service_.events.Add(*this);
     beast::get_lowest_layer(websocket_).expires_never();
-    const auto patience = service_.limits.patience;
-    websocket_.set_option(
-        {.handshake_timeout = patience, .idle_timeout = patience, .keep_alive_pings = true});
+    const auto idle_timeout = service_.limits.idle_timeout;
+    websocket_.set_option({.handshake_timeout = idle_timeout,
+                           .idle_timeout = idle_timeout,
+                           .keep_alive_pings = true});
     websocket_.read_message_max(kMaxMessage);
     websocket_.text(true);
     is_sending_ = true;
@@ -89,7 +90,7 @@ class EventStream final : public Connection,
   Service& service_;
   websocket::stream<Stream> websocket_;
   beast::http::request<beast::http::string_body> request_;
-  Seat seat_;
+  ConnectionSlot slot_;
   beast::flat_buffer buffer_;
   EventQueue events_;
   EventText sending_;
@@ -100,9 +101,9 @@ class EventStream final : public Connection,
 }  // namespace
 
 void ServeEvents(Service& service, Stream stream,
-                 beast::http::request<beast::http::string_body> request, Seat seat) {
+                 beast::http::request<beast::http::string_body> request, ConnectionSlot slot) {
   const auto connection = std::make_shared<EventStream>(service, std::move(stream),
-                                                        std::move(request), std::move(seat));
+                                                        std::move(request), std::move(slot));
   service.connections.emplace(connection.get(), connection);
   connection->Start();
 }

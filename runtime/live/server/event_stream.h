@@ -12,6 +12,7 @@ namespace runtime {
 // Turns the connection on which `request` came into a WebSocket, and sends all events from now on
 // until either side ends it.
 void ServeEvents(Service& service, Stream stream,
-                 boost::beast::http::request<boost::beast::http::string_body> request, Seat seat);
+                 boost::beast::http::request<boost::beast::http::string_body> request,
+                 ConnectionSlot slot);
 
 }  // namespace runtime

@@ -31,11 +31,11 @@ constexpr std::string_view kContinue = "HTTP/1.1 100 Continue\r\n\r\n";
 class HttpConnection final : public Connection,
                              public std::enable_shared_from_this<HttpConnection> {
  public:
-  HttpConnection(Service& service, Stream stream, Entrance entrance, Seat seat)
+  HttpConnection(Service& service, Stream stream, Transport transport, ConnectionSlot slot)
       : service_(service),
         stream_(std::move(stream)),
-        entrance_(entrance),
-        seat_(std::move(seat)) {}
+        transport_(transport),
+        slot_(std::move(slot)) {}
 
   void Read();
   void End() override;
@@ -59,7 +59,7 @@ class HttpConnection final : public Connection,
   void OnReadError(error_code error);
   void CheckAccess() const;
 
-  void Do(Wish wish);
+  void Do(Route route);
   void Pass(Request request);
   void SendPage();
   void BecomeEventStream();
@@ -72,8 +72,8 @@ class HttpConnection final : public Connection,
 
   Service& service_;
   Stream stream_;
-  const Entrance entrance_;
-  Seat seat_;
+  const Transport transport_;
+  ConnectionSlot slot_;
   beast::flat_buffer buffer_;
   std::optional<http::request_parser<http::string_body>> parser_;
   std::optional<http::response<http::string_body>> response_;
@@ -85,7 +85,7 @@ void HttpConnection::Read() {
   parser_.emplace();
   parser_->header_limit(service_.limits.header_bytes);
   parser_->body_limit(service_.limits.body_bytes);
-  stream_.expires_after(service_.limits.patience);
+  stream_.expires_after(service_.limits.idle_timeout);
   http::async_read_header(stream_, buffer_, *parser_, Then(&HttpConnection::OnHeader));
 }
 
@@ -113,7 +113,7 @@ void HttpConnection::OnHeader(error_code error) {
 
 void HttpConnection::ReadBody(error_code error) {
   if (error) return OnReadError(error);
-  stream_.expires_after(service_.limits.patience);  // before, it may have been idle
+  stream_.expires_after(service_.limits.idle_timeout);  // before, it may have been idle
   http::async_read(stream_, buffer_, *parser_, Then(&HttpConnection::OnBody));
 }
 
@@ -121,9 +121,9 @@ void HttpConnection::OnBody(error_code error) {
   if (error) return OnReadError(error);
   stream_.expires_never();
   try {
-    Do(ReadCall({.method = message().method_string(),
-                 .target = message().target(),
-                 .body = message().body()}));
+    Do(ReadRoute({.method = message().method_string(),
+                  .target = message().target(),
+                  .body = message().body()}));
   } catch (const HttpError& refusal) {
     Send(AnswerOf(refusal.status(), refusal.what()));
   }
@@ -143,7 +143,7 @@ void HttpConnection::OnReadError(error_code error) {
 }
 
 void HttpConnection::CheckAccess() const {
-  if (entrance_ == Entrance::kUnixSocket) return;  // the system lets only its owner in
+  if (transport_ == Transport::kUnixSocket) return;  // the system lets only its owner in
   for (const http::field field :
        {http::field::host, http::field::origin, http::field::authorization}) {
     if (message().count(field) < 2) continue;
@@ -160,13 +160,13 @@ void HttpConnection::CheckAccess() const {
                          .token = token});
 }
 
-void HttpConnection::Do(Wish wish) {
-  if (std::holds_alternative<PageWish>(wish)) {
+void HttpConnection::Do(Route route) {
+  if (std::holds_alternative<PageRoute>(route)) {
     SendPage();
-  } else if (std::holds_alternative<EventsWish>(wish)) {
+  } else if (std::holds_alternative<EventsRoute>(route)) {
     BecomeEventStream();
   } else {
-    Pass(std::move(std::get<Request>(wish)));
+    Pass(std::move(std::get<Request>(route)));
   }
 }
 
@@ -194,7 +194,7 @@ void HttpConnection::BecomeEventStream() {
   if (!beast::websocket::is_upgrade(message())) {
     return Send(AnswerOf(426, "events come over a WebSocket"));
   }
-  ServeEvents(service_, std::move(stream_), message(), std::move(seat_));
+  ServeEvents(service_, std::move(stream_), message(), std::move(slot_));
   service_.connections.erase(this);
 }
 
@@ -216,7 +216,7 @@ void HttpConnection::Send(Answer answer) {
   response.keep_alive(!is_ending_);
   response.prepare_payload();
   is_sending_ = true;
-  stream_.expires_after(service_.limits.patience);
+  stream_.expires_after(service_.limits.idle_timeout);
   http::async_write(stream_, response, Then(&HttpConnection::OnSent));
 }
 
@@ -245,12 +245,12 @@ void HttpConnection::DiscardTheRest(error_code error) {
 
 }  // namespace
 
-void ServeHttp(Service& service, Descriptor socket, Entrance entrance, Seat seat) {
-  const int family = entrance == Entrance::kUnixSocket ? AF_UNIX : AF_INET;
+void ServeHttp(Service& service, Descriptor socket, Transport transport, ConnectionSlot slot) {
+  const int family = transport == Transport::kUnixSocket ? AF_UNIX : AF_INET;
   Stream stream(service.io);
   stream.socket().assign(net::generic::stream_protocol(family, 0), socket.Release());
   const auto connection =
-      std::make_shared<HttpConnection>(service, std::move(stream), entrance, std::move(seat));
+      std::make_shared<HttpConnection>(service, std::move(stream), transport, std::move(slot));
   service.connections.emplace(connection.get(), connection);
   connection->Read();
 }

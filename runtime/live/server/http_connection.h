@@ -8,13 +8,13 @@
 namespace runtime {
 
 // Held by a connection that counts towards the limit.
-using Seat = std::shared_ptr<void>;
+using ConnectionSlot = std::shared_ptr<void>;
 
 // From whom a connection may come.
-enum class Entrance { kUnixSocket, kLoopback };
+enum class Transport { kUnixSocket, kLoopback };
 
 // Answers requests on `socket`, one after the other, until either side ends it. On the loopback
 // each must show that it may ask.
-void ServeHttp(Service& service, Descriptor socket, Entrance entrance, Seat seat);
+void ServeHttp(Service& service, Descriptor socket, Transport transport, ConnectionSlot slot);
 
 }  // namespace runtime

@@ -47,11 +47,11 @@ uint16_t PortOf(const Descriptor& socket) {
   return ntohs(address.sin_port);
 }
 
-Listener::Listener(Service& service, Descriptor socket, Entrance entrance)
+Listener::Listener(Service& service, Descriptor socket, Transport transport)
     : service_(service),
       socket_(service.io, socket.Release()),
       pause_(service.io),
-      entrance_(entrance) {}
+      transport_(transport) {}
 
 void Listener::Accept() {
   socket_.async_wait(socket_.wait_read, [this](const boost::system::error_code& error) {
@@ -91,10 +91,10 @@ void Listener::Take(Descriptor client) {
     send(client.get(), kFull.data(), kFull.size(), MSG_NOSIGNAL);  // a new socket has room for it
     return;
   }
-  if (entrance_ == Entrance::kLoopback) {
+  if (transport_ == Transport::kLoopback) {
     setsockopt(client.get(), IPPROTO_TCP, TCP_NODELAY, &kYes, sizeof(kYes));
   }
-  ServeHttp(service_, std::move(client), entrance_, seats_);
+  ServeHttp(service_, std::move(client), transport_, seats_);
 }
 
 }  // namespace runtime

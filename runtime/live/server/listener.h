@@ -16,7 +16,7 @@ uint16_t PortOf(const Descriptor& socket);
 // thread only.
 class Listener {
  public:
-  Listener(Service& service, Descriptor socket, Entrance entrance);
+  Listener(Service& service, Descriptor socket, Transport transport);
 
   void Accept();
   void Close();
@@ -29,7 +29,7 @@ class Listener {
   Service& service_;
   boost::asio::posix::stream_descriptor socket_;
   boost::asio::steady_timer pause_;
-  Entrance entrance_;
+  Transport transport_;
   std::shared_ptr<void> seats_ = std::make_shared<char>();  // every connection holds a copy
 };
 

@@ -64,8 +64,8 @@ class Server::Implementation {
         token_(NewToken()),
         control_file_(folder_, port_, token_),
         service_(NewService(options, handler, std::move(page_maker), port_, token_)),
-        unix_listener_(*service_, control_socket_.TakeListener(), Entrance::kUnixSocket),
-        loopback_listener_(*service_, std::move(loopback_), Entrance::kLoopback) {
+        unix_listener_(*service_, control_socket_.TakeListener(), Transport::kUnixSocket),
+        loopback_listener_(*service_, std::move(loopback_), Transport::kLoopback) {
     unix_listener_.Accept();
     loopback_listener_.Accept();
     const NoSignals no_signals;

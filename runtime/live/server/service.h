@@ -15,7 +15,7 @@
 namespace runtime {
 
 // A client. It lives for as long as it is among the connections of the service, or waits for the
-// network.
+// graph.
 class Connection {
  public:
   virtual ~Connection() = default;

@@ -16,7 +16,7 @@ namespace runtime {
 // "running"
 std::string_view NameOf(RunProgressState state);
 
-// A head and one line for each run, without colours:
+// A head and one line for each run, without colors:
 //
 //   run      state      episodes      last      best     left
 //   seed1    running    340/1000     12.25     27.61    10:12

@@ -17,7 +17,7 @@ void BoltzmannProbabilities(const Eigen::VectorXd& values, double temperature,
   }
 }
 
-int SpinRoulette(const Eigen::VectorXd& probabilities, double uniform) {
+int SampleCategorical(const Eigen::VectorXd& probabilities, double uniform) {
   double passed = 0;
   int last_possible = 0;
   for (int action = 0; action < probabilities.size(); ++action) {

@@ -13,6 +13,6 @@ void BoltzmannProbabilities(const Eigen::VectorXd& values, double temperature,
 
 // The action at whose place on the wheel the ball comes to rest. `uniform` is in [0, 1). An action
 // with probability 0 is never chosen.
-int SpinRoulette(const Eigen::VectorXd& probabilities, double uniform);
+int SampleCategorical(const Eigen::VectorXd& probabilities, double uniform);
 
 }  // namespace runtime

@@ -14,7 +14,7 @@
 namespace runtime {
 namespace {
 
-// The springs have stiffness 1 and act where two spheres overlap, or where a centre comes nearer to
+// The springs have stiffness 1 and act where two spheres overlap, or where a center comes nearer to
 // a face than kFaceInset times the radius.
 constexpr double kTimeStep = 0.1;
 constexpr double kSphereMass = 5;
@@ -172,8 +172,8 @@ Spheres PackSpheres(const robot::NetDescription& net, uint64_t seed) {
 
 GaussianNet BubbleNet(const Spheres& spheres, Norm norm) {
   Eigen::VectorXd deviations =
-      Eigen::VectorXd::Constant(spheres.centres.rows(), kDeviationOverRadius * spheres.radius);
-  return GaussianNet(spheres.centres.transpose(), std::move(deviations), norm);
+      Eigen::VectorXd::Constant(spheres.centers.rows(), kDeviationOverRadius * spheres.radius);
+  return GaussianNet(spheres.centers.transpose(), std::move(deviations), norm);
 }
 
 }  // namespace runtime

@@ -1,4 +1,4 @@
-// A Gaussian network whose centres fill a box evenly, as bubbles do that are blown up in it.
+// A Gaussian network whose centers fill a box evenly, as bubbles do that are blown up in it.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@ namespace runtime {
 
 // Spheres of one common radius in a box.
 struct Spheres {
-  Eigen::MatrixXd centres;  // one column for each sphere
+  Eigen::MatrixXd centers;  // one column for each sphere
   double radius = 0;
 };
 

@@ -78,9 +78,9 @@ void Dcob::Execute(int action) {
   const Eigen::VectorXd& features = features_in_();
   if (features.size() != net.units()) ThrowForeignFeatures();
   start_ = state.segment(State::kAngles, start_.size());
-  target_ = net.centres().row(action / paces).transpose();
+  target_ = net.centers().row(action / paces).transpose();
   motion_.Start(start_, target_, intervals_[action % paces], Distance(state),
-                features.dot(net.neighbour_distances()), abbreviation_scale_);
+                features.dot(net.neighbor_distances()), abbreviation_scale_);
   moving_ = true;
 }
 

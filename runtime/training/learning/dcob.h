@@ -14,12 +14,12 @@
 namespace runtime {
 
 // The action space DCOB: with intervals g_0 .. g_{n-1} [s/rad], action a moves the coordinates
-// towards the centre of unit a / n at the pace g_{a mod n}
+// towards the center of unit a / n at the pace g_{a mod n}
 // (runtime/training/learning/dcob_motion.h).
 //
 // With the target "angles" (called DCOB-Q elsewhere) the distance D is that of the angles. With
 // "state" (DCOB) it is that of the whole state, whose elements other than the angles are 0 in every
-// centre; the rates to arrive with are then the centre's, which are 0 too. So the two differ only
+// center; the rates to arrive with are then the center's, which are 0 too. So the two differ only
 // in how early a motion is cut short.
 class Dcob : public Module {
  public:

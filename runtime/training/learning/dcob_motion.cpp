@@ -11,15 +11,15 @@ DcobMotion::DcobMotion(int coordinates)
       command_(Eigen::VectorXd::Zero(coordinates)) {}
 
 void DcobMotion::Start(const Eigen::VectorXd& start, const Eigen::VectorXd& target, double interval,
-                       double distance, double neighbour_distance, double scale) {
+                       double distance, double neighbor_distance, double scale) {
   assert(start.size() == start_.size() && target.size() == start_.size() && start.size() > 0);
   start_ = start;
   way_ = target - start;
   elapsed_ = 0;
   full_time_ = interval * way_.lpNorm<Eigen::Infinity>();
   // d_N < D implies D > 0, since distances between basis functions are not negative.
-  duration_ = neighbour_distance < distance ? scale * (neighbour_distance / distance) * full_time_
-                                            : full_time_;
+  duration_ = neighbor_distance < distance ? scale * (neighbor_distance / distance) * full_time_
+                                           : full_time_;
 }
 
 const Eigen::VectorXd& DcobMotion::Command() {

@@ -16,8 +16,8 @@ double LargestFiniteDeviation(const Eigen::VectorXd& deviations) {
   return largest > 0 ? largest : GaussianNet::kInfiniteDeviation;
 }
 
-Eigen::VectorXd NeighbourDistances(const Eigen::MatrixXd& centres, double at_least, Norm norm) {
-  const Eigen::MatrixXd points = centres.transpose();  // one centre's elements side by side
+Eigen::VectorXd NeighborDistances(const Eigen::MatrixXd& centers, double at_least, Norm norm) {
+  const Eigen::MatrixXd points = centers.transpose();  // one center's elements side by side
   const Eigen::Index units = points.cols();
   Eigen::VectorXd nearest =
       Eigen::VectorXd::Constant(units, std::numeric_limits<double>::infinity());
@@ -34,12 +34,11 @@ Eigen::VectorXd NeighbourDistances(const Eigen::MatrixXd& centres, double at_lea
 
 }  // namespace
 
-GaussianNet::GaussianNet(Eigen::MatrixXd centres, Eigen::VectorXd deviations, Norm norm)
-    : centres_(std::move(centres)),
+GaussianNet::GaussianNet(Eigen::MatrixXd centers, Eigen::VectorXd deviations, Norm norm)
+    : centres_(std::move(centers)),
       deviations_(std::move(deviations)),
       exponent_factors_(-0.5 * deviations_.array().square().inverse()),
-      neighbour_distances_(
-          NeighbourDistances(centres_, LargestFiniteDeviation(deviations_), norm)) {
+      neighbor_distances_(NeighborDistances(centres_, LargestFiniteDeviation(deviations_), norm)) {
   assert(centres_.rows() > 0 && centres_.cols() == deviations_.size());
   assert((deviations_.array() > 0).all());
 }
@@ -52,7 +51,7 @@ void GaussianNet::Evaluate(const Eigen::Ref<const Eigen::VectorXd>& point,
     features.array() += exponent_factors_[i] * (centres_.col(i).array() - point[i]).square();
   }
   // With the largest logarithm taken off, the largest G is 1: the sum can neither vanish nor
-  // overflow however far the point lies from all centres.
+  // overflow however far the point lies from all centers.
   const double largest = features.maxCoeff();
   features.array() = (features.array() - largest).exp();
   const double sum = features.sum();

@@ -1,11 +1,11 @@
-// A normalised Gaussian network: smooth features that divide a space among their centres.
+// A normalized Gaussian network: smooth features that divide a space among their centers.
 //
 // Unit k answers to the point x with
 //
 //   phi_k(x) = G_k(x) / sum_m G_m(x),   G_k(x) = exp(-1/2 sum_i ((x_i - mu_ki) / sigma_i)^2)
 //
 // All units share one diagonal covariance, so the determinant of the general form cancels.
-// Dimensions of a state that a net ignores (in other implementations: centre 0 and a huge
+// Dimensions of a state that a net ignores (in other implementations: center 0 and a huge
 // deviation, the same in every unit) cancel as well, exactly; a net therefore knows only the
 // dimensions that it uses.
 #pragma once
@@ -20,24 +20,24 @@ namespace runtime {
 class GaussianNet {
  public:
   // A dimension with a deviation of this size or more does not count as one that a unit has a width
-  // in (see neighbour_distances).
+  // in (see neighbor_distances).
   static constexpr double kInfiniteDeviation = 500;
 
   // No units: a net that is yet to be made.
   GaussianNet() = default;
 
-  // `centres`: one row for each unit, one column for each dimension. `deviations`: sigma for each
-  // dimension, positive. `norm` measures the distances between the centres.
-  GaussianNet(Eigen::MatrixXd centres, Eigen::VectorXd deviations, Norm norm);
+  // `centers`: one row for each unit, one column for each dimension. `deviations`: sigma for each
+  // dimension, positive. `norm` measures the distances between the centers.
+  GaussianNet(Eigen::MatrixXd centers, Eigen::VectorXd deviations, Norm norm);
 
   int units() const { return static_cast<int>(centres_.rows()); }
   int dimensions() const { return static_cast<int>(centres_.cols()); }
-  const Eigen::MatrixXd& centres() const { return centres_; }
+  const Eigen::MatrixXd& centers() const { return centres_; }
   const Eigen::VectorXd& deviations() const { return deviations_; }
 
-  // d_k: the distance from unit k's centre to the nearest other one, or the largest finite
+  // d_k: the distance from unit k's center to the nearest other one, or the largest finite
   // deviation, whichever is more; kInfiniteDeviation if no deviation is finite.
-  const Eigen::VectorXd& neighbour_distances() const { return neighbour_distances_; }
+  const Eigen::VectorXd& neighbor_distances() const { return neighbor_distances_; }
 
   // phi at `point` (as many elements as dimensions). `features` has as many elements as units.
   // Allocates nothing.
@@ -47,7 +47,7 @@ class GaussianNet {
   Eigen::MatrixXd centres_;
   Eigen::VectorXd deviations_;
   Eigen::VectorXd exponent_factors_;  // -1 / (2 sigma_i^2)
-  Eigen::VectorXd neighbour_distances_;
+  Eigen::VectorXd neighbor_distances_;
 };
 
 template <>

@@ -15,7 +15,7 @@ double Spacing(const robot::NetDescription& net, size_t i) {
   return net.counts[i] > 1 ? (net.high[i] - net.low[i]) / (net.counts[i] - 1) : 0;
 }
 
-double Centre(const robot::NetDescription& net, size_t i, int index) {
+double Center(const robot::NetDescription& net, size_t i, int index) {
   if (net.counts[i] == 1) return (net.low[i] + net.high[i]) / 2;
   return net.low[i] + index * Spacing(net, i);
 }
@@ -27,19 +27,19 @@ GaussianNet GridNet(const robot::NetDescription& net, Norm norm) {
   const size_t dimensions = net.counts.size();
   const int units = std::accumulate(net.counts.begin(), net.counts.end(), 1, std::multiplies());
 
-  Eigen::MatrixXd centres(units, dimensions);
+  Eigen::MatrixXd centers(units, dimensions);
   Eigen::VectorXd deviations(dimensions);
-  int stride = 1;  // units between two neighbours along coordinate i
+  int stride = 1;  // units between two neighbors along coordinate i
   for (size_t i = 0; i < dimensions; ++i) {
     const double spacing = Spacing(net, i);
     deviations[i] = spacing > 0 ? kDeviationOverSpacing * spacing : kIgnored;
     if (!net.deviations.empty()) deviations[i] = net.deviations[i];
     for (int k = 0; k < units; ++k) {
-      centres(k, i) = Centre(net, i, k / stride % net.counts[i]);
+      centers(k, i) = Center(net, i, k / stride % net.counts[i]);
     }
     stride *= net.counts[i];
   }
-  return GaussianNet(std::move(centres), std::move(deviations), norm);
+  return GaussianNet(std::move(centers), std::move(deviations), norm);
 }
 
 }  // namespace runtime

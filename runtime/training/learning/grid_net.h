@@ -5,10 +5,10 @@
 
 namespace runtime {
 
-// Centres evenly spaced along each coordinate, both ends of its range included; the first
+// Centers evenly spaced along each coordinate, both ends of its range included; the first
 // coordinate varies fastest. The deviation is that of the description, or else 3/8 of the
 // spacing. A coordinate with a count of 1 or
-// without extent has its centres in the middle of its range and is as good as ignored (deviation
+// without extent has its centers in the middle of its range and is as good as ignored (deviation
 // 1000).
 GaussianNet GridNet(const robot::NetDescription& net, Norm norm);
 

@@ -29,23 +29,23 @@ std::string KeyOf(const robot::NetDescription& net, uint64_t seed) {
   return seal::Sha256(inputs).substr(0, 32);
 }
 
-// The centres' elements and then the radius, sealed.
+// The centers' elements and then the radius, sealed.
 std::string ToBytes(const Spheres& spheres) {
-  const size_t size = static_cast<size_t>(spheres.centres.size()) * sizeof(double);
+  const size_t size = static_cast<size_t>(spheres.centers.size()) * sizeof(double);
   std::string bytes(size + sizeof(double), '\0');
-  std::memcpy(bytes.data(), spheres.centres.data(), size);
+  std::memcpy(bytes.data(), spheres.centers.data(), size);
   std::memcpy(bytes.data() + size, &spheres.radius, sizeof(double));
   return seal::Seal(std::move(bytes));
 }
 
 std::optional<Spheres> FromBytes(const std::string& bytes, const robot::NetDescription& net) {
   Spheres spheres;
-  spheres.centres.resize(static_cast<Eigen::Index>(net.low.size()), net.units);
-  const size_t size = static_cast<size_t>(spheres.centres.size()) * sizeof(double);
+  spheres.centers.resize(static_cast<Eigen::Index>(net.low.size()), net.units);
+  const size_t size = static_cast<size_t>(spheres.centers.size()) * sizeof(double);
   if (seal::StateOf(bytes) != seal::State::kIntact || bytes.size() < size + sizeof(double)) {
     return std::nullopt;
   }
-  std::memcpy(spheres.centres.data(), bytes.data(), size);
+  std::memcpy(spheres.centers.data(), bytes.data(), size);
   std::memcpy(&spheres.radius, bytes.data() + size, sizeof(double));
   return spheres;
 }

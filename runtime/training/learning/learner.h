@@ -37,7 +37,7 @@ struct LearnerCurve {
 // who asks says why. One that has diverged ends at once, and its last action is not learned from.
 class Learner : public Module {
  public:
-  static constexpr const char* kRole = "learner";  // for Network::FindOnly()
+  static constexpr const char* kRole = "learner";  // for ModuleGraph::FindOnly()
 
   explicit Learner(std::string name) : Module(std::move(name)) {}
 

@@ -38,12 +38,12 @@ NgNet::NgNet(std::string name, const Context& context)
                 .target = &net_name_,
                 .is_live = false});
   AddParameter({.name = "net_seed",
-                .doc = "for bubble nets: another number gives other, equally good centres",
+                .doc = "for bubble nets: another number gives other, equally good centers",
                 .target = &net_seed_,
                 .minimum = 0,
                 .is_live = false});
   AddParameter({.name = "max_norm",
-                .doc = "measure distances between centres by the max norm",
+                .doc = "measure distances between centers by the max norm",
                 .target = &max_norm_,
                 .is_live = false});
 }

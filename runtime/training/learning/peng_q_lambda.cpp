@@ -12,8 +12,8 @@
 namespace runtime {
 namespace {
 
-constexpr const char* kOriginal = "original";
-constexpr const char* kClean = "clean";
+constexpr const char* kAfterAction = "after_action";
+constexpr const char* kImmediate = "immediate";
 
 constexpr double kLowestTemperature = 1e-300;
 
@@ -39,10 +39,11 @@ PengQLambda::PengQLambda(std::string name, const Context& context)
   add("temperature", "of the selection in the first episode; 0 is greedy", &temperature_, kNoLimit);
   add("temperature_decay", "exponent for each finished episode", &temperature_decay_, kNoLimit);
   add("trace_max", "upper limit of a trace (replacing traces: 1)", &trace_max_, kNoLimit);
-  AddParameter({"episode_end",
-                "when an episode ends, and what its last state is worth",
-                &episode_end_,
-                {kOriginal, kClean}});
+  AddParameter({.name = "episode_end",
+                .doc = "when an episode ends, and what its last state is worth",
+                .target = &episode_end_,
+                .choices = {kAfterAction, kImmediate},
+                .former_choices = {{"original", kAfterAction}, {"clean", kImmediate}}});
   AddCurve({"learning_rate", "", "alpha", &episode_learning_rate_});
   AddCurve({"temperature", "", "of the selection; 0 is greedy", &episode_temperature_});
 }
@@ -55,7 +56,7 @@ void PengQLambda::Start() {
   }
 }
 
-bool PengQLambda::ends_at_once() const { return episode_end_ == kClean; }
+bool PengQLambda::ends_at_once() const { return episode_end_ == kImmediate; }
 
 double PengQLambda::learning_rate() const {
   return ExponentialSchedule{learning_rate_, learning_rate_decay_, learning_rate_min_}.At(

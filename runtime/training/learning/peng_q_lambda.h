@@ -14,9 +14,10 @@ namespace runtime {
 // finished episodes.
 //
 // How an episode ends, after someone asked for it for the first time:
-//   "original"  when the action that runs is over; its successor's value counts whatever the end
-//   "clean"     at once: the action is cut and learned from with what it brought; only a truncated
-//               episode's last state has a value
+//   "after_action"  when the action that runs is over; its successor's value counts whatever the
+//   end "immediate"     at once: the action is cut and learned from with what it brought; only a
+//   truncated
+//                   episode's last state has a value
 class PengQLambda : public Learner {
  public:
   PengQLambda(std::string name, const Context& context);
@@ -62,7 +63,7 @@ class PengQLambda : public Learner {
   double temperature_ = 5;
   double temperature_decay_ = 0.004;
   double trace_max_ = 1;
-  std::string episode_end_ = "original";
+  std::string episode_end_ = "after_action";
 
   QLambda q_lambda_;
   Random random_;

@@ -64,7 +64,7 @@ void QLambda::Select(const Eigen::VectorXd& features, double temperature, Random
   values_.noalias() = theta_ * features;
   BoltzmannProbabilities(values_, temperature, probabilities_);
   next_.features = features;
-  next_.action = SpinRoulette(probabilities_, random.Uniform());
+  next_.action = SampleCategorical(probabilities_, random.Uniform());
   next_.action_value = values_[next_.action];
   next_.state_value = values_.maxCoeff();
 }

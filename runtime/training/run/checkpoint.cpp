@@ -10,20 +10,20 @@
 
 namespace runtime {
 
-std::string SaveModules(const Network& network) {
+std::string SaveModules(const ModuleGraph& graph) {
   std::ostringstream state;
-  network.Save(state);
+  graph.Save(state);
   const std::string bytes = state.str();
   return Compress(std::as_bytes(std::span(bytes.data(), bytes.size())));
 }
 
 std::string StateHash(const std::string& state) { return seal::Sha256(state).substr(0, 16); }
 
-void LoadModules(Network& network, const std::string& state,
+void LoadModules(ModuleGraph& graph, const std::string& state,
                  const std::set<std::string>& left_out) {
   std::istringstream bytes(Decompress(state, "the checkpoint"));
   try {
-    network.Load(bytes, left_out);
+    graph.Load(bytes, left_out);
     if (bytes.peek() != std::istringstream::traits_type::eof()) {
       throw UserError("the checkpoint has more than the agent's modules need");
     }

@@ -1,22 +1,22 @@
-// The state of a run between two episodes as one blob: what every module of the network saves.
+// The state of a run between two episodes as one blob: what every module of the graph saves.
 #pragma once
 
 #include <set>
 #include <string>
 
-#include "runtime/core/module/network.h"
+#include "runtime/core/module/module_graph.h"
 
 namespace runtime {
 
-std::string SaveModules(const Network& network);
+std::string SaveModules(const ModuleGraph& graph);
 
 // By which states are told apart: the first 16 digits of the SHA-256.
 std::string StateHash(const std::string& state);
 
-// Into a network of the same modules, started already. Throws UserError where the state is damaged
+// Into a graph of the same modules, started already. Throws UserError where the state is damaged
 // or belongs to other modules.
-// The modules in `left_out` need not be the same: see Network::Load().
-void LoadModules(Network& network, const std::string& state,
+// The modules in `left_out` need not be the same: see ModuleGraph::Load().
+void LoadModules(ModuleGraph& graph, const std::string& state,
                  const std::set<std::string>& left_out = {});
 
 }  // namespace runtime

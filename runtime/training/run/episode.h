@@ -1,4 +1,4 @@
-// One episode of a network, from its start to its end.
+// One episode of a graph, from its start to its end.
 #pragma once
 
 #include <cstdint>
@@ -11,14 +11,14 @@
 
 namespace runtime {
 
-// What an episode needs of a network, which outlives this.
+// What an episode needs of a graph, which outlives this.
 struct EpisodeModules {
   RobotEnvironment& environment;
   const Learner& learner;
   const TaskModules& tasks;
 };
 
-// Called with 0 when the episode has started, then after each control step with their number.
+// Called with 0 when the episode has started, then after each time step with their number.
 using AfterStep = std::function<void(int64_t steps)>;
 
 // Runs an episode; `number` is its own. `tasks` may change in `after_step`: the record is of those

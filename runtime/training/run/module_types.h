@@ -1,6 +1,6 @@
 #pragma once
 
-#include "runtime/core/module/network.h"
+#include "runtime/core/module/module_graph.h"
 
 namespace runtime {
 

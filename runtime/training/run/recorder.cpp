@@ -10,11 +10,11 @@ namespace runtime {
 
 static_assert(std::endian::native == std::endian::little, "recordings are little-endian");
 
-Recorder::Recorder(int link_count, double control_time_step)
+Recorder::Recorder(int link_count, double time_step)
     : frame_size_(static_cast<size_t>(link_count) * kFloatsPerLink),
       capacity_(static_cast<size_t>(kMaximumDuration / kFrameInterval) + 1),
-      control_time_step_(control_time_step),
-      steps_per_frame_at_start_(std::max(1L, std::lround(kFrameInterval / control_time_step))),
+      time_step_(time_step),
+      steps_per_frame_at_start_(std::max(1L, std::lround(kFrameInterval / time_step))),
       poses_(capacity_ * frame_size_) {
   StartEpisode();
 }
@@ -46,7 +46,7 @@ void Recorder::HalveFrameRate() {
 
 Recording Recorder::Finish(bool is_best) const {
   const auto floats = std::span(poses_).first(frames_ * frame_size_);
-  return {static_cast<int64_t>(frames_), static_cast<double>(steps_per_frame_) * control_time_step_,
+  return {static_cast<int64_t>(frames_), static_cast<double>(steps_per_frame_) * time_step_,
           is_best, Compress(std::as_bytes(floats))};
 }
 

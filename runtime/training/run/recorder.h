@@ -17,11 +17,11 @@ class Recorder {
   static constexpr int kFloatsPerLink = 7;         // x y z qw qx qy qz
 
   // Takes all memory it will ever need. A longer episode is recorded at a coarser interval.
-  Recorder(int link_count, double control_time_step);
+  Recorder(int link_count, double time_step);
 
   void StartEpisode();
 
-  // Call after the start of the episode and after each control step. Where the next frame is due,
+  // Call after the start of the episode and after each time step. Where the next frame is due,
   // the result is the place to write it to: kFloatsPerLink floats for each link; otherwise it is
   // empty.
   std::span<float> NextFrame();
@@ -34,7 +34,7 @@ class Recorder {
 
   size_t frame_size_;  // floats
   size_t capacity_;    // frames
-  double control_time_step_;
+  double time_step_;
   long steps_per_frame_at_start_;
   long steps_per_frame_ = 1;
   long step_ = 0;  // since the start of the episode

@@ -110,7 +110,7 @@ struct EpisodeRecord {
 struct ChangeRecord {
   int64_t id = 0;       // from 1
   int64_t episode = 0;  // in which it took effect; the next one, for a change between two episodes
-  int64_t step = 0;     // control steps done in that episode before it
+  int64_t step = 0;     // time steps done in that episode before it
   std::string at;       // ISO 8601; "" for one that is about to be added: the time at which it is
   std::string kind;     // "swap"
   std::string text;     // for a person: "swap task: crawling.task (a1b2c3d4)"

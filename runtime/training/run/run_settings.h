@@ -26,7 +26,8 @@ std::vector<Setting> SettingsOf(const RunRecord& run);
 // [{"name", "value", "origin"}], for programs and pages.
 nlohmann::ordered_json SettingsJson(const RunRecord& run);
 
-// For a shell: "trainer train tasks/crawling.task --set task.gain=2 --profile fast --episodes 1000
+// For a shell: "trainer train tasks/crawling.task --set task.weight=2 --profile fast --episodes
+// 1000
 // --seed 1". It makes the run again, as it was before clients changed it, from the same text of the
 // task. `runs`: so many of them, with seeds counted up. "" where the call is not known.
 std::string TrainCommand(const RunRecord& run, int64_t runs = 1);

@@ -63,7 +63,7 @@ CREATE TABLE IF NOT EXISTS log (
 -- Numbered from 1.
 CREATE TABLE IF NOT EXISTS episode (
   number INTEGER PRIMARY KEY,
-  steps INTEGER NOT NULL,   -- control steps
+  steps INTEGER NOT NULL,   -- time steps
   actions INTEGER NOT NULL,
   simulated_seconds REAL NOT NULL,
   wall_seconds REAL NOT NULL,
@@ -134,7 +134,7 @@ CREATE TABLE IF NOT EXISTS learner_value (
 CREATE TABLE IF NOT EXISTS change (
   id INTEGER PRIMARY KEY,
   episode INTEGER NOT NULL,    -- in which it took effect; the next one, if between two episodes
-  step INTEGER NOT NULL,       -- control steps done in that episode before it
+  step INTEGER NOT NULL,       -- time steps done in that episode before it
   at TEXT NOT NULL,            -- ISO 8601
   kind TEXT NOT NULL,          -- swap, set, ...
   text TEXT NOT NULL,          -- for a person
@@ -142,7 +142,7 @@ CREATE TABLE IF NOT EXISTS change (
 );
 
 -- `poses`: zstd of little-endian float32 [frames][links][7]: x y z qw qx qy qz of each link's frame
--- at its centre, world frame.
+-- at its center, world frame.
 CREATE TABLE IF NOT EXISTS recording (
   episode INTEGER PRIMARY KEY REFERENCES episode ON DELETE CASCADE,
   is_best INTEGER NOT NULL,       -- 1: the highest return up to then

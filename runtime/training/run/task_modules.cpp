@@ -14,12 +14,12 @@ bool Pays(const UniversalTask& task, const Learner& learner) {
 
 }  // namespace
 
-TaskModules FindTaskModules(const Network& network, const Learner& learner) {
+TaskModules FindTaskModules(const ModuleGraph& graph, const Learner& learner) {
   using Role = UniversalTask::Role;
   const Role shadow =
       learner.ends_at_once() ? Role::kShadowEndsAtOnce : Role::kShadowEndsWithAction;
   TaskModules found;
-  for (UniversalTask* task : network.FindAll<UniversalTask>()) {
+  for (UniversalTask* task : graph.FindAll<UniversalTask>()) {
     const bool pays = Pays(*task, learner);
     task->SetRole(pays ? Role::kActive : shadow);
     if (pays && found.active == nullptr) {

@@ -1,9 +1,9 @@
-// The task modules of a network, and which of them pays the learner.
+// The task modules of a graph, and which of them pays the learner.
 #pragma once
 
 #include <vector>
 
-#include "runtime/core/module/network.h"
+#include "runtime/core/module/module_graph.h"
 #include "runtime/core/task/universal_task.h"
 #include "runtime/training/learning/learner.h"
 #include "runtime/training/run/run_records.h"
@@ -16,7 +16,7 @@ struct TaskModules {
 };
 
 // Also tells each of them its role. Throws UserError where no task pays the learner.
-TaskModules FindTaskModules(const Network& network, const Learner& learner);
+TaskModules FindTaskModules(const ModuleGraph& graph, const Learner& learner);
 
 // What a task module says of the episode that has just ended for it.
 Evaluation EvaluationOf(const UniversalTask& task);

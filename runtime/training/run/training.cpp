@@ -24,17 +24,17 @@ std::vector<CurveRecord> CurvesOf(const Learner& learner) {
 
 }  // namespace
 
-Training::Training(Network& network, const RunRecord& run, RunDatabase& database,
+Training::Training(ModuleGraph& graph, const RunRecord& run, RunDatabase& database,
                    Progress& progress, TrainingHooks& hooks)
-    : network_(network),
+    : graph_(graph),
       run_(run),
       database_(database),
       progress_(progress),
       hooks_(hooks),
-      environment_(network.FindOnly<RobotEnvironment>()),
-      learner_(network.FindOnly<Learner>()),
-      tasks_(FindTaskModules(network, learner_)),
-      recorder_(environment_.link_count(), environment_.control_time_step()) {}
+      environment_(graph.FindOnly<RobotEnvironment>()),
+      learner_(graph.FindOnly<Learner>()),
+      tasks_(FindTaskModules(graph, learner_)),
+      recorder_(environment_.link_count(), environment_.time_step()) {}
 
 void Training::Restore() {
   const std::optional<Checkpoint> checkpoint = database_.ReadCheckpoint();
@@ -42,10 +42,10 @@ void Training::Restore() {
   const std::vector<EpisodeRecord> episodes = database_.ReadEpisodes();
   const std::set<std::string> left_out = hooks_.BeforeRestore(checkpoint ? checkpoint->episode : 0);
   if (checkpoint) {
-    LoadModules(network_, checkpoint->state, left_out);
+    LoadModules(graph_, checkpoint->state, left_out);
     episodes_done_ = checkpoint->episode;
   }
-  tasks_ = FindTaskModules(network_, learner_);
+  tasks_ = FindTaskModules(graph_, learner_);
   database_.DeleteEpisodesAfter(episodes_done_);
   database_.SetLearnerCurves(CurvesOf(learner_));
   for (const EpisodeRecord& episode : episodes) {
@@ -99,7 +99,7 @@ EpisodeRecord Training::RunNextEpisode(const StopRequest& stop) {
 
 bool Training::AllowChanges(int64_t step) {
   const bool has_changed = hooks_.AtSafePoint(episodes_done_ + 1, step);
-  if (has_changed) tasks_ = FindTaskModules(network_, learner_);
+  if (has_changed) tasks_ = FindTaskModules(graph_, learner_);
   return has_changed;
 }
 
@@ -107,7 +107,7 @@ bool Training::AllowChanges(int64_t step) {
 // do, and the changes are made again.
 void Training::SaveBeforeStop(bool has_changed) {
   if (!has_changed && episodes_done_ > 0) {
-    database_.WriteCheckpoint({episodes_done_, SaveModules(network_)});
+    database_.WriteCheckpoint({episodes_done_, SaveModules(graph_)});
   }
 }
 
@@ -192,7 +192,7 @@ std::optional<Checkpoint> Training::CheckpointIfDue(bool is_last_episode) {
   const bool is_wanted = is_last_episode || hooks_.wants_checkpoint();
   if (!is_wanted && since_last.count() < run_.checkpoint_seconds) return std::nullopt;
   last_checkpoint_ = now;
-  return Checkpoint{episodes_done_, SaveModules(network_)};
+  return Checkpoint{episodes_done_, SaveModules(graph_)};
 }
 
 }  // namespace runtime

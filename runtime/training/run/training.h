@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/core/module/network.h"
+#include "runtime/core/module/module_graph.h"
 #include "runtime/core/task/universal_task.h"
 #include "runtime/training/learning/learner.h"
 #include "runtime/training/run/progress.h"
@@ -24,10 +24,10 @@ namespace runtime {
 
 class Training {
  public:
-  // `network`: started, with one environment, one learner and a task that pays it; throws UserError
+  // `graph`: started, with one environment, one learner and a task that pays it; throws UserError
   // where it has not. Everything passed must outlive the training.
   // `run` grows as tasks are loaded and episodes planned.
-  Training(Network& network, const RunRecord& run, RunDatabase& database, Progress& progress,
+  Training(ModuleGraph& graph, const RunRecord& run, RunDatabase& database, Progress& progress,
            TrainingHooks& hooks);
 
   // Goes back to the last checkpoint (the start, if there is none): loads the modules' state and
@@ -46,7 +46,7 @@ class Training {
   void RunPlannedEpisodes(const StopRequest& stop);
   bool stops(const StopRequest& stop) const;
   EpisodeRecord RunNextEpisode(const StopRequest& stop);
-  // Lets whoever wants to change something do so, after `step` control steps of the episode.
+  // Lets whoever wants to change something do so, after `step` time steps of the episode.
   // Returns whether somebody did.
   bool AllowChanges(int64_t step);
   void SaveBeforeStop(bool has_changed);
@@ -60,7 +60,7 @@ class Training {
   std::optional<Recording> RecordingOf(const EpisodeRecord& episode) const;
   std::optional<Checkpoint> CheckpointIfDue(bool is_last_episode);
 
-  Network& network_;
+  ModuleGraph& graph_;
   const RunRecord& run_;
   RunDatabase& database_;
   Progress& progress_;

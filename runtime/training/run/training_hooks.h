@@ -24,7 +24,7 @@ class TrainingHooks {
   virtual void AfterRestore(const ReturnStatistics& statistics) = 0;
 
   // Where nothing of the run is running: before the first step of episode `episode` (`step` is 0),
-  // and after each of its control steps. May change the network; returns whether it did.
+  // and after each of its time steps. May change the graph; returns whether it did.
   virtual bool AtSafePoint(int64_t episode, int64_t step) = 0;
 
   virtual void AfterEpisode(const EpisodeRecord& episode, const ReturnStatistics& statistics,

@@ -43,7 +43,7 @@ Collision::Collision(const robot::RobotDescription& robot, const RobotBody& body
 
 void Collision::Update() {
   contacts_.clear();
-  FindCentres();
+  FindCenters();
   for (int i = 0; i < body_.link_count(); ++i) {
     const bool near = centres_[i][2] <= radii_[i];
     ground_[i] = near && AddContacts(Contact::kGround, i) ? 1 : 0;
@@ -53,7 +53,7 @@ void Collision::Update() {
   }
 }
 
-void Collision::FindCentres() {
+void Collision::FindCenters() {
   for (int i = 0; i < body_.link_count(); ++i) {
     std::copy_n(dBodyGetPosition(body_.body(i)), 3, centres_[i].begin());
   }

@@ -44,7 +44,7 @@ class Collision {
     double reach;  // sum of the two bounding spheres' radii
   };
 
-  void FindCentres();
+  void FindCenters();
   bool MayTouch(const Pair& pair) const;
   // Returns whether there is any contact between the two links, of which one may be the ground.
   bool AddContacts(int first, int second);

@@ -25,8 +25,8 @@ LinkContacts::LinkContacts(int links) : links_(links), impulses_(links) {
   right_.reserve(rows);
 }
 
-LimitedPull& LinkContacts::Add(const Contact& contact, const Vector3& first_centre,
-                               const Vector3& second_centre, double hold) {
+LimitedPull& LinkContacts::Add(const Contact& contact, const Vector3& first_center,
+                               const Vector3& second_center, double hold) {
   const Vector3 point(contact.geometry.pos[0], contact.geometry.pos[1], contact.geometry.pos[2]);
   const Vector3 normal(contact.geometry.normal[0], contact.geometry.normal[1],
                        contact.geometry.normal[2]);
@@ -35,8 +35,8 @@ LimitedPull& LinkContacts::Add(const Contact& contact, const Vector3& first_cent
   LinkContact& added = contacts_.emplace_back();
   added.hold = hold;
   for (int i = 0; i < 3; ++i) {
-    added.rows[i] = {contact.first, contact.second, RowAt(point - first_centre, directions[i]),
-                     RowAt(point - second_centre, -directions[i])};
+    added.rows[i] = {contact.first, contact.second, RowAt(point - first_center, directions[i]),
+                     RowAt(point - second_center, -directions[i])};
   }
   return added.pull;
 }

@@ -15,10 +15,10 @@ class LinkContacts {
   explicit LinkContacts(int links);
 
   void Clear() { contacts_.clear(); }
-  // Between two links with these centres of mass; sliding is resisted with the stiffness `hold`.
+  // Between two links with these centers of mass; sliding is resisted with the stiffness `hold`.
   // Returns the pull of the normal, which is yet to be set.
-  LimitedPull& Add(const Contact& contact, const Vector3& first_centre,
-                   const Vector3& second_centre, double hold);
+  LimitedPull& Add(const Contact& contact, const Vector3& first_center,
+                   const Vector3& second_center, double hold);
 
   bool empty() const { return contacts_.empty(); }
   int size() const { return static_cast<int>(contacts_.size()); }

@@ -8,7 +8,7 @@
 
 namespace runtime {
 
-// The frame of a link lies in its centre of mass and is parallel to the world's in the zero pose.
+// The frame of a link lies in its center of mass and is parallel to the world's in the zero pose.
 struct LinkFrame {
   Eigen::Vector3d position;
   Eigen::Quaterniond orientation;  // link -> world

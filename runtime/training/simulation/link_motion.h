@@ -15,7 +15,7 @@ struct LinkInertia {
 
 LinkInertia InertiaOf(dBodyID body);
 
-// At the start of a step, in the world's frame, described at the centre of mass.
+// At the start of a step, in the world's frame, described at the center of mass.
 struct LinkState {
   Vector3 position;
   Matrix3 rotation;

@@ -1,4 +1,4 @@
-// The Open Dynamics Engine as this project uses it: initialised once, errors as exceptions, handles
+// The Open Dynamics Engine as this project uses it: initialized once, errors as exceptions, handles
 // that destroy what they own.
 #pragma once
 

@@ -5,9 +5,9 @@
 
 namespace runtime {
 
-int Profile::StepsPerControlStep(double control_time_step) const {
+int Profile::PhysicsStepsPerTimeStep(double time_step) const {
   // A step may be longer by a rounding error.
-  return static_cast<int>(std::ceil(control_time_step / longest_time_step * (1 - 1e-9)));
+  return static_cast<int>(std::ceil(time_step / longest_time_step * (1 - 1e-9)));
 }
 
 Softness Profile::ContactSoftness(double time_step) const {

@@ -31,8 +31,8 @@ struct Profile {
   double contact_damping;  // [N s / m]
   SolverKind solver;
 
-  // Physics steps in one control step: the fewest that are no longer than allowed.
-  int StepsPerControlStep(double control_time_step) const;
+  // Physics steps in one time step: the fewest that are no longer than allowed.
+  int PhysicsStepsPerTimeStep(double time_step) const;
 
   // All profiles have contacts of the same stiffness.
   Softness ContactSoftness(double time_step) const;

@@ -51,7 +51,7 @@ void RobotEnvironment::StartEpisode() {
   assert(pose != nullptr);
   world_ = std::make_unique<World>(robot_, FindProfile(profile_), *pose);
   running_ = true;
-  control_steps_ = 0;
+  time_steps_ = 0;
   time_ = 0;
   std::fill(targets_.begin(), targets_.end(), 0.0);
   sensors_.Refresh(*world_, time_);
@@ -61,17 +61,17 @@ void RobotEnvironment::StartEpisode() {
 void RobotEnvironment::StepControl() {
   if (!running_) return;
   CapturePose(last_pose_);
-  const double length = control_time_step();
+  const double length = time_step();
   start_of_time_step_(length);
   if (joint_targets_.connected()) {
     const Eigen::VectorXd& targets = joint_targets_();
     if (targets.size() != static_cast<Eigen::Index>(targets_.size())) ThrowForeignTargets();
     std::copy(targets.begin(), targets.end(), targets_.begin());
   }
-  for (int i = 0; i < world_->steps_per_control_step(); ++i) {
+  for (int i = 0; i < world_->physics_steps_per_time_step(); ++i) {
     if (!StepPhysics(i)) return;
   }
-  ++control_steps_;
+  ++time_steps_;
   end_of_time_step_(length);
 }
 
@@ -81,7 +81,7 @@ void RobotEnvironment::ThrowForeignTargets() const {
 }
 
 bool RobotEnvironment::StepPhysics(int index) {
-  const double length = world_->time_step();
+  const double length = world_->physics_time_step();
   start_of_physics_step_(length);
   try {
     world_->Step(targets_);
@@ -89,10 +89,10 @@ bool RobotEnvironment::StepPhysics(int index) {
     Diverge(failure.what());
     return false;
   }
-  // Counted, not summed, so that 4000 control steps of 5 ms are 20 s and not a little more.
-  const bool is_last = index + 1 == world_->steps_per_control_step();
-  time_ = is_last ? (control_steps_ + 1) * control_time_step()
-                  : control_steps_ * control_time_step() + (index + 1) * length;
+  // Counted, not summed, so that 4000 time steps of 5 ms are 20 s and not a little more.
+  const bool is_last = index + 1 == world_->physics_steps_per_time_step();
+  time_ =
+      is_last ? (time_steps_ + 1) * time_step() : time_steps_ * time_step() + (index + 1) * length;
   sensors_.Refresh(*world_, time_);
   end_of_physics_step_(length);
   return true;

@@ -20,18 +20,18 @@ namespace runtime {
 // first pose).
 //
 // Out ports: one for each of the robot's sensors, with its name.
-// In port: `joint_targets`, one angle for each joint [rad], read at the start of every control
+// In port: `joint_targets`, one angle for each joint [rad], read at the start of every time
 // step, after start_of_time_step. Until the first one, and while nothing is connected, all targets
 // are 0.
 //
-// Signals, in their order: start_of_episode; in every control step start_of_time_step(length [s]),
+// Signals, in their order: start_of_episode; in every time step start_of_time_step(length [s]),
 // then for each physics step start_of_physics_step(length) and end_of_physics_step(length), then
 // end_of_time_step(length).
 // A simulation that diverges emits end_of_episode(kDiverged, why) in place of the signals that
 // would follow. The sensors then keep what was last read from them.
 class RobotEnvironment : public Module {
  public:
-  static constexpr const char* kRole = "environment";       // for Network::FindOnly()
+  static constexpr const char* kRole = "environment";       // for ModuleGraph::FindOnly()
   static constexpr const char* kType = "RobotEnvironment";  // in agent files
 
   // `context.robot` describes the robot.
@@ -41,16 +41,16 @@ class RobotEnvironment : public Module {
 
   // A fresh world with the robot in its start pose.
   void StartEpisode();
-  // One control step; nothing if the episode has diverged, or none has been started.
+  // One time step; nothing if the episode has diverged, or none has been started.
   void StepControl();
 
   const std::string& profile() const { return profile_; }
   int link_count() const { return static_cast<int>(robot_.links.size()); }
-  double control_time_step() const { return robot_.controller.time_step; }  // [s]
+  double time_step() const { return robot_.controller.time_step; }  // [s]
   double time() const { return time_; }  // since the start of the episode [s]
 
   // x, y, z, qw, qx, qy, qz of each link's frame in the world frame; in a diverged episode that of
-  // the last control step's start. Precondition: 7 elements for each link; an episode was started.
+  // the last time step's start. Precondition: 7 elements for each link; an episode was started.
   void CapturePose(std::span<float> out) const;
 
  private:
@@ -76,7 +76,7 @@ class RobotEnvironment : public Module {
 
   std::unique_ptr<World> world_;
   bool running_ = false;
-  int control_steps_ = 0;  // done in this episode
+  int time_steps_ = 0;  // done in this episode
   double time_ = 0;
   std::vector<double> targets_;
   std::vector<float> last_pose_;

@@ -16,7 +16,7 @@ namespace runtime {
 struct TreeJoint {
   int parent = 0;
   int child = 0;
-  Vector3 parent_arm;  // from the bodies' centres of mass to their ends of the joint
+  Vector3 parent_arm;  // from the bodies' centers of mass to their ends of the joint
   Vector3 child_arm;
   Vector3 axis;  // unit vector
   double hold = 0;
@@ -24,7 +24,7 @@ struct TreeJoint {
   Vector6 load;
 };
 
-// Everything is in the world's frame, bodies are described at their centres of mass.
+// Everything is in the world's frame, bodies are described at their centers of mass.
 //
 // A child is eliminated in two steps. First its turn about the joint's axis: with its inertia M at
 // the joint, the column  u = M axis  and  d = axis' u + hold_of_axis,  what is felt of it is

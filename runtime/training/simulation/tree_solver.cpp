@@ -20,7 +20,7 @@ std::vector<TreeJoint> TreeJoints(const robot::RobotDescription& robot, double h
   return joints;
 }
 
-// What a spring of the same stiffness in all directions, at `arm` from the centre, does to a body's
+// What a spring of the same stiffness in all directions, at `arm` from the center, does to a body's
 // velocities: it is the inertia of a point mass.
 Matrix6 PointInertia(const Vector3& arm, double mass) {
   const Matrix3 coupling = mass * CrossMatrix(arm);

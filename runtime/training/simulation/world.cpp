@@ -26,14 +26,14 @@ OdeWorld MakeWorld(dThreadingImplementationID threading, const SolverSettings& s
 }  // namespace
 
 World::World(const robot::RobotDescription& robot, const Profile& profile, const robot::Pose& pose)
-    : steps_per_control_step_(profile.StepsPerControlStep(robot.controller.time_step)),
-      settings_(Settings(profile, robot.controller.time_step / steps_per_control_step_)),
+    : physics_steps_per_time_step_(profile.PhysicsStepsPerTimeStep(robot.controller.time_step)),
+      settings_(Settings(profile, robot.controller.time_step / physics_steps_per_time_step_)),
       threading_(MakeThreading()),
       world_(MakeWorld(threading_.get(), settings_)),
       body_(robot, pose, world_.get()),
       collision_(robot, body_),
-      controller_(robot, body_, time_step()),
-      contact_filter_(body_.link_count(), time_step()),
+      controller_(robot, body_, physics_time_step()),
+      contact_filter_(body_.link_count(), physics_time_step()),
       solver_(MakeSolver(robot, profile, settings_, body_, world_.get())) {
   collision_.Update();
   contact_filter_.Start(collision_.ground());

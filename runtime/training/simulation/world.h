@@ -25,8 +25,8 @@ class World {
   World(const World&) = delete;
   World& operator=(const World&) = delete;
 
-  double time_step() const { return settings_.time_step; }  // [s]
-  int steps_per_control_step() const { return steps_per_control_step_; }
+  double physics_time_step() const { return settings_.time_step; }  // [s]
+  int physics_steps_per_time_step() const { return physics_steps_per_time_step_; }
 
   // One physics step towards `targets`, one angle for each joint [rad]. Throws OdeFailure if there
   // is no sensible state to continue from; the world must not be stepped again then.
@@ -38,7 +38,7 @@ class World {
   const ContactFilter& contacts() const { return contact_filter_; }
 
  private:
-  int steps_per_control_step_;
+  int physics_steps_per_time_step_;
   SolverSettings settings_;
   OdeThreading threading_;
   OdeWorld world_;

@@ -115,7 +115,7 @@ TEST(Check, PassesATaskWithAWarning) {
   EXPECT_THAT(outcome.error, AllOf(HasSubstr("warning[W"), HasSubstr("\n1 warning;")));
 }
 
-TEST(Check, UsesNoColourWhereNobodySeesIt) {
+TEST(Check, UsesNoColorWhereNobodySeesIt) {
   TaskcProcess taskc;
   taskc.Write("bad.task", kTwoErrors);
   EXPECT_THAT(taskc.Run("check bad.task").error, Not(HasSubstr("\033")));

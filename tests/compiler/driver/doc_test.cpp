@@ -58,7 +58,7 @@ on end_of_time_step { reward rate up = weight * near(base.position.z) }
   const auto json = nlohmann::json::parse(outcome.out);
   EXPECT_EQ(json["task"], "weighed");
   EXPECT_EQ(json["file"], "weighed.task");
-  EXPECT_EQ(json["terms"][0]["gain"], "weight");
+  EXPECT_EQ(json["terms"][0]["weight"], "weight");
   // The plugin is known by the same.
   const std::string field = ".source_hash = \"" + json["hash"].get<std::string>() + "\"";
   EXPECT_THAT(taskc.Run("emit weighed.task").out, HasSubstr(field));

@@ -1,4 +1,4 @@
-// The forms in which taskc reports, and their colours.
+// The forms in which taskc reports, and their colors.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

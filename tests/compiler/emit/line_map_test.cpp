@@ -11,7 +11,7 @@
 namespace compiler {
 namespace {
 
-TEST(LineMap, JoinsNeighbouringLines) {
+TEST(LineMap, JoinsNeighboringLines) {
   EXPECT_EQ(LineMap({{7, {"a.task", 12}},
                      {8, {"a.task", 12}},
                      {9, {"a.task", 3}},

@@ -1,4 +1,4 @@
-// A task computes the same bits however well its C++ was optimised.
+// A task computes the same bits however well its C++ was optimized.
 #include <gtest/gtest.h>
 
 #include <bit>

@@ -230,7 +230,7 @@ class TaskWriter {
     Line(fmt::format("{} {} {}", target.name, op, text));
   }
 
-  // Some neighbouring elements: to a scalar, or to as many elements.
+  // Some neighboring elements: to a scalar, or to as many elements.
   void WriteElementAssignment() {
     const Readable& target = random_.OneOf(memory_);
     const Type& type = target.type;

@@ -1,4 +1,4 @@
-// Random tasks: the evaluator, the plugin without optimisation and the plugin as users get it give
+// Random tasks: the evaluator, the plugin without optimization and the plugin as users get it give
 // the same bits, whatever the sensors say.
 //
 // TASKC_RANDOM_TASKS=5000 tries more tasks than usual, TASKC_RANDOM_SEED=71 others.

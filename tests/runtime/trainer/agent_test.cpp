@@ -29,7 +29,7 @@ TEST_F(AgentShowTest, SaysWhereEverythingComesFrom) {
   EXPECT_THAT(result.output, ContainsRegex("net_seed = [0-9]+ +# default\n"));
 }
 
-TEST_F(AgentShowTest, DrawsTheNetwork) {
+TEST_F(AgentShowTest, DrawsTheGraph) {
   EXPECT_THAT(Show({"--format", "dot"}).output, StartsWith("digraph agent {"));
   EXPECT_THAT(Show({"--format", "text"}).output, HasSubstr("  reward -> learner.reward  (real)\n"));
   const auto json = nlohmann::json::parse(Show({"--json"}).output);

@@ -10,8 +10,8 @@
 #include <thread>
 
 #include "runtime/live/client/client.h"
-#include "runtime/trainer/evaluate_run.h"
-#include "runtime/trainer/one_run.h"
+#include "runtime/trainer/results/evaluate_run.h"
+#include "runtime/trainer/runs/one_run.h"
 #include "tests/runtime/trainer/random_targets.h"
 #include "tests/runtime/training/run/temporary_folder.h"
 #include "tests/scoped_environment.h"

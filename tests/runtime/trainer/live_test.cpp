@@ -16,7 +16,8 @@ using testing::Not;
 using testing::SizeIs;
 
 TEST_F(LiveTest, WhatWasChangedIsEvaluatedAsItWas) {
-  Serve(100, {"--set", "learner.episode_end=clean"});  // at the limit, not when an action is over
+  Serve(100,
+        {"--set", "learner.episode_end=immediate"});  // at the limit, not when an action is over
   Ask({"set", "task.limit", "0.1", "s"});
   RunEpisodes(2);
   EXPECT_EQ(Stop().exit_status, 0);

@@ -52,13 +52,13 @@ TEST_F(PreferTest, AStatementIsKeptAndFitted) {
   EXPECT_EQ(preferences[0].text(), "crawling/seed3 over crawling/seed1");
 }
 
-TEST_F(PreferTest, AnOrderIsThePreferencesOfItsNeighbours) {
+TEST_F(PreferTest, AnOrderIsThePreferencesOfItsNeighbors) {
   const nlohmann::json experiment =
       Json({"--order", "seed3", "seed1:20", "seed2"})["experiments"][0];
   EXPECT_EQ(experiment["experiment"], "crawling");
   ASSERT_THAT(experiment["preferences"], SizeIs(2));
   EXPECT_EQ(experiment["preferences"][1]["better"], "crawling/seed1:20");
-  EXPECT_LT(experiment["gains"][0]["after"], 4);
+  EXPECT_LT(experiment["weights"][0]["after"], 4);
   ASSERT_THAT(Json({"--equal", "seed2", "seed1"})["experiments"][0]["preferences"], SizeIs(3));
 }
 
@@ -75,7 +75,7 @@ TEST_F(PreferTest, TheReportTellsTheSame) {
   EXPECT_EQ(figures["experiments"][0]["preferences"], outcome);
 }
 
-TEST_F(PreferTest, TheNewGainsAreATaskThatTaskcBuilds) {
+TEST_F(PreferTest, TheNewWeightsAreATaskThatTaskcBuilds) {
   const std::string file = File("tasks/careless.task");
   const ProgramResult result = Prefer({"--better", "seed3", "--worse", "seed1", "-o", file});
   ASSERT_EQ(result.exit_status, 0) << result.errors;
@@ -103,7 +103,7 @@ TEST_F(PreferTest, ATaskIsWrittenOverOnlyOnWish) {
   EXPECT_THAT(ReadText(file), HasSubstr("task careless extends"));
 }
 
-// The gains are those of the recorded text; what is extended must be the same.
+// The weights are those of the recorded text; what is extended must be the same.
 TEST_F(PreferTest, AFileThatHasChangedIsNotExtended) {
   std::ofstream(File("other.task")) << "task other for humanoid\n";
   const ProgramResult result = Prefer({"--better", "seed3", "--worse", "seed1", "-o",

@@ -1,4 +1,4 @@
-/** A curve of a chart. Colours are names of the style sheet, so that they follow the theme. */
+/** A curve of a chart. Colors are names of the style sheet, so that they follow the theme. */
 export interface ChartSeries {
   values: Float32Array;
   color: string;

@@ -62,7 +62,7 @@ export interface Shadow {
 /** What was done to the run while it learned. */
 export interface Change {
   episode: number; // in which it took effect
-  step: number; // control steps done in that episode before it
+  step: number; // time steps done in that episode before it
   at: string;
   kind: string;
   text: string;

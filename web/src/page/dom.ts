@@ -27,7 +27,7 @@ export function onThemeChange(listener: () => void): void {
   window.matchMedia("(prefers-color-scheme: dark)").addEventListener("change", listener);
 }
 
-/** The value of a colour of the style sheet in the present theme, e.g. "--ink". */
+/** The value of a color of the style sheet in the present theme, e.g. "--ink". */
 export const themeColor = (name: string): string =>
   getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 

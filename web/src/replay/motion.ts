@@ -25,7 +25,7 @@ export function frameAt(motion: Motion, time: number): number {
 
 /**
  * Writes the pose of each link at `time` [s] to `out` ([link][7]): positions in between linearly,
- * orientations along the shorter arc (linearly and normalised: frames are close to each other).
+ * orientations along the shorter arc (linearly and normalized: frames are close to each other).
  */
 export function sampleMotion(motion: Motion, time: number, out: Float32Array): void {
   const first = frameAt(motion, time);

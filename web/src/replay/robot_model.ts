@@ -73,7 +73,7 @@ export class RobotModel {
     this.updateColors();
   }
 
-  /** Takes the colours of the present theme. */
+  /** Takes the colors of the present theme. */
   updateColors(): void {
     for (const side of ["left", "right", "trunk"] as const) {
       this.materials[side].color = new Color(themeColor(kSideColors[side]));

@@ -64,13 +64,13 @@ export interface Group {
   strip?: Strip; // of the same
 }
 
-/** With the gains that the runs had, and with the new ones. */
+/** With the weights that the runs had, and with the new ones. */
 export interface BeforeAfter<Value> {
   before: Value;
   after: Value;
 }
 
-/** What the user's preferences between the runs say of the task's gains. */
+/** What the user's preferences between the runs say of the task's weights. */
 export interface Preferences {
   is_consistent: boolean;
   preferences: {
@@ -81,7 +81,7 @@ export interface Preferences {
     holds: BeforeAfter<boolean>;
     is_contradicted: boolean;
   }[];
-  gains: {
+  weights: {
     name: string;
     unit: string;
     before: number;

@@ -27,7 +27,7 @@ class GroupOrder {
       { class: "preferences" },
       element("p", { class: "note" }, "Put the groups in your order, the best first; untick those of which you are not sure:"),
       this.list,
-      element("p", { class: "note" }, "Then let the task’s gains follow: ", this.command, " ", copy),
+      element("p", { class: "note" }, "Then let the task’s weights follow: ", this.command, " ", copy),
     );
     this.show();
   }
@@ -107,24 +107,24 @@ class GroupOrder {
 const percent = (probability: number, holds: boolean): string =>
   `${(100 * probability).toFixed(0)} % ${holds ? "✓" : "✗"}`;
 
-/** A gain as it stands in a task; one that was computed, to two digits. */
+/** A weight as it stands in a task; one that was computed, to two digits. */
 const exactly = String;
 const roughly = (value: number): string => String(Number(value.toPrecision(2)));
 
 function verdict({ preferences, is_consistent }: Preferences): string {
   const held = preferences.filter(({ holds }) => holds.before).length;
   const holding = preferences.filter(({ holds }) => holds.after).length;
-  const words = `Of ${preferences.length} stated, ${held} hold with the present gains, ${holding} with the new ones.`;
+  const words = `Of ${preferences.length} stated, ${held} hold with the present weights, ${holding} with the new ones.`;
   if (preferences.some((each) => each.is_contradicted)) {
     return `${words} Some contradict each other.`;
   }
-  return is_consistent ? words : `${words} No gains within their ranges explain all of them.`;
+  return is_consistent ? words : `${words} No weights within their ranges explain all of them.`;
 }
 
-/** What the stated preferences say of the gains. */
+/** What the stated preferences say of the weights. */
 function outcome(experiment: Experiment, fitted: Preferences): HTMLElement {
   const short = (name: string): string => name.replace(`${experiment.name}/`, "");
-  const gains = fitted.gains.map(({ name, unit, before, after, low, high }) =>
+  const weights = fitted.weights.map(({ name, unit, before, after, low, high }) =>
     row([
       unit ? `${name} [${unit}]` : name,
       exactly(before),
@@ -147,7 +147,7 @@ function outcome(experiment: Experiment, fitted: Preferences): HTMLElement {
       "div",
       { class: "first-row" },
       table(["Preference", "Now", "New"], preferences),
-      table(["Gain", "Now", "New", "Likely"], gains),
+      table(["Weight", "Now", "New", "Likely"], weights),
     ),
     ...fitted.notes.map((note) => element("p", { class: "note" }, note)),
   );

@@ -18,6 +18,6 @@ export function shareOf(group: Group): string {
 
 const kColors = 8; // --series-1 … --series-8
 
-/** The colour of a group, by its name in the style sheet. */
+/** The color of a group, by its name in the style sheet. */
 export const colorOf = (group: number | null): string =>
   group === null ? "--ink-faint" : `--series-${(group % kColors) + 1}`;

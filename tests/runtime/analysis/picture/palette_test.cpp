@@ -7,7 +7,7 @@
 namespace runtime {
 namespace {
 
-Rgba PixelOf(const IndexedImage& image, size_t i) { return image.colours[image.indices[i]]; }
+Rgba PixelOf(const IndexedImage& image, size_t i) { return image.colors[image.indices[i]]; }
 Rgba PixelOf(const Image& image, size_t i) {
   const uint8_t* pixel = image.bytes.data() + i * Image::kChannels;
   return {pixel[0], pixel[1], pixel[2], pixel[3]};
@@ -27,7 +27,7 @@ Image Shades() {
   return image;
 }
 
-TEST(ReduceColours, KeepsFewColoursAsTheyAre) {
+TEST(ReduceColors, KeepsFewColorsAsTheyAre) {
   Image image(16, 10);
   for (int i = 0; i < 160; ++i) {
     uint8_t* pixel = image.pixel(i % 16, i / 16);
@@ -35,23 +35,23 @@ TEST(ReduceColours, KeepsFewColoursAsTheyAre) {
     pixel[1] = static_cast<uint8_t>(255 - i);
     pixel[3] = 255;
   }
-  const IndexedImage reduced = ReduceColours(image);
+  const IndexedImage reduced = ReduceColors(image);
   for (size_t i = 0; i < 160; ++i) EXPECT_EQ(PixelOf(reduced, i), PixelOf(image, i)) << i;
 }
 
-TEST(ReduceColours, KeepsWhatIsTransparent) {
+TEST(ReduceColors, KeepsWhatIsTransparent) {
   const Image image = Shades();
-  const IndexedImage reduced = ReduceColours(image);
-  EXPECT_EQ(reduced.colours[0], Rgba{});
+  const IndexedImage reduced = ReduceColors(image);
+  EXPECT_EQ(reduced.colors[0], Rgba{});
   for (size_t i = 0; i < 64 * 64; ++i) {
     EXPECT_EQ(reduced.indices[i] == 0, PixelOf(image, i)[3] == 0) << i;
   }
 }
 
-TEST(ReduceColours, ComesCloseToManyColours) {
+TEST(ReduceColors, ComesCloseToManyColors) {
   const Image image = Shades();
-  const IndexedImage reduced = ReduceColours(image);
-  EXPECT_EQ(reduced.colours.size(), IndexedImage::kMostColours);
+  const IndexedImage reduced = ReduceColors(image);
+  EXPECT_EQ(reduced.colors.size(), IndexedImage::kMostColors);
   double sum = 0;  // of squared differences of red, as seen on black
   for (size_t i = 0; i < 64 * 64; ++i) {
     const Rgba a = PixelOf(image, i), b = PixelOf(reduced, i);
@@ -61,9 +61,7 @@ TEST(ReduceColours, ComesCloseToManyColours) {
   EXPECT_LT(std::sqrt(sum / (64 * 64)), 6);
 }
 
-TEST(ReduceColours, OfNothingIsNothing) {
-  EXPECT_EQ(ReduceColours(Image(3, 2)).colours.size(), 1u);
-}
+TEST(ReduceColors, OfNothingIsNothing) { EXPECT_EQ(ReduceColors(Image(3, 2)).colors.size(), 1u); }
 
 }  // namespace
 }  // namespace runtime

@@ -25,7 +25,7 @@ TEST(EncodePng, HoldsThePixels) {
   ASSERT_EQ(decoded.width, 3);
   ASSERT_EQ(decoded.height, 2);
   for (int i = 0; i < 6; ++i) {
-    const Rgba& expected = image.colours[image.indices[static_cast<size_t>(i)]];
+    const Rgba& expected = image.colors[image.indices[static_cast<size_t>(i)]];
     const uint8_t* pixel = decoded.pixel(i % 3, i / 3);
     EXPECT_TRUE(std::equal(expected.begin(), expected.end(), pixel)) << i;
   }

@@ -2,14 +2,14 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/runtime/theme_colour.h"
+#include "tests/runtime/theme_color.h"
 
 namespace runtime {
 namespace {
 
 using Eigen::Vector3d;
 
-Light LightOfTheme(const std::string& name) { return LightOf(ThemeColour(name)); }
+Light LightOfTheme(const std::string& name) { return LightOf(ThemeColor(name)); }
 
 robot::Link LinkOf(const char* name, robot::ShapeKind kind) {
   robot::Link link;
@@ -26,7 +26,7 @@ TEST(SideOf, TakesWholeWordsOfTheName) {
   EXPECT_EQ(SideOf("body"), Side::kTrunk);
 }
 
-TEST(PaintsOf, AreThePagesColours) {
+TEST(PaintsOf, AreThePagesColors) {
   using enum robot::ShapeKind;
   const std::vector<Paint> paints =
       PaintsOf({LinkOf("body", kBox), LinkOf("left_hand", kCapsule), LinkOf("right_hand", kBox),
@@ -37,22 +37,22 @@ TEST(PaintsOf, AreThePagesColours) {
   EXPECT_EQ(paints[3].light, 0.55 * LightOfTheme("left"));
 }
 
-TEST(ColourAt, HasAPlateOnTheFrontOfBaseAndHead) {
+TEST(ColorAt, HasAPlateOnTheFrontOfBaseAndHead) {
   using enum robot::ShapeKind;
   const std::vector<robot::Link> links = {LinkOf("torso", kBox), LinkOf("head", kBox),
                                           LinkOf("tail", kBox), LinkOf("right_hand", kBox)};
   const std::vector<Paint> paints = PaintsOf(links);
-  const auto colour = [&](size_t link, const Vector3d& place) {
-    return ColourAt(paints[link], links[link].shape, place);
+  const auto color = [&](size_t link, const Vector3d& place) {
+    return ColorAt(paints[link], links[link].shape, place);
   };
   const Vector3d front(0.05, 0, 0.05);
-  EXPECT_EQ(colour(0, front), LightOfTheme("plate"));
-  EXPECT_EQ(colour(1, front), LightOfTheme("plate"));
-  EXPECT_EQ(colour(2, front), LightOfTheme("trunk"));
-  EXPECT_EQ(colour(3, front), LightOfTheme("right"));
-  EXPECT_EQ(colour(0, {-0.05, 0, 0.05}), LightOfTheme("trunk"));  // behind
-  EXPECT_EQ(colour(0, {0.05, 0.07, 0.05}), LightOfTheme("trunk"));
-  EXPECT_EQ(colour(0, {0.05, 0, -0.05}), LightOfTheme("trunk"));
+  EXPECT_EQ(color(0, front), LightOfTheme("plate"));
+  EXPECT_EQ(color(1, front), LightOfTheme("plate"));
+  EXPECT_EQ(color(2, front), LightOfTheme("trunk"));
+  EXPECT_EQ(color(3, front), LightOfTheme("right"));
+  EXPECT_EQ(color(0, {-0.05, 0, 0.05}), LightOfTheme("trunk"));  // behind
+  EXPECT_EQ(color(0, {0.05, 0.07, 0.05}), LightOfTheme("trunk"));
+  EXPECT_EQ(color(0, {0.05, 0, -0.05}), LightOfTheme("trunk"));
 }
 
 TEST(Shade, IsDarkerInTheShadowAndInCorners) {

@@ -7,8 +7,8 @@
 namespace runtime {
 namespace {
 
-// Two terms, of which the second has a gain.
-PreferenceModel OneGain() {
+// Two terms, of which the second has a weight.
+PreferenceModel OneWeight() {
   PreferenceModel model;
   model.loads = Eigen::Vector2d(0, 1);
   model.scale = 2;
@@ -17,8 +17,8 @@ PreferenceModel OneGain() {
   return model;
 }
 
-// Four terms: one without a gain, one with two gains.
-PreferenceModel ThreeGains() {
+// Four terms: one without a weight, one with two weights.
+PreferenceModel ThreeWeights() {
   PreferenceModel model;
   model.loads = Eigen::MatrixXd{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 1, 1}};
   model.scale = 1.7;
@@ -31,14 +31,14 @@ PreferenceModel ThreeGains() {
 
 Eigen::VectorXd Ln2() { return Eigen::VectorXd::Constant(1, std::log(2)); }
 
-TEST(PreferenceModel, AGainScalesItsTermAlone) {
-  EXPECT_TRUE(TermFactors(OneGain().loads, Ln2()).isApprox(Eigen::Vector2d(1, 2)));
+TEST(PreferenceModel, AWeightScalesItsTermAlone) {
+  EXPECT_TRUE(TermFactors(OneWeight().loads, Ln2()).isApprox(Eigen::Vector2d(1, 2)));
 }
 
-// A gain twice as large: 3 - 2 * 2 = -1, which is half a scale.
+// A weight twice as large: 3 - 2 * 2 = -1, which is half a scale.
 TEST(PreferenceModel, AdvantageIsTheDifferenceOfReturnsInScales) {
   Eigen::VectorXd gradient;
-  const PreferenceModel model = OneGain();
+  const PreferenceModel model = OneWeight();
   const Eigen::VectorXd& difference = model.comparisons[0].difference;
   EXPECT_DOUBLE_EQ(Advantage(model, difference, Ln2(), &gradient), -0.5);
   EXPECT_DOUBLE_EQ(gradient[0], -2);
@@ -60,7 +60,7 @@ TEST(PreferenceModel, EquallyGoodAreReturnsWithinAScale) {
 }
 
 TEST(PreferenceModel, PosteriorIsThatOfBradleyAndTerryWithAGaussianPrior) {
-  PreferenceModel model = OneGain();
+  PreferenceModel model = OneWeight();
   const double prior = 0.5 * std::pow(std::log(2) / 2, 2);
   EXPECT_DOUBLE_EQ(NegativeLogPosterior(model, Ln2()), prior - std::log(1 / (1 + std::exp(0.5))));
   model.comparisons[0].outcome = 0.5;  // half a victory, half a defeat
@@ -70,13 +70,13 @@ TEST(PreferenceModel, PosteriorIsThatOfBradleyAndTerryWithAGaussianPrior) {
 }
 
 TEST(PreferenceModel, IsFiniteWhereTheProbabilityIsNone) {
-  PreferenceModel model = OneGain();
+  PreferenceModel model = OneWeight();
   model.comparisons[0].difference = Eigen::Vector2d(-4000, 0);
   EXPECT_DOUBLE_EQ(NegativeLogPosterior(model, Eigen::VectorXd::Zero(1)), 2000);
 }
 
 TEST(PreferenceModel, GradientIsThatOfFiniteDifferences) {
-  const PreferenceModel model = ThreeGains();
+  const PreferenceModel model = ThreeWeights();
   const Eigen::Vector3d x(0.3, -0.5, 0.8);
   Eigen::VectorXd gradient;
   NegativeLogPosterior(model, x, &gradient);
@@ -92,7 +92,7 @@ TEST(PreferenceModel, GradientIsThatOfFiniteDifferences) {
 
 // The mean over the outcomes that the model itself expects: by finite differences of the gradient.
 TEST(PreferenceModel, InformationIsTheExpectedHessian) {
-  PreferenceModel model = ThreeGains();
+  PreferenceModel model = ThreeWeights();
   const Eigen::Vector3d x(0.3, -0.5, 0.8);
   for (Comparison& comparison : model.comparisons) {
     comparison.outcome = Logistic(Advantage(model, comparison.difference, x));

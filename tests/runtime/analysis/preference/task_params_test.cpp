@@ -22,7 +22,7 @@ TEST(ParseTaskParams, ReadsWhatTaskcDocPrints) {
        "greatest": 20.0, "scales": ["fall"], "changes_course": true},
       {"name": "strict", "doc": "", "unit": "", "default": true, "least": null, "greatest": null,
        "scales": [], "changes_course": false}],
-    "terms": [{"name": "fall", "doc": "", "gain": "fall_penalty"}], "metrics": []})");
+    "terms": [{"name": "fall", "doc": "", "weight": "fall_penalty"}], "metrics": []})");
   EXPECT_EQ(task.task_hash, "f9fee327");
   ASSERT_THAT(task.params, SizeIs(2));
   EXPECT_EQ(task.params[0].name, "fall_penalty");

@@ -51,12 +51,12 @@ robot::Pose CrawlingPose(const robot::RobotDescription& robot, double time, doub
 // The height of the lowest point of a link.
 double LowestPoint(const robot::LinkShape& shape, const LinkFrame& frame) {
   const Vector3d down = frame.orientation.conjugate() * Vector3d::UnitZ();  // seen from the link
-  const double centre = frame.position.z();
+  const double center = frame.position.z();
   if (shape.kind == robot::ShapeKind::kBox) {
-    return centre - 0.5 * down.cwiseAbs().dot(Vector3d(shape.size.data()));
+    return center - 0.5 * down.cwiseAbs().dot(Vector3d(shape.size.data()));
   }
   const double straight = std::max(0., shape.length / 2 - shape.radius);
-  return centre - shape.radius - straight * std::abs(down[shape.axis]);
+  return center - shape.radius - straight * std::abs(down[shape.axis]);
 }
 
 }  // namespace

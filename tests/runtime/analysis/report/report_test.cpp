@@ -158,7 +158,7 @@ TEST_F(WriteReportTest, TellsTheChangesInTheOrderInWhichTheyTookEffect) {
                               {"at", "2026-01-02T03:09:10Z"},
                               {"kind", "set"},
                               {"text", "set learner.temperature = 0.5"}}));
-  EXPECT_EQ(changes[3]["text"], "set task.gain = 2");
+  EXPECT_EQ(changes[3]["text"], "set task.weight = 2");
 }
 
 TEST_F(WriteReportTest, TellsWhatRemainsInOtherProfiles) {

@@ -178,8 +178,8 @@ void WriteTunedRun(const std::filesystem::path& folder) {
         ChangeRecord{0, 251, 0, "2026-01-02T03:14:15Z", "swap",
                      "swap task: examples/live/careful-with-a-longer-name.task (c0ffee5b)",
                      R"({"command": "swap", "name": "task", "task": 3})"},
-        ChangeRecord{0, 251, 0, "2026-01-02T03:14:16Z", "set", "set task.gain = 2",
-                     R"({"command": "set", "name": "task.gain", "value": 2})"}}) {
+        ChangeRecord{0, 251, 0, "2026-01-02T03:14:16Z", "set", "set task.weight = 2",
+                     R"({"command": "set", "name": "task.weight", "value": 2})"}}) {
     database.AddChange(change);
   }
   std::mt19937 random(2);

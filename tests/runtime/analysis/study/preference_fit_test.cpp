@@ -64,7 +64,7 @@ TEST_F(PreferenceFitTest, ProbabilitiesAreThoseOfTheReturns) {
 
 TEST_F(PreferenceFitTest, WhoeverMindsNoFallsPaysLessForThem) {
   const PreferenceFit fit = Fit({Over("seed3", "seed1"), Over("seed3", "seed2")});
-  const GainChange& fall = fit.gains[0];
+  const WeightChange& fall = fit.weights[0];
   EXPECT_EQ(fall.param.name, "fall_penalty");
   EXPECT_EQ(fall.value.before, 4);
   EXPECT_LT(fall.value.after, 4);
@@ -79,8 +79,8 @@ TEST_F(PreferenceFitTest, WhoeverMindsNoFallsPaysLessForThem) {
 // 75 at the end, half of that before: by the rounded values.
 TEST_F(PreferenceFitTest, AllEpisodesAreRescored) {
   const PreferenceFit fit = Fit({Over("seed3", "seed1")});
-  const double fall = fit.gains[0].value.after / 4;
-  const double turning = fit.gains[1].value.after / 0.025;
+  const double fall = fit.weights[0].value.after / 4;
+  const double turning = fit.weights[1].value.after / 0.025;
   const RunReturns& third = fit.rescored.runs[2];
   EXPECT_DOUBLE_EQ(third.final.before, 75);
   EXPECT_NEAR(third.final.after, 120 - 5 * turning - 40 * fall, 1e-9);
@@ -92,14 +92,14 @@ TEST_F(PreferenceFitTest, AllEpisodesAreRescored) {
 }
 
 TEST_F(PreferenceFitTest, NewValuesAreRounded) {
-  const double value = Fit({Over("seed3", "seed1")}).gains[0].value.after;
+  const double value = Fit({Over("seed3", "seed1")}).weights[0].value.after;
   EXPECT_NEAR(value * 100, std::round(value * 100), 1e-9);
 }
 
 TEST_F(PreferenceFitTest, AGreaterFactorChangesMore) {
   const auto value = [&](double factor) {
     return FitPreferences(Crawling(), CrawlingParams(), {Over("seed3", "seed1")}, factor)
-        .gains[0]
+        .weights[0]
         .value.after;
   };
   EXPECT_LT(value(4), value(2));
@@ -115,7 +115,7 @@ TEST_F(PreferenceFitTest, SingleEpisodesAreBehaviors) {
               HasSubstr("crawling/seed1 has no episode 21; it has 20"));
 }
 
-TEST_F(PreferenceFitTest, AGainThatWasZeroStays) {
+TEST_F(PreferenceFitTest, AWeightThatWasZeroStays) {
   runs_.clear();
   for (uint64_t seed = 4; seed <= 5; ++seed) {
     Add({.seed = seed,
@@ -124,15 +124,15 @@ TEST_F(PreferenceFitTest, AGainThatWasZeroStays) {
         "careless");
   }
   const PreferenceFit fit = Fit({});
-  ASSERT_THAT(fit.gains, SizeIs(1));
-  EXPECT_EQ(fit.gains[0].param.name, "fall_penalty");
+  ASSERT_THAT(fit.weights, SizeIs(1));
+  EXPECT_EQ(fit.weights[0].param.name, "fall_penalty");
   ASSERT_THAT(fit.kept, SizeIs(1));
   EXPECT_EQ(fit.kept[0].param.name, "turning_cost");
   EXPECT_THAT(fit.kept[0].why, HasSubstr("was 0"));
 }
 
-// Of two runs that differ in one term only. Its gain is negative, and pays falls.
-TEST_F(PreferenceFitTest, AGainKeepsItsSign) {
+// Of two runs that differ in one term only. Its weight is negative, and pays falls.
+TEST_F(PreferenceFitTest, AWeightKeepsItsSign) {
   runs_.clear();
   Add({.seed = 4, .terms = {10, 0, 0, 8}, .params = "fall_penalty = -4.0\n"}, "reckless");
   Add({.seed = 5, .terms = {15, 0, 0, 0}, .params = "fall_penalty = -4.0\n"}, "reckless");
@@ -142,20 +142,20 @@ TEST_F(PreferenceFitTest, AGainKeepsItsSign) {
   params.params[0].greatest = 10;
   const std::vector<Preference> preferences(
       20, {ParseBehaviorName("reckless/seed5"), ParseBehaviorName("reckless/seed4")});
-  const GainChange less = FitPreferences(Crawling(), params, preferences).gains[0];
+  const WeightChange less = FitPreferences(Crawling(), params, preferences).weights[0];
   EXPECT_LT(less.value.after, 0);
   EXPECT_GT(less.value.after, -4);
   EXPECT_LT(less.low, less.high);
   std::vector<Preference> contrary = preferences;
   for (Preference& preference : contrary) std::swap(preference.better, preference.worse);
-  EXPECT_EQ(FitPreferences(Crawling(), params, contrary, 10).gains[0].value.after, -6);
+  EXPECT_EQ(FitPreferences(Crawling(), params, contrary, 10).weights[0].value.after, -6);
 }
 
-TEST_F(PreferenceFitTest, ATaskWithoutGainsIsAnError) {
+TEST_F(PreferenceFitTest, ATaskWithoutWeightsIsAnError) {
   TaskParams params = CrawlingParams();
   for (TaskParam& param : params.params) param.scales.clear();
   EXPECT_THAT(ErrorOf([&] { FitPreferences(Crawling(), params, {}); }),
-              HasSubstr("no param of the task crawling is a gain"));
+              HasSubstr("no param of the task crawling is a weight"));
 }
 
 TEST_F(PreferenceFitTest, RunsWhoseTaskWasChangedDoNotCount) {
@@ -192,7 +192,7 @@ TEST_F(PreferenceFitTest, TellsWhatContradictsItself) {
 }
 
 // Less forward, more turning, and as many falls.
-TEST_F(PreferenceFitTest, TellsWhatNoGainsExplain) {
+TEST_F(PreferenceFitTest, TellsWhatNoWeightsExplain) {
   Add({.seed = 4, .terms = {80, -20, 0, -8}});
   const PreferenceFit fit = Fit({Over("seed4", "seed1"), Over("seed2", "seed3")});
   EXPECT_FALSE(fit.preferences[0].can_hold);
@@ -201,7 +201,7 @@ TEST_F(PreferenceFitTest, TellsWhatNoGainsExplain) {
   EXPECT_FALSE(fit.is_consistent());
 }
 
-TEST_F(PreferenceFitTest, WarnsOfGainsThatDecideWhenAnEpisodeEnds) {
+TEST_F(PreferenceFitTest, WarnsOfWeightsThatDecideWhenAnEpisodeEnds) {
   EXPECT_THAT(Fit({Over("seed3", "seed1")}).notes,
               testing::Contains(HasSubstr("fall_penalty also decides when an episode ends")));
   EXPECT_THAT(Fit({}).notes, IsEmpty());
@@ -217,8 +217,8 @@ TEST_F(PreferenceFitTest, FiguresHoldAllOfIt) {
   EXPECT_EQ(figures["experiment"], "crawling");
   EXPECT_EQ(figures["preferences"][0]["better"], "crawling/seed3");
   EXPECT_EQ(figures["preferences"][0]["holds"]["before"], false);
-  EXPECT_EQ(figures["gains"][0]["before"], 4);
-  EXPECT_EQ(figures["gains"][0]["greatest"], 20);
+  EXPECT_EQ(figures["weights"][0]["before"], 4);
+  EXPECT_EQ(figures["weights"][0]["greatest"], 20);
   EXPECT_EQ(figures["terms"][3]["name"], "fall");
   EXPECT_EQ(figures["runs"][2]["final_return"]["before"], 75);
   EXPECT_EQ(figures["runs"][2]["left_out"], nlohmann::ordered_json());
@@ -265,7 +265,7 @@ TEST_F(PreferenceFitTest, NamesOfRunsCanBeShortened) {
 }
 
 // Seed 2 against seed 3 is the one answer that depends on what falls cost.
-TEST_F(PreferenceFitTest, AsksFirstWhatTellsMostOfTheGains) {
+TEST_F(PreferenceFitTest, AsksFirstWhatTellsMostOfTheWeights) {
   const PreferenceFit none = Fit({});
   ASSERT_THAT(Crawling().groups, SizeIs(3));
   const GroupPair first = *MostInformativePair(none, {});

@@ -8,7 +8,7 @@
 #include "runtime/analysis/study/behavior_groups.h"
 #include "runtime/training/run/run_files.h"
 #include "tests/runtime/analysis/study/sample_study.h"
-#include "tests/runtime/theme_colour.h"
+#include "tests/runtime/theme_color.h"
 #include "tests/runtime/training/run/error_of.h"
 #include "tests/runtime/training/run/temporary_folder.h"
 #include "tests/scoped_environment.h"
@@ -63,9 +63,9 @@ TEST_F(StudyDocumentTest, TellsWhatRemainsInOtherProfiles) {
   EXPECT_THAT(text, HasSubstr(" | 90 % | 90 % |\n| paper-tree | 7 | "));
 }
 
-// As gnuplot writes a colour.
-std::string InDrawings(uint32_t colour) {
-  return fmt::format("rgb({:3}, {:3}, {:3})", colour >> 16, colour >> 8 & 0xff, colour & 0xff);
+// As gnuplot writes a color.
+std::string InDrawings(uint32_t color) {
+  return fmt::format("rgb({:3}, {:3}, {:3})", color >> 16, color >> 8 & 0xff, color & 0xff);
 }
 
 TEST_F(StudyDocumentTest, DrawsTheCurvesTheSameEveryTime) {
@@ -73,9 +73,9 @@ TEST_F(StudyDocumentTest, DrawsTheCurvesTheSameEveryTime) {
   const std::string drawing = ReadText(output() / "crawling.svg");
   EXPECT_THAT(drawing, AllOf(StartsWith("<?xml"), HasSubstr("return, mean of 2"),
                              HasSubstr("<title>seed 7</title>"), EndsWith("</svg>\n\n")));
-  // The colours of both groups, of the mean and of its interval.
+  // The colors of both groups, of the mean and of its interval.
   for (const char* name : {"series-1", "series-2", "ink"}) {
-    EXPECT_THAT(drawing, HasSubstr(InDrawings(ThemeColour(name)))) << name;
+    EXPECT_THAT(drawing, HasSubstr(InDrawings(ThemeColor(name)))) << name;
   }
   EXPECT_THAT(drawing, HasSubstr(InDrawings(0xe1e7ed)));
   Write();

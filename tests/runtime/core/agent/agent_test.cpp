@@ -51,7 +51,7 @@ ModuleTypes TestTypes() {
   return types;
 }
 
-Network Build(const Agent& agent) { return BuildNetwork(agent, TestTypes(), Context()); }
+ModuleGraph Build(const Agent& agent) { return BuildGraph(agent, TestTypes(), Context()); }
 
 std::string Text(const std::filesystem::path& file) {
   std::ifstream stream(file);
@@ -80,10 +80,10 @@ std::vector<std::string> NamesOf(const std::vector<ModuleSetting>& modules) {
   return names;
 }
 
-TEST(Agent, BuildsTheNetworkThatItsFileDescribes) {
-  const Network network = Build(ParseAgent(kAgent, "agent.toml"));
-  auto& environment = network.FindAs<Environment>("environment");
-  auto& learner = network.FindAs<Learner>("learner");
+TEST(Agent, BuildsTheGraphThatItsFileDescribes) {
+  const ModuleGraph graph = Build(ParseAgent(kAgent, "agent.toml"));
+  auto& environment = graph.FindAs<Environment>("environment");
+  auto& learner = graph.FindAs<Learner>("learner");
   EXPECT_EQ(learner.temperature, 2);
   EXPECT_EQ(learner.discount, 0.9);
   EXPECT_THAT(learner.rates, ElementsAre(0.25, 1));
@@ -105,8 +105,8 @@ TEST(Agent, KeepsTheOrderOfItsFile) {
 TEST(Agent, ChangeReplacesSingleParameters) {
   const Agent changes = ParseAgent("[modules.learner]\ntemperature = 1\ndiscount = 0.5", "task");
   const Agent agent = Changed(ParseAgent(kAgent, "agent.toml"), changes);
-  const Network network = Build(agent);
-  const auto& learner = network.FindAs<Learner>("learner");
+  const ModuleGraph graph = Build(agent);
+  const auto& learner = graph.FindAs<Learner>("learner");
   EXPECT_EQ(learner.temperature, 1);
   EXPECT_EQ(learner.discount, 0.5);
   EXPECT_THAT(learner.rates, ElementsAre(0.25, 1));
@@ -118,10 +118,10 @@ TEST(Agent, ChangeAddsModulesAndConnections) {
       "connections = [['environment.reward', 'watcher.reward']]\n"
       "[modules.watcher]\ntype = 'Learner'\n",
       "task");
-  const Network network = Build(Changed(ParseAgent(kAgent, "agent.toml"), changes));
-  network.FindAs<Environment>("environment").reward(2);
-  EXPECT_THAT(network.FindAs<Learner>("watcher").rewards, ElementsAre(2));
-  EXPECT_THAT(network.FindAs<Learner>("learner").rewards, ElementsAre(2));
+  const ModuleGraph graph = Build(Changed(ParseAgent(kAgent, "agent.toml"), changes));
+  graph.FindAs<Environment>("environment").reward(2);
+  EXPECT_THAT(graph.FindAs<Learner>("watcher").rewards, ElementsAre(2));
+  EXPECT_THAT(graph.FindAs<Learner>("learner").rewards, ElementsAre(2));
 }
 
 TEST(Agent, ChangeOfTheTypeDropsTheOldTypesParameters) {
@@ -201,9 +201,9 @@ TEST(Agent, TomlQuotesWhatNeedsQuotes) {
 
 TEST(Agent, ResolvedAgentHasEveryParameter) {
   const Agent agent = ParseAgent(kAgent, "agent.toml");
-  const Network network = Build(agent);
-  network.Find("learner").Set("discount", 0.1);
-  EXPECT_THAT(ToToml(Resolved(agent, network)), testing::EndsWith(R"(
+  const ModuleGraph graph = Build(agent);
+  graph.Find("learner").Set("discount", 0.1);
+  EXPECT_THAT(ToToml(Resolved(agent, graph)), testing::EndsWith(R"(
 [modules.learner]
 type = "Learner"
 temperature = 2.0
@@ -237,10 +237,10 @@ type = "Learner"
 )";
 
 TEST(Composite, IsAModuleOfModules) {
-  const Network network = Build(ParseAgent(kComposite, "agent.toml"));
-  auto& mind = network.FindAs<Composite>("mind");
+  const ModuleGraph graph = Build(ParseAgent(kComposite, "agent.toml"));
+  auto& mind = graph.FindAs<Composite>("mind");
   auto& inner = mind.inner().FindAs<Learner>("inner");
-  network.FindAs<Environment>("environment").reward(1.5);
+  graph.FindAs<Environment>("environment").reward(1.5);
   EXPECT_THAT(inner.rewards, ElementsAre(1.5));
   EXPECT_EQ(inner.temperature, 3);
   EXPECT_EQ(inner.discount, 0.25);
@@ -251,7 +251,7 @@ TEST(Composite, IsAModuleOfModules) {
 }
 
 TEST(Composite, MayBeMadeOfComposites) {
-  Network network = Build(ParseAgent(std::string(kComposite) + R"(
+  ModuleGraph graph = Build(ParseAgent(std::string(kComposite) + R"(
 [modules.head]
 type = "Head"
 [composites.Head]
@@ -259,10 +259,10 @@ ports = {reward = "mind.second"}
 [composites.Head.modules.mind]
 type = "Mind"
 )",
-                                     "agent.toml"));
-  network.Connect("environment.reward", "head.reward");
-  network.FindAs<Environment>("environment").reward(2);
-  const auto& mind = network.FindAs<Composite>("head").inner().FindAs<Composite>("mind");
+                                       "agent.toml"));
+  graph.Connect("environment.reward", "head.reward");
+  graph.FindAs<Environment>("environment").reward(2);
+  const auto& mind = graph.FindAs<Composite>("head").inner().FindAs<Composite>("mind");
   EXPECT_THAT(mind.inner().FindAs<Learner>("other").rewards, ElementsAre(2));
   EXPECT_THAT(mind.inner().FindAs<Learner>("inner").rewards, testing::IsEmpty());
 }
@@ -321,9 +321,9 @@ TEST_F(IncludeTest, FilesThatChangeAnAgentCanIncludeOneAnother) {
   Write("warm.toml", "[modules.learner]\ntemperature = 9\n");
   const std::string file =
       Write("mine.toml", "include = ['warm.toml']\n[modules.learner]\ndiscount = 0.5\n");
-  const Network network = Build(Changed(ParseAgent(kAgent, "agent.toml"), ReadAgent(file)));
-  EXPECT_EQ(network.FindAs<Learner>("learner").temperature, 9);
-  EXPECT_EQ(network.FindAs<Learner>("learner").discount, 0.5);
+  const ModuleGraph graph = Build(Changed(ParseAgent(kAgent, "agent.toml"), ReadAgent(file)));
+  EXPECT_EQ(graph.FindAs<Learner>("learner").temperature, 9);
+  EXPECT_EQ(graph.FindAs<Learner>("learner").discount, 0.5);
 }
 
 TEST_F(IncludeTest, CircleIsRefused) {

@@ -14,14 +14,18 @@ class Settings : public Module {
     AddParameter({"active", "", &active});
     AddParameter({"units", "", &units, {}, 1, 500});
     AddParameter({"discount", "", &discount, {}, 0, 1});
-    AddParameter({"episode_end", "", &episode_end, {"original", "clean"}});
+    AddParameter({.name = "episode_end",
+                  .doc = "",
+                  .target = &episode_end,
+                  .choices = {"after_action", "immediate"},
+                  .former_choices = {{"clean", "immediate"}}});
     AddParameter({"intervals", "", &intervals, {}, 0.01, 1});
   }
 
   bool active = false;
   int units = 10;
   double discount = 0.9;
-  std::string episode_end = "original";
+  std::string episode_end = "after_action";
   std::vector<double> intervals{0.1};
 };
 
@@ -40,13 +44,19 @@ TEST(ModuleSet, AssignsEachTypeOfParameter) {
   settings.Set("active", true);
   settings.Set("units", int64_t{20});
   settings.Set("discount", 0.5);
-  settings.Set("episode_end", "clean");
+  settings.Set("episode_end", "immediate");
   settings.Set("intervals", std::vector<double>{0.075, 0.1});
   EXPECT_TRUE(settings.active);
   EXPECT_EQ(settings.units, 20);
   EXPECT_EQ(settings.discount, 0.5);
-  EXPECT_EQ(settings.episode_end, "clean");
+  EXPECT_EQ(settings.episode_end, "immediate");
   EXPECT_THAT(settings.intervals, testing::ElementsAre(0.075, 0.1));
+}
+
+TEST(ModuleSet, ReadsTheFormerNameOfAChoice) {
+  Settings settings;
+  settings.Set("episode_end", "clean");
+  EXPECT_EQ(settings.episode_end, "immediate");
 }
 
 TEST(ModuleSet, AcceptsAnIntegerForAReal) {
@@ -88,10 +98,10 @@ TEST(ModuleSet, RefusesANumberThatIsNotFinite) {
 }
 
 TEST(ModuleSet, RefusesATextThatIsNoChoice) {
-  EXPECT_EQ(MessageOfSetting("episode_end", "claen"),
-            "`learner.episode_end` cannot be \"claen\": did you mean `clean`?");
+  EXPECT_EQ(MessageOfSetting("episode_end", "imediate"),
+            "`learner.episode_end` cannot be \"imediate\": did you mean `immediate`?");
   EXPECT_EQ(MessageOfSetting("episode_end", "never"),
-            "`learner.episode_end` cannot be \"never\"; there are `original`, `clean`");
+            "`learner.episode_end` cannot be \"never\"; there are `after_action`, `immediate`");
 }
 
 TEST(ModuleSet, KeepsTheOldValueWhereItRefusesTheNewOne) {

@@ -1,4 +1,4 @@
-// Small modules that the tests of ports and networks connect.
+// Small modules that the tests of ports and graphs connect.
 #pragma once
 
 #include <functional>

@@ -207,7 +207,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadTable{"param_not_finite", DAMAGED("the param `gain` is nan, not within -inf .. inf")},
         BadTable{"fractional_int_param", DAMAGED("the param `count` is 2.5, not a whole number")},
         BadTable{"memory_outside", DAMAGED("the variable `sums` lies outside of the memory")},
-        BadTable{"memory_not_initialised", DAMAGED("nothing initialises its memory")},
+        BadTable{"memory_not_initialized", DAMAGED("nothing initializes its memory")},
         BadTable{"unknown_scalar", DAMAGED("`time` has no known type of scalar")},
         BadTable{"unknown_reader",
                  DAMAGED("the sensor `time` is read by events that there are not")},

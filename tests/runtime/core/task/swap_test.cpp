@@ -3,7 +3,7 @@
 
 #include <sstream>
 
-#include "runtime/core/module/network.h"
+#include "runtime/core/module/module_graph.h"
 #include "runtime/core/task/universal_task.h"
 #include "tests/runtime/core/task/fake_modules.h"
 #include "tests/runtime/core/task/test_plugins.h"
@@ -19,7 +19,7 @@ class SwapTest : public testing::Test {
   SwapTest() {
     auto environment = std::make_unique<FakeEnvironment>(robot_);
     environment_ = environment.get();
-    network_.Add(std::move(environment));
+    graph_.Add(std::move(environment));
     task_ = &AddTask("task", "walking");
     task_->reward.Connect(learner_.reward);
     task_->end_of_episode.Connect(learner_.end);
@@ -31,8 +31,8 @@ class SwapTest : public testing::Test {
   UniversalTask& AddTask(const std::string& name, const std::string& plugin) {
     auto task = std::make_unique<UniversalTask>(name, robot_, Instance(plugin, 1));
     UniversalTask& added = *task;
-    network_.Add(std::move(task));
-    network_.Connect("environment.*", name + ".*");
+    graph_.Add(std::move(task));
+    graph_.Connect("environment.*", name + ".*");
     return added;
   }
 
@@ -52,7 +52,7 @@ class SwapTest : public testing::Test {
 
   robot::RobotDescription robot_ = Walker();
   FakeLearner learner_;
-  Network network_;
+  ModuleGraph graph_;
   FakeEnvironment* environment_;
   UniversalTask* task_;
 };
@@ -61,7 +61,7 @@ TEST_F(SwapTest, ANewTaskPaysThroughTheSameModule) {
   task_->on_start_of_episode();
   task_->on_end_of_episode({});
   TakeRewards();
-  task_->Swap(Instance("strolling", 2), network_);
+  task_->Swap(Instance("strolling", 2), graph_);
   EXPECT_EQ(task_->instance().id(), 2);
   task_->on_start_of_episode();
   task_->on_end_of_time_step(0.5);
@@ -71,7 +71,7 @@ TEST_F(SwapTest, ANewTaskPaysThroughTheSameModule) {
 
 TEST_F(SwapTest, SensorsComeAndGoWithTheTask) {
   Port* velocity = &task_->FindPort("base.velocity");
-  task_->Swap(Instance("strolling", 2), network_);
+  task_->Swap(Instance("strolling", 2), graph_);
   EXPECT_THAT(Sensors(), testing::UnorderedElementsAre("base.velocity", "base.up"));
   EXPECT_EQ(&task_->FindPort("base.velocity"), velocity);  // with whatever it is connected to
   EXPECT_NO_THROW(task_->Start());
@@ -82,7 +82,7 @@ TEST_F(SwapTest, BetweenEpisodesOnlyTheMemoryOfTheRunIsTakenOver) {
   task_->on_start_of_episode();
   task_->on_end_of_time_step(0.5);  // pays 2 * 3 * 0.5
   task_->on_end_of_episode({});
-  task_->Swap(Instance("strolling", 2), network_);
+  task_->Swap(Instance("strolling", 2), graph_);
   TakeRewards();
   task_->on_start_of_episode();
   task_->on_end_of_action();
@@ -93,7 +93,7 @@ TEST_F(SwapTest, BetweenEpisodesOnlyTheMemoryOfTheRunIsTakenOver) {
 TEST_F(SwapTest, InTheMiddleOfAnEpisodeEverythingGoesOn) {
   task_->on_start_of_episode();
   task_->on_end_of_time_step(0.5);
-  task_->Swap(Instance("strolling", 2), network_);
+  task_->Swap(Instance("strolling", 2), graph_);
   EXPECT_THAT(task_->term_sums(), ElementsAre(3, 0));  // `forward` and `stroll`
   TakeRewards();
   task_->on_end_of_action();
@@ -105,7 +105,7 @@ TEST_F(SwapTest, InTheMiddleOfAnEpisodeEverythingGoesOn) {
 
 TEST_F(SwapTest, ParamsThatWereSetKeepTheirValue) {
   task_->Set("gain", 40.0);
-  task_->Swap(Instance("strolling", 2), network_);
+  task_->Swap(Instance("strolling", 2), graph_);
   EXPECT_EQ(task_->Get("gain"), ParameterValue(40.0));
   EXPECT_EQ(task_->Get("bonus"), ParameterValue(int64_t{4}));  // was not set: the new initial value
   task_->on_start_of_episode();
@@ -116,36 +116,36 @@ TEST_F(SwapTest, ParamsThatWereSetKeepTheirValue) {
 TEST_F(SwapTest, AParamThatDoesNotFitBeginsAnew) {
   task_->Set("gain", 60.0);    // more than the other task allows
   task_->Set("strict", true);  // a real there
-  task_->Swap(Instance("strolling", 2), network_);
+  task_->Swap(Instance("strolling", 2), graph_);
   EXPECT_EQ(task_->Get("gain"), ParameterValue(0.25));
   EXPECT_EQ(task_->Get("strict"), ParameterValue(0.0));
 }
 
 TEST_F(SwapTest, RollbackGoesBackAndForth) {
   task_->Set("strict", true);
-  task_->Swap(Instance("strolling", 2), network_);
+  task_->Swap(Instance("strolling", 2), graph_);
   task_->Set("gain", 40.0);
-  task_->Rollback(network_);
+  task_->Rollback(graph_);
   EXPECT_EQ(task_->instance().id(), 1);
   EXPECT_STREQ(task_->plugin().name, "walking");
   EXPECT_EQ(task_->Get("gain"), ParameterValue(40.0));  // set meanwhile
   EXPECT_EQ(task_->Get("strict"), ParameterValue(true));
   EXPECT_NO_THROW(task_->Start());
-  task_->Rollback(network_);
+  task_->Rollback(graph_);
   EXPECT_STREQ(task_->plugin().name, "strolling");
 }
 
 TEST_F(SwapTest, ThereIsNoRollbackBeforeASwap) {
-  EXPECT_EQ(MessageOf([&] { task_->Rollback(network_); }),
+  EXPECT_EQ(MessageOf([&] { task_->Rollback(graph_); }),
             "`task` has no previous task: it was not swapped yet");
 }
 
 TEST_F(SwapTest, ATaskThatDoesNotFitChangesNothing) {
-  EXPECT_EQ(MessageOf([&] { task_->Swap(Instance("other_robot", 2), network_); }),
+  EXPECT_EQ(MessageOf([&] { task_->Swap(Instance("other_robot", 2), graph_); }),
             "test.task: the task `test` is for the robot `snake`, and this run has the robot "
             "`walker`");
-  network_.Remove("environment");
-  EXPECT_EQ(MessageOf([&] { task_->Swap(Instance("strolling", 2), network_); }),
+  graph_.Remove("environment");
+  EXPECT_EQ(MessageOf([&] { task_->Swap(Instance("strolling", 2), graph_); }),
             "the task `strolling` reads the sensor `base.up`, and no module has an out port "
             "`base.up` of the type `vec3`");
   EXPECT_STREQ(task_->plugin().name, "walking");
@@ -157,7 +157,7 @@ TEST_F(SwapTest, AThousandSwapsLeaveOnlyTwoTasksLoaded) {
   for (int i = 0; i < 1000; ++i) {
     auto next = Instance(i % 2 == 0 ? "strolling" : "walking", i);
     plugins.push_back(next->plugin());
-    task_->Swap(std::move(next), network_);
+    task_->Swap(std::move(next), graph_);
   }
   EXPECT_EQ(std::ranges::count_if(plugins, [](const auto& plugin) { return !plugin.expired(); }),
             2);
@@ -165,16 +165,16 @@ TEST_F(SwapTest, AThousandSwapsLeaveOnlyTwoTasksLoaded) {
 
 TEST_F(SwapTest, ACheckpointKeepsThePreviousTaskToo) {
   task_->Set("strict", true);
-  task_->Swap(Instance("strolling", 2), network_);
+  task_->Swap(Instance("strolling", 2), graph_);
   task_->Set("gain", 40.0);
   std::stringstream checkpoint;
   task_->Save(checkpoint);
 
   UniversalTask& resumed = AddTask("resumed", "walking");
-  resumed.Swap(Instance("strolling", 2), network_);
+  resumed.Swap(Instance("strolling", 2), graph_);
   resumed.Load(checkpoint);
   EXPECT_EQ(resumed.Get("gain"), ParameterValue(40.0));
-  resumed.Rollback(network_);
+  resumed.Rollback(graph_);
   EXPECT_EQ(resumed.Get("strict"), ParameterValue(true));
 }
 

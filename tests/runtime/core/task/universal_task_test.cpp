@@ -6,7 +6,7 @@
 #include <limits>
 #include <sstream>
 
-#include "runtime/core/module/network.h"
+#include "runtime/core/module/module_graph.h"
 #include "tests/runtime/core/task/allocation_count.h"
 #include "tests/runtime/core/task/fake_modules.h"
 #include "tests/runtime/core/task/test_plugins.h"

@@ -63,7 +63,7 @@ class ChangeMakerTest : public testing::Test {
 
   TemporaryFolder folder_;
   SmallAgent agent_;
-  LiveNetwork live_{agent_.network(), agent_.types(), agent_.context()};
+  LiveGraph live_{agent_.graph(), agent_.types(), agent_.context()};
   Schedules schedules_;
   RunRecord run_ = SampleRun();
   ChangeMaker maker_{live_, schedules_, run_, folder_.path()};
@@ -113,7 +113,7 @@ TEST_F(ChangeMakerTest, AModuleGetsItsParameters) {
                      {"parameters", {{"count", 10}}}}),
             "`most.count` must lie in -inf .. 9, and 10 does not");
   EXPECT_EQ(
-      ErrorOf([&] { live_.network().Find("most"); }),
+      ErrorOf([&] { live_.graph().Find("most"); }),
       "there is no module `most`; there are `environment`, `task`, `mind`, `learner`, `more`");
 }
 

@@ -40,7 +40,7 @@ class SchedulesTest : public testing::Test {
   ParameterValue Get(const char* parameter) const { return live_.Get(parameter); }
 
   SmallAgent agent_;
-  LiveNetwork live_{agent_.network(), agent_.types(), agent_.context()};
+  LiveGraph live_{agent_.graph(), agent_.types(), agent_.context()};
   Schedules schedules_;
 };
 

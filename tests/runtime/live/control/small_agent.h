@@ -10,7 +10,7 @@
 #include "plugins/robot/robot_description.h"
 #include "runtime/core/module/connections.h"
 #include "runtime/core/task/universal_task.h"
-#include "runtime/live/control/live_network.h"
+#include "runtime/live/control/live_graph.h"
 #include "runtime/training/learning/peng_q_lambda.h"
 #include "runtime/training/simulation/robot_environment.h"
 
@@ -89,17 +89,17 @@ class SmallAgent {
                                      {"UniversalTask", "task"},
                                      {"Mind", "mind"},
                                      {"PengQLambda", "learner"}}) {
-      network_.Add(types_.Make(type, name, context_));
+      graph_.Add(types_.Make(type, name, context_));
     }
-    network_.Find("environment").Set("profile", std::string("fast"));
-    for (const auto& [first, second] : kConnections) network_.Connect(first, second);
-    network_.Start();
+    graph_.Find("environment").Set("profile", std::string("fast"));
+    for (const auto& [first, second] : kConnections) graph_.Connect(first, second);
+    graph_.Start();
   }
 
   const robot::RobotDescription& robot() const { return robot_; }
   const ModuleTypes& types() const { return types_; }
   const Context& context() const { return context_; }
-  Network& network() { return network_; }
+  ModuleGraph& graph() { return graph_; }
 
  private:
   static constexpr std::pair<const char*, const char*> kConnections[] = {
@@ -123,7 +123,7 @@ class SmallAgent {
   robot::RobotDescription robot_ = robot::ReadRobot(HOPPER);
   ModuleTypes types_;
   Context context_{&robot_, std::make_shared<const Plugin>(PluginFile("steady")), 1};
-  Network network_;
+  ModuleGraph graph_;
 };
 
 }  // namespace runtime

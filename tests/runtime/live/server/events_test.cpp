@@ -98,7 +98,7 @@ TEST_F(EventsTest, ASlowClientMissesEventsAndHoldsUpNobody) {
 }
 
 TEST_F(EventsTest, AClientThatHangsIsLetGo) {
-  Start({.patience = 400ms});
+  Start({.idle_timeout = 400ms});
   RawClient sleeper = Sleeper();
   const auto begin = Clock::now();
   EXPECT_TRUE(sleeper.IsClosed());  // it answers no ping
@@ -106,7 +106,7 @@ TEST_F(EventsTest, AClientThatHangsIsLetGo) {
 }
 
 TEST_F(EventsTest, AClientThatOnlyListensIsKept) {
-  Start({.patience = 300ms});
+  Start({.idle_timeout = 300ms});
   Follower follower(folder());
   follower.WaitUntilItHears(*server_);
   std::this_thread::sleep_for(1s);

@@ -11,7 +11,7 @@
 namespace runtime {
 namespace {
 
-constexpr int kPatience = 10'000;  // [ms]
+constexpr int kTimeout = 10'000;  // [ms]
 constexpr std::string_view kHeaderEnd = "\r\n\r\n";
 constexpr std::string_view kLength = "Content-Length: ";
 
@@ -45,7 +45,7 @@ bool RawClient::Send(std::string_view bytes) {
 
 bool RawClient::ReadMore() {
   pollfd polled = {socket_.get(), POLLIN, 0};
-  if (poll(&polled, 1, kPatience) != 1) return false;
+  if (poll(&polled, 1, kTimeout) != 1) return false;
   std::array<char, 65536> bytes;
   const ssize_t size = recv(socket_.get(), bytes.data(), bytes.size(), 0);
   if (size <= 0) return false;
@@ -74,7 +74,7 @@ RawResponse RawClient::Receive() {
 bool RawClient::IsClosed() {
   pollfd polled = {socket_.get(), POLLIN, 0};
   std::array<char, 65536> bytes;
-  while (poll(&polled, 1, kPatience) == 1) {
+  while (poll(&polled, 1, kTimeout) == 1) {
     if (recv(socket_.get(), bytes.data(), bytes.size(), 0) <= 0) return true;
   }
   return false;

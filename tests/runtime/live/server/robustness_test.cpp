@@ -99,8 +99,8 @@ TEST_F(RobustnessTest, AClientThatWaitsToBeAskedIsAsked) {
   EXPECT_EQ(client.Receive().status, 200);
 }
 
-TEST_F(RobustnessTest, HalfARequestIsWaitedForUntilThePatienceEnds) {
-  Start({.patience = 300ms});
+TEST_F(RobustnessTest, HalfARequestIsWaitedForUntilTheIdleTimeoutEnds) {
+  Start({.idle_timeout = 300ms});
   const std::string request = RequestText("POST", "/api/status", Credentials(), "{}");
   for (const size_t length : {size_t{0}, size_t{5}, request.size() - 30, request.size() - 1}) {
     RawClient client = OnPort();
@@ -124,7 +124,7 @@ TEST_F(RobustnessTest, ARequestMayComeInPieces) {
 
 TEST_F(RobustnessTest, AClientThatTakesNoAnswerIsLetGo) {
   ServerLimits limits;
-  limits.patience = 500ms;
+  limits.idle_timeout = 500ms;
   const std::string page(20'000'000, 'x');
   const Server server({.folder = folder(), .limits = limits}, handler_, [&] { return page; });
   RawClient client = OnSocket();
@@ -215,11 +215,11 @@ TEST_F(RobustnessTest, OnlySoManyClientsAtATime) {
 }
 
 TEST_F(RobustnessTest, AReplyThatTakesLongHoldsUpNobody) {
-  Start({.patience = 200ms});
+  Start({.idle_timeout = 200ms});
   RawClient client = OnPort();
   client.Send(RequestText("POST", "/api/save", Credentials()));
   const ReplyHandler reply = handler_.TakeSave();
-  std::this_thread::sleep_for(500ms);  // the patience is with clients, not with the trainer
+  std::this_thread::sleep_for(500ms);  // the idle_timeout is with clients, not with the trainer
   ExpectThatItStillAnswers();
   std::thread([&reply] { reply({.value = "saved"}); }).join();
   EXPECT_EQ(json::parse(client.Receive().body)["value"], "saved");

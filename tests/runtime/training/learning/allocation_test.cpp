@@ -1,11 +1,11 @@
 // The whole agent, connected by name as an agent file does it, and what it costs: no allocation per
-// control step nor per action.
+// time step nor per action.
 #include <gtest/gtest.h>
 
 #include <atomic>
 #include <cstdlib>
 
-#include "runtime/core/module/network.h"
+#include "runtime/core/module/module_graph.h"
 #include "runtime/training/learning/module_types.h"
 #include "runtime/training/learning/peng_q_lambda.h"
 #include "tests/runtime/training/learning/fake_sensors.h"
@@ -34,7 +34,7 @@ namespace {
 
 constexpr double kTimeStep = 0.005;
 
-// An environment whose joints go a tenth of the way to their targets in each control step.
+// An environment whose joints go a tenth of the way to their targets in each time step.
 class Puppet : public FakeSensorModule {
  public:
   Puppet() : FakeSensorModule(&sensors) {}
@@ -63,13 +63,13 @@ class Agent {
  public:
   Agent() {
     AddLearningModules(types_);
-    puppet_ = static_cast<Puppet*>(&network_.Add(std::make_unique<Puppet>()));
+    puppet_ = static_cast<Puppet*>(&graph_.Add(std::make_unique<Puppet>()));
     // In the reverse of the natural order, which must not matter.
     for (const auto& [name, type] : {std::pair{"learner", "PengQLambda"},
                                      {"action_space", "Dcob"},
                                      {"features", "NgNet"},
                                      {"state", "DofState"}}) {
-      network_.Add(types_.Make(type, name, HumanoidContext()));
+      graph_.Add(types_.Make(type, name, HumanoidContext()));
     }
     for (const auto& [from, to] :
          {std::pair{"environment.*", "state.*"},
@@ -87,17 +87,17 @@ class Agent {
           {"action_space.end_of_action", "learner.end_of_action"},
           {"environment.reward", "learner.reward"},
           {"environment.end_of_episode", "learner.end_of_episode"}}) {
-      network_.Connect(from, to);
+      graph_.Connect(from, to);
     }
-    network_.Start();
+    graph_.Start();
   }
 
   Puppet& puppet() { return *puppet_; }
-  const PengQLambda& learner() { return network_.FindAs<PengQLambda>("learner"); }
+  const PengQLambda& learner() { return graph_.FindAs<PengQLambda>("learner"); }
 
  private:
   ModuleTypes types_;
-  Network network_;
+  ModuleGraph graph_;
   Puppet* puppet_;
 };
 
@@ -105,7 +105,7 @@ TEST(Agent, ActsAndLearnsThroughItsConnections) {
   Agent agent;
   agent.puppet().start_of_episode();
   for (int step = 0; step < 2000; ++step) agent.puppet().StepControl();
-  EXPECT_GT(agent.learner().action_count(), 40);  // published: 31 control steps on average
+  EXPECT_GT(agent.learner().action_count(), 40);  // published: 31 time steps on average
   EXPECT_LT(agent.learner().action_count(), 160);
   EXPECT_FALSE(agent.learner().q_lambda().theta().isZero());
   EXPECT_EQ(agent.puppet().joint_targets()[8], agent.puppet().joint_targets()[13]);

@@ -54,24 +54,24 @@ TEST(Boltzmann, IsUniformWhereThereIsNoSum) {
 
 TEST(Roulette, FindsTheActionInWhoseShareTheNumberLies) {
   const VectorXd probabilities = Vector3d(0.25, 0.5, 0.25);
-  EXPECT_EQ(SpinRoulette(probabilities, 0), 0);
-  EXPECT_EQ(SpinRoulette(probabilities, std::nextafter(0.25, 0)), 0);
-  EXPECT_EQ(SpinRoulette(probabilities, 0.25), 1);
-  EXPECT_EQ(SpinRoulette(probabilities, std::nextafter(0.75, 0)), 1);
-  EXPECT_EQ(SpinRoulette(probabilities, 0.75), 2);
-  EXPECT_EQ(SpinRoulette(probabilities, std::nextafter(1.0, 0)), 2);
+  EXPECT_EQ(SampleCategorical(probabilities, 0), 0);
+  EXPECT_EQ(SampleCategorical(probabilities, std::nextafter(0.25, 0)), 0);
+  EXPECT_EQ(SampleCategorical(probabilities, 0.25), 1);
+  EXPECT_EQ(SampleCategorical(probabilities, std::nextafter(0.75, 0)), 1);
+  EXPECT_EQ(SampleCategorical(probabilities, 0.75), 2);
+  EXPECT_EQ(SampleCategorical(probabilities, std::nextafter(1.0, 0)), 2);
 }
 
 TEST(Roulette, NeverChoosesAnActionWithoutProbability) {
-  EXPECT_EQ(SpinRoulette(Vector3d(0, 1, 0), 0), 1);
-  EXPECT_EQ(SpinRoulette(Vector3d(0, 1 - 1e-15, 0), std::nextafter(1.0, 0)), 1);
+  EXPECT_EQ(SampleCategorical(Vector3d(0, 1, 0), 0), 1);
+  EXPECT_EQ(SampleCategorical(Vector3d(0, 1 - 1e-15, 0), std::nextafter(1.0, 0)), 1);
 }
 
 TEST(Roulette, ChoosesAsOftenAsTheProbabilitiesSay) {
   Random random(5);
   const VectorXd probabilities = Vector3d(0.1, 0.6, 0.3);
   VectorXd counts = Vector3d::Zero();
-  for (int i = 0; i < 10000; ++i) counts[SpinRoulette(probabilities, random.Uniform())] += 1;
+  for (int i = 0; i < 10000; ++i) counts[SampleCategorical(probabilities, random.Uniform())] += 1;
   EXPECT_LT((counts / 10000 - probabilities).cwiseAbs().maxCoeff(), 0.015);
 }
 

@@ -58,7 +58,7 @@ class Chain {
 };
 
 TEST(Chain, LearnsToGoRightEverywhere) {
-  Chain chain("clean");
+  Chain chain("immediate");
   for (int episode = 0; episode < 600; ++episode) chain.PlayEpisode();
   for (int place = 0; place < 4; ++place) EXPECT_GT(chain.Value(place, 1), chain.Value(place, 0));
   EXPECT_NEAR(chain.Value(3, 1), 1, 0.01);
@@ -70,7 +70,7 @@ TEST(Chain, LearnsToGoRightEverywhere) {
 
 // The goal's own value counts, but no action is ever taken there: it stays 0.
 TEST(Chain, OriginalEndsFindTheSameWay) {
-  Chain chain("original");
+  Chain chain("after_action");
   for (int episode = 0; episode < 600; ++episode) chain.PlayEpisode();
   EXPECT_EQ(chain.PlayEpisode(), 4);
   EXPECT_EQ(chain.Value(4, 0), 0);

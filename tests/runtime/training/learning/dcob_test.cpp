@@ -58,7 +58,7 @@ class DcobTest : public testing::Test {
     dcob_.Start();
   }
 
-  // The control steps until the action is over.
+  // The time steps until the action is over.
   int Execute(int action) {
     const int ended_before = commander_.ended;
     commander_.execute(action);
@@ -105,8 +105,8 @@ TEST_F(DcobTest, TurningTakes11Or15Or31ControlSteps) {
   }
 }
 
-// Measured for the original's net, from the centres of random units to those of others: 18.6, 25.0
-// and 50.4 control steps on average, 13 to 67.
+// Measured for the original's net, from the centers of random units to those of others: 18.6, 25.0
+// and 50.4 time steps on average, 13 to 67.
 TEST_F(DcobTest, MotionsOverBq01LastAsLongAsMeasured) {
   Use("5", "bq01");
   features_.Start();
@@ -118,7 +118,7 @@ TEST_F(DcobTest, MotionsOverBq01LastAsLongAsMeasured) {
   for (int motion = 0; motion < kMotions; ++motion) {
     const auto from = static_cast<int>(300 * random.Uniform());
     const int to = (from + 1 + static_cast<int>(299 * random.Uniform())) % 300;
-    state_->angles() = net.centres().row(from);
+    state_->angles() = net.centers().row(from);
     for (int interval = 0; interval < 3; ++interval) {
       const int steps = Execute(3 * to + interval);
       ASSERT_GE(steps, 12);
@@ -133,7 +133,7 @@ TEST_F(DcobTest, MotionsOverBq01LastAsLongAsMeasured) {
 
 // Unit 1 differs from unit 0 in the first coordinate only, whose spacing is 1.57 = d_k: not farther
 // away, so the whole T = 1.57 * 0.075 = 0.11775 s.
-TEST_F(DcobTest, NeighboursAreReachedInFullTime) {
+TEST_F(DcobTest, NeighborsAreReachedInFullTime) {
   UseTurningAgent();
   state_->angles() << -1.57 + 1e-6, -1.57, -3.14, -3.14;
   EXPECT_EQ(Execute(3), 23);
@@ -175,7 +175,7 @@ TEST_F(DcobTest, AnActionReplacesTheOneThatRuns) {
 }
 
 // z = 0.24 and qw = 1 make the distance over the whole state longer: from the middle between two
-// neighbours, 0.785 over the angles and sqrt(0.785^2 + 0.24^2 + 1 + 25 * 4) over all, with the four
+// neighbors, 0.785 over the angles and sqrt(0.785^2 + 0.24^2 + 1 + 25 * 4) over all, with the four
 // rates at 5 rad/s. T = 0.075 * 0.785 = 0.058875 s, abbreviated to 1.57 / 10.08 of it: 9.2 ms.
 TEST_F(DcobTest, TargetStateMeasuresTheWholeState) {
   dcob_.Set("target", "state");

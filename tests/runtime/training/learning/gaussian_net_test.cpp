@@ -15,12 +15,12 @@ using Eigen::MatrixXd;
 using Eigen::Vector2d;
 using Eigen::VectorXd;
 
-MatrixXd ThreeCentres() {
-  MatrixXd centres(3, 2);
-  centres << 0, 0,  //
+MatrixXd ThreeCenters() {
+  MatrixXd centers(3, 2);
+  centers << 0, 0,  //
       1, 0,         //
       0, 2;
-  return centres;
+  return centers;
 }
 
 VectorXd Features(const GaussianNet& net, const VectorXd& point) {
@@ -35,7 +35,7 @@ VectorXd Features(const GaussianNet& net, const VectorXd& point) {
 //   unit 2: -(0.0625 / 0.5 + 2.25 / 2) = -1.25
 // so phi_0 = 1 / (1 + 2 exp(-1)), and the others share the rest.
 TEST(GaussianNet, GivesTheFeaturesOfTheFormula) {
-  const GaussianNet net(ThreeCentres(), Vector2d(0.5, 1), Norm::kEuclidean);
+  const GaussianNet net(ThreeCenters(), Vector2d(0.5, 1), Norm::kEuclidean);
   const VectorXd features = Features(net, Vector2d(0.25, 0.5));
   EXPECT_NEAR(features[0], 0.5761168847658291, 1e-15);
   EXPECT_NEAR(features[1], 0.2119415576170854, 1e-15);
@@ -43,7 +43,7 @@ TEST(GaussianNet, GivesTheFeaturesOfTheFormula) {
 }
 
 TEST(GaussianNet, FeaturesAddUpToOneHoweverFarThePoint) {
-  const GaussianNet net(ThreeCentres(), Vector2d(0.5, 1), Norm::kEuclidean);
+  const GaussianNet net(ThreeCenters(), Vector2d(0.5, 1), Norm::kEuclidean);
   for (const double far : {0.0, 10.0, 1e3, 1e6, -1e6}) {
     EXPECT_NEAR(Features(net, Vector2d(far, far / 3)).sum(), 1, 1e-14) << far;
   }
@@ -51,38 +51,38 @@ TEST(GaussianNet, FeaturesAddUpToOneHoweverFarThePoint) {
 }
 
 // The general definition, term by term: every state dimension, a covariance for each unit, the
-// determinant; ignored dimensions with centre 0 and the inverse variance 1e-6.
-VectorXd FeaturesByDefinition(const MatrixXd& centres, const VectorXd& inverse_variances,
+// determinant; ignored dimensions with center 0 and the inverse variance 1e-6.
+VectorXd FeaturesByDefinition(const MatrixXd& centers, const VectorXd& inverse_variances,
                               const VectorXd& state) {
   std::vector<double> values;
   double sum = 0;
-  for (int k = 0; k < centres.rows(); ++k) {
+  for (int k = 0; k < centers.rows(); ++k) {
     double exponent = 0, determinant = 1;
-    for (int i = 0; i < centres.cols(); ++i) {
-      const double difference = state[i] - centres(k, i);
+    for (int i = 0; i < centers.cols(); ++i) {
+      const double difference = state[i] - centers(k, i);
       exponent += -0.5 * inverse_variances[i] * difference * difference;
       determinant *= inverse_variances[i];
     }
-    const double dimensions = static_cast<double>(centres.cols());
+    const double dimensions = static_cast<double>(centers.cols());
     values.push_back(std::pow(2 * std::numbers::pi, -dimensions / 2) * std::sqrt(determinant) *
                      std::exp(exponent));
     sum += values.back();
   }
-  VectorXd features(centres.rows());
-  for (int k = 0; k < centres.rows(); ++k) features[k] = values[k] / sum;
+  VectorXd features(centers.rows());
+  for (int k = 0; k < centers.rows(); ++k) features[k] = values[k] / sum;
   return features;
 }
 
 TEST(GaussianNet, IgnoredDimensionsOfTheStateCancel) {
   constexpr int kUnits = 20, kState = 9, kFirst = 3, kUsed = 4;
   Random random(1);
-  MatrixXd centres(kUnits, kUsed);
-  for (double& element : centres.reshaped()) element = 4 * random.Uniform() - 2;
+  MatrixXd centers(kUnits, kUsed);
+  for (double& element : centers.reshaped()) element = 4 * random.Uniform() - 2;
   const VectorXd deviations = Eigen::Vector4d(0.5, 0.7, 1, 0.9);
-  const GaussianNet net(centres, deviations, Norm::kEuclidean);
+  const GaussianNet net(centers, deviations, Norm::kEuclidean);
 
   MatrixXd full_centres = MatrixXd::Zero(kUnits, kState);
-  full_centres.middleCols(kFirst, kUsed) = centres;
+  full_centres.middleCols(kFirst, kUsed) = centers;
   VectorXd inverse_variances = VectorXd::Constant(kState, 1e-6);
   inverse_variances.segment(kFirst, kUsed) = deviations.array().square().inverse();
 
@@ -95,32 +95,32 @@ TEST(GaussianNet, IgnoredDimensionsOfTheStateCancel) {
   }
 }
 
-TEST(GaussianNet, NeighbourDistanceIsThatOfTheNearestCentre) {
-  const GaussianNet net(ThreeCentres(), Vector2d(0.1, 0.2), Norm::kEuclidean);
-  EXPECT_EQ(net.neighbour_distances(), Eigen::Vector3d(1, 1, 2));
+TEST(GaussianNet, NeighborDistanceIsThatOfTheNearestCenter) {
+  const GaussianNet net(ThreeCenters(), Vector2d(0.1, 0.2), Norm::kEuclidean);
+  EXPECT_EQ(net.neighbor_distances(), Eigen::Vector3d(1, 1, 2));
 }
 
-TEST(GaussianNet, NeighbourDistanceUsesTheNorm) {
-  MatrixXd centres(2, 2);
-  centres << 0, 0, 3, 4;
+TEST(GaussianNet, NeighborDistanceUsesTheNorm) {
+  MatrixXd centers(2, 2);
+  centers << 0, 0, 3, 4;
   const Vector2d deviations(0.1, 0.1);
-  EXPECT_EQ(GaussianNet(centres, deviations, Norm::kEuclidean).neighbour_distances(),
+  EXPECT_EQ(GaussianNet(centers, deviations, Norm::kEuclidean).neighbor_distances(),
             Vector2d(5, 5));
-  EXPECT_EQ(GaussianNet(centres, deviations, Norm::kMax).neighbour_distances(), Vector2d(4, 4));
+  EXPECT_EQ(GaussianNet(centers, deviations, Norm::kMax).neighbor_distances(), Vector2d(4, 4));
 }
 
-TEST(GaussianNet, NeighbourDistanceIsAtLeastTheLargestFiniteDeviation) {
-  const GaussianNet wide(ThreeCentres(), Vector2d(0.1, 1.5), Norm::kEuclidean);
-  EXPECT_EQ(wide.neighbour_distances(), Eigen::Vector3d(1.5, 1.5, 2));
-  const GaussianNet ignored(ThreeCentres(), Vector2d(1.5, 1000), Norm::kEuclidean);
-  EXPECT_EQ(ignored.neighbour_distances(), Eigen::Vector3d(1.5, 1.5, 2));
-  const GaussianNet all_ignored(ThreeCentres(), Vector2d(500, 1000), Norm::kEuclidean);
-  EXPECT_EQ(all_ignored.neighbour_distances(), Eigen::Vector3d::Constant(500));
+TEST(GaussianNet, NeighborDistanceIsAtLeastTheLargestFiniteDeviation) {
+  const GaussianNet wide(ThreeCenters(), Vector2d(0.1, 1.5), Norm::kEuclidean);
+  EXPECT_EQ(wide.neighbor_distances(), Eigen::Vector3d(1.5, 1.5, 2));
+  const GaussianNet ignored(ThreeCenters(), Vector2d(1.5, 1000), Norm::kEuclidean);
+  EXPECT_EQ(ignored.neighbor_distances(), Eigen::Vector3d(1.5, 1.5, 2));
+  const GaussianNet all_ignored(ThreeCenters(), Vector2d(500, 1000), Norm::kEuclidean);
+  EXPECT_EQ(all_ignored.neighbor_distances(), Eigen::Vector3d::Constant(500));
 }
 
 TEST(GaussianNet, OneUnitIsOnItsOwn) {
   const GaussianNet net(MatrixXd::Zero(1, 2), Vector2d(0.5, 0.25), Norm::kEuclidean);
-  EXPECT_EQ(net.neighbour_distances()[0], 0.5);
+  EXPECT_EQ(net.neighbor_distances()[0], 0.5);
   EXPECT_EQ(Features(net, Vector2d(3, 4))[0], 1);
 }
 

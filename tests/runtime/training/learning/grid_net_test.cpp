@@ -30,15 +30,15 @@ TEST(GridNet, PlacesCentresFromEndToEndFirstCoordinateFastest) {
       1, 0,           //
       0, 1,           //
       1, 1;
-  EXPECT_EQ(net.centres(), expected);
+  EXPECT_EQ(net.centers(), expected);
   EXPECT_EQ(net.deviations(), Eigen::Vector2d(0.375, 0.375));  // 3/8 of the spacing 1
 }
 
-TEST(GridNet, OneCentreLiesInTheMiddleAndIsIgnored) {
+TEST(GridNet, OneCenterLiesInTheMiddleAndIsIgnored) {
   const GaussianNet net = GridNet(Grid({2, 1, 3}, {0, -1, 2}, {1, 3, 2}), Norm::kEuclidean);
   ASSERT_EQ(net.units(), 6);
-  EXPECT_EQ(net.centres().col(1), Eigen::VectorXd::Constant(6, 1));
-  EXPECT_EQ(net.centres().col(2), Eigen::VectorXd::Constant(6, 2));
+  EXPECT_EQ(net.centers().col(1), Eigen::VectorXd::Constant(6, 1));
+  EXPECT_EQ(net.centers().col(2), Eigen::VectorXd::Constant(6, 2));
   EXPECT_EQ(net.deviations()[1], 1000);
   EXPECT_EQ(net.deviations()[2], 1000);
 }
@@ -47,7 +47,7 @@ struct PublishedNet {
   const char* name;
   int units;
   std::vector<double> deviations;
-  double neighbour_distance;  // of every unit; 0: not published
+  double neighbor_distance;  // of every unit; 0: not published
 };
 
 void PrintTo(const PublishedNet& net, std::ostream* out) { *out << net.name; }
@@ -62,9 +62,9 @@ TEST_P(HumanoidGridNet, HasThePublishedFigures) {
   for (int i = 0; i < net.dimensions(); ++i) {
     EXPECT_NEAR(net.deviations()[i], published.deviations[i], 1e-6) << i;
   }
-  if (published.neighbour_distance == 0) return;
-  EXPECT_NEAR(net.neighbour_distances().minCoeff(), published.neighbour_distance, 1e-12);
-  EXPECT_NEAR(net.neighbour_distances().maxCoeff(), published.neighbour_distance, 1e-12);
+  if (published.neighbor_distance == 0) return;
+  EXPECT_NEAR(net.neighbor_distances().minCoeff(), published.neighbor_distance, 1e-12);
+  EXPECT_NEAR(net.neighbor_distances().maxCoeff(), published.neighbor_distance, 1e-12);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -76,12 +76,12 @@ INSTANTIATE_TEST_SUITE_P(
                     PublishedNet{"3_g7", 343, {0.294375, 0.19625, 0.164375}, 0}),
     [](const auto& test) { return "net_" + std::string(test.param.name); });
 
-TEST(HumanoidNet, FeaturesOf4asymG4ArePeakedAtTheCentres) {
+TEST(HumanoidNet, FeaturesOf4asymG4ArePeakedAtTheCenters) {
   const GaussianNet net = GridNet(HumanoidNet("4asym_g4"), Norm::kMax);
   Eigen::VectorXd features(net.units());
   double sum = 0;
   for (int k = 0; k < net.units(); ++k) {
-    net.Evaluate(net.centres().row(k).transpose(), features);
+    net.Evaluate(net.centers().row(k).transpose(), features);
     sum += features[k];
   }
   EXPECT_NEAR(sum / net.units(), 0.85, 0.01);

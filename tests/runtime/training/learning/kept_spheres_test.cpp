@@ -34,7 +34,7 @@ class KeptSpheresTest : public testing::Test {
 TEST_F(KeptSpheresTest, AreThePackedOnesBitForBit) {
   for (int time = 0; time < 2; ++time) {
     const Spheres spheres = KeptSpheres(net_, 1);
-    EXPECT_EQ(spheres.centres, packed_.centres);
+    EXPECT_EQ(spheres.centers, packed_.centers);
     EXPECT_EQ(spheres.radius, packed_.radius);
     EXPECT_EQ(Files().size(), 1);
   }
@@ -47,7 +47,7 @@ TEST_F(KeptSpheresTest, AreReadTheSecondTime) {
   for (const fs::path& other : Files()) {
     if (other != file) fs::copy_file(other, file, fs::copy_options::overwrite_existing);
   }
-  EXPECT_EQ(KeptSpheres(net_, 1).centres, PackSpheres(net_, 2).centres);
+  EXPECT_EQ(KeptSpheres(net_, 1).centers, PackSpheres(net_, 2).centers);
 }
 
 TEST_F(KeptSpheresTest, OtherNetsAreOtherFiles) {
@@ -64,15 +64,15 @@ TEST_F(KeptSpheresTest, DamageIsRepaired) {
   const fs::path file = Files().at(0);
   const auto size = fs::file_size(file);
   std::fstream(file, std::ios::in | std::ios::out | std::ios::binary).seekp(100).put('x');
-  EXPECT_EQ(KeptSpheres(net_, 1).centres, packed_.centres);
+  EXPECT_EQ(KeptSpheres(net_, 1).centers, packed_.centers);
   fs::resize_file(file, 50);
-  EXPECT_EQ(KeptSpheres(net_, 1).centres, packed_.centres);
+  EXPECT_EQ(KeptSpheres(net_, 1).centers, packed_.centers);
   EXPECT_EQ(fs::file_size(file), size);
 }
 
 TEST_F(KeptSpheresTest, ACacheThatCannotBeWrittenToDoesNotMatter) {
   std::ofstream(cache_) << "not a folder";
-  EXPECT_EQ(KeptSpheres(net_, 1).centres, packed_.centres);
+  EXPECT_EQ(KeptSpheres(net_, 1).centers, packed_.centers);
 }
 
 // Whoever changes the packing must change kPackingVersion too, or the cache keeps the old spheres.

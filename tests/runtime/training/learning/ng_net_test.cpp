@@ -63,15 +63,15 @@ TEST_F(NgNetTest, NetIsThereBeforeTheStart) {
 TEST_F(NgNetTest, BubbleNetsDependOnTheirOwnSeedOnly) {
   Use("3", "bq3dof60");
   module_.Set("net_seed", int64_t{5});
-  EXPECT_EQ(reader_.net().centres(),
-            BubbleNet(PackSpheres(HumanoidNet("bq3dof60"), 5), Norm::kEuclidean).centres());
+  EXPECT_EQ(reader_.net().centers(),
+            BubbleNet(PackSpheres(HumanoidNet("bq3dof60"), 5), Norm::kEuclidean).centers());
 }
 
-TEST_F(NgNetTest, MaxNormMeasuresTheNeighbours) {
+TEST_F(NgNetTest, MaxNormMeasuresTheNeighbors) {
   Use("3", "bq3dof60");
   module_.Set("max_norm", true);
-  EXPECT_EQ(reader_.net().neighbour_distances(),
-            BubbleNet(PackSpheres(HumanoidNet("bq3dof60"), 1), Norm::kMax).neighbour_distances());
+  EXPECT_EQ(reader_.net().neighbor_distances(),
+            BubbleNet(PackSpheres(HumanoidNet("bq3dof60"), 1), Norm::kMax).neighbor_distances());
 }
 
 TEST_F(NgNetTest, NetsOfAnotherConfigurationWithTheSameCoordinatesFit) {

@@ -20,7 +20,7 @@ class PengQLambdaTest : public testing::Test {
     world_.ConnectTo(learner_);
     learner_.Start();
   }
-  void UseCleanEnds() { learner_.Set("episode_end", std::string("clean")); }
+  void UseImmediateEnds() { learner_.Set("episode_end", std::string("immediate")); }
   double theta() const { return learner_.q_lambda().theta()(0, 0); }
 
   FakeWorld world_{1, 1};
@@ -98,8 +98,8 @@ TEST_F(PengQLambdaTest, OriginalEndsWithTheActionAndBootstraps) {
 }
 
 // theta = 0.3, then 0.3 + alpha (1 - 0.3): nothing is worth anything after a terminal end.
-TEST_F(PengQLambdaTest, CleanEndsAtOnceAndDoesNotBootstrap) {
-  UseCleanEnds();
+TEST_F(PengQLambdaTest, ImmediateEndsAtOnceAndDoesNotBootstrap) {
+  UseImmediateEnds();
   for (const EpisodeEnd& end : {kGoal, kFall}) {
     world_.start_of_episode();
     world_.reward(1);
@@ -114,7 +114,7 @@ TEST_F(PengQLambdaTest, CleanEndsAtOnceAndDoesNotBootstrap) {
 
 // theta = 0.3, then 0.3 + alpha (1 + 0.9 * 0.3 - 0.3).
 TEST_F(PengQLambdaTest, CleanBootstrapsFromATruncatedEpisode) {
-  UseCleanEnds();
+  UseImmediateEnds();
   for (int episode = 0; episode < 2; ++episode) {
     world_.start_of_episode();
     world_.reward(1);
@@ -125,7 +125,7 @@ TEST_F(PengQLambdaTest, CleanBootstrapsFromATruncatedEpisode) {
 }
 
 TEST_F(PengQLambdaTest, DivergenceEndsAtOnceAndThrowsTheActionAway) {
-  for (const char* mode : {"original", "clean"}) {
+  for (const char* mode : {"after_action", "immediate"}) {
     learner_.Set("episode_end", std::string(mode));
     world_.start_of_episode();
     world_.PlayAction(1);
@@ -198,7 +198,7 @@ TEST_F(PengQLambdaTest, ForgetsInTheMiddleOfAnEpisodeAndGoesOn) {
 }
 
 TEST(PengQLambda, WhatTheEndOfTheEpisodeBringsBelongsToTheLastAction) {
-  for (const char* mode : {"original", "clean"}) {
+  for (const char* mode : {"after_action", "immediate"}) {
     PengQLambda learner("learner", HumanoidContext());
     FakeWorld world(1, 1);
     world.ConnectTo(learner);
@@ -219,7 +219,7 @@ TEST(PengQLambda, WhatTheEndOfTheEpisodeBringsBelongsToTheLastAction) {
 }
 
 TEST_F(PengQLambdaTest, ATaskCanEndTheEpisodeAtTheStartOfAnAction) {
-  UseCleanEnds();
+  UseImmediateEnds();
   world_.start_of_episode();
   world_.at_start_of_action = [this] { world_.end_of_episode(kFall); };
   world_.told.clear();
@@ -235,7 +235,7 @@ TEST_F(PengQLambdaTest, ATaskCanEndTheEpisodeAtItsStart) {
   world_.PlayAction(1);
   EXPECT_TRUE(learner_.episode_over());
 
-  UseCleanEnds();
+  UseImmediateEnds();
   world_.end_of_episode(kFall);
   world_.start_of_episode();
   EXPECT_TRUE(learner_.episode_over());
@@ -321,8 +321,8 @@ TEST_F(PengQLambdaTest, ParametersAreChecked) {
   EXPECT_THAT(complaint("discount", 1.1), HasSubstr("learner.discount"));
   EXPECT_THAT(complaint("trace_decay", -0.1), HasSubstr("learner.trace_decay"));
   EXPECT_THAT(complaint("temperature", -1), HasSubstr("learner.temperature"));
-  EXPECT_THAT(UserErrorOf([this] { learner_.Set("episode_end", std::string("cleen")); }),
-              HasSubstr("`clean`"));
+  EXPECT_THAT(UserErrorOf([this] { learner_.Set("episode_end", std::string("imediate")); }),
+              HasSubstr("`immediate`"));
   learner_.Set("learning_rate", 0.01);
   EXPECT_THAT(UserErrorOf([this] { learner_.Start(); }),
               AllOf(HasSubstr("learning_rate_min"), HasSubstr("0.05"), HasSubstr("0.01")));

@@ -29,16 +29,16 @@ class Stateless : public Module {
   using Module::Module;
 };
 
-Counter& AddCounter(Network& network, const std::string& name, int64_t count) {
-  return static_cast<Counter&>(network.Add(std::make_unique<Counter>(name, count)));
+Counter& AddCounter(ModuleGraph& graph, const std::string& name, int64_t count) {
+  return static_cast<Counter&>(graph.Add(std::make_unique<Counter>(name, count)));
 }
 
 TEST(Checkpoint, RestoresEveryModule) {
-  Network saved;
+  ModuleGraph saved;
   AddCounter(saved, "first", 1);
   saved.Add(std::make_unique<Stateless>("nothing"));
   AddCounter(saved, "second", -2);
-  Network loaded;
+  ModuleGraph loaded;
   const Counter& first = AddCounter(loaded, "first", 0);
   loaded.Add(std::make_unique<Stateless>("nothing"));
   const Counter& second = AddCounter(loaded, "second", 0);
@@ -48,12 +48,12 @@ TEST(Checkpoint, RestoresEveryModule) {
 }
 
 TEST(Checkpoint, RefusesTheStateOfOtherModules) {
-  Network one;
+  ModuleGraph one;
   AddCounter(one, "first", 1);
-  Network two;
+  ModuleGraph two;
   AddCounter(two, "first", 1);
   AddCounter(two, "second", 2);
-  Network other;
+  ModuleGraph other;
   AddCounter(other, "other", 1);
   EXPECT_THAT(ErrorOf([&] { LoadModules(two, SaveModules(one)); }),
               testing::HasSubstr("no state for the module `second`"));
@@ -64,9 +64,9 @@ TEST(Checkpoint, RefusesTheStateOfOtherModules) {
 }
 
 TEST(Checkpoint, RefusesAStateThatAModuleCannotRead) {
-  Network saved;
+  ModuleGraph saved;
   saved.Add(std::make_unique<Stateless>("first"));
-  Network loaded;
+  ModuleGraph loaded;
   AddCounter(loaded, "first", 1);
   EXPECT_THAT(ErrorOf([&] { LoadModules(loaded, SaveModules(saved)); }),
               testing::HasSubstr("damaged"));

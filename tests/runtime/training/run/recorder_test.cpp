@@ -14,10 +14,10 @@ namespace {
 constexpr int kLinks = 2;
 constexpr size_t kFrameSize = kLinks * Recorder::kFloatsPerLink;
 
-// Runs an episode in which every float of a frame is the number of its control step.
-void RunEpisode(Recorder& recorder, int control_steps) {
+// Runs an episode in which every float of a frame is the number of its time step.
+void RunEpisode(Recorder& recorder, int time_steps) {
   recorder.StartEpisode();
-  for (int step = 0; step <= control_steps; ++step) {
+  for (int step = 0; step <= time_steps; ++step) {
     for (float& value : recorder.NextFrame()) value = static_cast<float>(step);
   }
 }

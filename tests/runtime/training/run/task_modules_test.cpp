@@ -15,14 +15,14 @@ using testing::ElementsAre;
 class TaskModulesTest : public testing::Test {
  protected:
   UniversalTask& AddTask(const std::string& name, int64_t id) {
-    return static_cast<UniversalTask&>(network_.Add(std::make_unique<UniversalTask>(
+    return static_cast<UniversalTask&>(graph_.Add(std::make_unique<UniversalTask>(
         name, robot_, std::make_unique<TaskInstance>(LoadTask("walking"), id))));
   }
-  TaskModules Find() { return FindTaskModules(network_, learner_); }
+  TaskModules Find() { return FindTaskModules(graph_, learner_); }
 
   robot::RobotDescription robot_ = Walker();
   PengQLambda learner_{"learner", {.robot = &robot_, .task = {}, .seed = 1}};
-  Network network_;
+  ModuleGraph graph_;
 };
 
 TEST_F(TaskModulesTest, WhoseRewardReachesTheLearnerIsActive) {

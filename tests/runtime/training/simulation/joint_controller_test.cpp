@@ -77,7 +77,7 @@ TEST_P(JointControllerTest, FollowsTheAnalyticDampedOscillation) {
   const double decay = rotor.controller.damping / (2 * inertia);
   const double omega = std::sqrt(rotor.controller.stiffness / inertia - decay * decay);
   // Both are methods of first order: their errors shrink with the step.
-  const double tolerance = 5 * world.time_step();
+  const double tolerance = 5 * world.physics_time_step();
   for (int i = 1; i <= 20; ++i) {
     StepFor(world, 0.05, {0});
     const double t = 0.05 * i;

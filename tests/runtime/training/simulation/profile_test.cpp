@@ -8,7 +8,7 @@ namespace runtime {
 namespace {
 
 TEST(Profile, PaperTakesTwentyFiveStepsInFiveMilliseconds) {
-  const int steps = FindProfile("paper").StepsPerControlStep(0.005);
+  const int steps = FindProfile("paper").PhysicsStepsPerTimeStep(0.005);
   EXPECT_EQ(steps, 25);
   EXPECT_DOUBLE_EQ(0.005 / steps, 0.0002);
 }
@@ -16,7 +16,7 @@ TEST(Profile, PaperTakesTwentyFiveStepsInFiveMilliseconds) {
 TEST(Profile, TheStepDividesEveryControlStepAndIsNeverLonger) {
   for (const Profile& profile : kProfiles) {
     for (const double control : {0.0001, 0.001, 0.002, 0.0033, 0.005, 0.01, 0.02, 0.1}) {
-      const int steps = profile.StepsPerControlStep(control);
+      const int steps = profile.PhysicsStepsPerTimeStep(control);
       EXPECT_LE(control / steps, profile.longest_time_step * (1 + 1e-8)) << control;
       if (steps == 1) continue;
       EXPECT_GT(control / (steps - 1), profile.longest_time_step) << control;

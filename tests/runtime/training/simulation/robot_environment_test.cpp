@@ -82,7 +82,7 @@ struct Stage {
   RobotEnvironment environment;
 };
 
-std::vector<std::string> ControlStep(int physics_steps) {
+std::vector<std::string> TimeStep(int physics_steps) {
   std::vector<std::string> events = {"start_of_time_step"};
   for (int i = 0; i < physics_steps; ++i) {
     events.push_back("start_of_physics_step");
@@ -98,10 +98,10 @@ TEST(RobotEnvironment, EventsHaveTheOrderOfTheDocumentation) {
   EXPECT_THAT(stage.listener.events, ElementsAre("start_of_episode"));
   stage.listener.events.clear();
   stage.environment.StepControl();
-  EXPECT_EQ(stage.listener.events, ControlStep(25));
+  EXPECT_EQ(stage.listener.events, TimeStep(25));
   stage.listener.events.clear();
   stage.environment.StepControl();
-  EXPECT_EQ(stage.listener.events, ControlStep(25));
+  EXPECT_EQ(stage.listener.events, TimeStep(25));
 }
 
 TEST(RobotEnvironment, SignalsCarryTheLengthOfTheirStep) {
@@ -114,14 +114,14 @@ TEST(RobotEnvironment, SignalsCarryTheLengthOfTheirStep) {
   for (int i = 1; i <= 50; ++i) EXPECT_DOUBLE_EQ(stage.listener.lengths[i], 0.0002);
 }
 
-TEST(RobotEnvironment, AnotherRobotHasItsOwnControlStep) {
+TEST(RobotEnvironment, AnotherRobotHasItsOwnTimeStep) {
   Stage stage(Hopper());
   stage.environment.StartEpisode();
   stage.listener.events.clear();
   stage.environment.StepControl();
-  EXPECT_EQ(stage.environment.control_time_step(), 0.01);
+  EXPECT_EQ(stage.environment.time_step(), 0.01);
   EXPECT_EQ(stage.environment.link_count(), 3);
-  EXPECT_EQ(stage.listener.events, ControlStep(50));
+  EXPECT_EQ(stage.listener.events, TimeStep(50));
 }
 
 TEST(RobotEnvironment, TargetsOfAnotherRobotAreRefused) {
@@ -280,7 +280,7 @@ TEST(RobotEnvironment, TheNextEpisodeAfterADivergedOneRuns) {
   stage.environment.StartEpisode();
   stage.listener.events.clear();
   stage.environment.StepControl();
-  EXPECT_EQ(stage.listener.events, ControlStep(25));
+  EXPECT_EQ(stage.listener.events, TimeStep(25));
   EXPECT_NEAR(stage.Real("base.position", 2), 0.2421, 1e-4);
 }
 

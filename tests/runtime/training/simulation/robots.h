@@ -22,7 +22,7 @@ inline const robot::RobotDescription& Hopper() {
   return robot;
 }
 
-// Two balls on one axis through both centres, far above the ground: the joint's angle is a damped
+// Two balls on one axis through both centers, far above the ground: the joint's angle is a damped
 // oscillator with the reduced inertia, which has a known solution.
 inline robot::RobotDescription Rotor() {
   robot::RobotDescription robot;
@@ -54,7 +54,7 @@ inline std::vector<double> Zeros(const robot::RobotDescription& robot) {
 }
 
 inline void StepFor(World& world, double seconds, const std::vector<double>& targets) {
-  const int steps = static_cast<int>(seconds / world.time_step() + 0.5);
+  const int steps = static_cast<int>(seconds / world.physics_time_step() + 0.5);
   for (int i = 0; i < steps; ++i) world.Step(targets);
 }
 

@@ -81,8 +81,8 @@ class TreeSolverTest : public testing::TestWithParam<Pair> {
     World tree(robot, FindProfile(GetParam().by_tree), pose);
     std::mt19937 random(1);
     std::vector<double> targets = Zeros(robot);
-    const int steps_in_a_posture = static_cast<int>(0.2 / ode.time_step());
-    const int steps = static_cast<int>(seconds / ode.time_step());
+    const int steps_in_a_posture = static_cast<int>(0.2 / ode.physics_time_step());
+    const int steps = static_cast<int>(seconds / ode.physics_time_step());
     Seen seen;
     for (int step = 0; step < steps; ++step) {
       if (step % steps_in_a_posture == 0) {

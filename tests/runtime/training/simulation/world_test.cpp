@@ -91,9 +91,9 @@ TEST_P(WorldTest, FallsAsTheStepOfTheMethodSays) {
   robot::Pose pose = Humanoid().poses[0];
   pose.position[2] = 10;
   World world = Make(Humanoid(), pose);
-  const int steps = static_cast<int>(0.5 / world.time_step() + 0.5);
+  const int steps = static_cast<int>(0.5 / world.physics_time_step() + 0.5);
   for (int i = 0; i < steps; ++i) world.Step(Zeros(Humanoid()));
-  const double h = world.time_step();
+  const double h = world.physics_time_step();
   // Velocities first: after n steps the fall is g h^2 n (n + 1) / 2, a little more than g t^2 / 2.
   const double fall = 9.8 * h * h * steps * (steps + 1) / 2;
   EXPECT_NEAR(dBodyGetPosition(world.body().body(0))[2], 10 - fall, 1e-9);

@@ -1,0 +1,83 @@
+// What can be done to a graph while a robot learns with it, at a moment when nothing of it runs.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "runtime/core/module/context.h"
+#include "runtime/core/module/module_graph.h"
+#include "runtime/training/learning/learner.h"
+#include "runtime/training/run/task_modules.h"
+#include "runtime/training/simulation/robot_environment.h"
+
+namespace runtime {
+
+// Each function does all that its name says, or throws UserError and changes nothing.
+class LiveGraph {
+ public:
+  // `graph`: started, with one environment and one learner; throws UserError where it has not.
+  // All of these outlive this object.
+  LiveGraph(ModuleGraph& graph, const ModuleTypes& types, const Context& context);
+
+  ModuleGraph& graph() const { return graph_; }
+  const RobotEnvironment& environment() const { return environment_; }
+  Learner& learner() const { return learner_; }
+  UniversalTask& FindTask(std::string_view name) const;
+  UniversalTask& active_task() const;
+
+  void CheckLoad(const std::string& name, const Plugin& plugin) const;
+  // A new task module that hears of everything the active task hears of, right after it. It sleeps
+  // until the next episode starts.
+  UniversalTask& Load(const std::string& name, std::unique_ptr<TaskInstance> instance);
+  void Unload(const std::string& name);
+
+  void CheckSwap(const std::string& name, const Plugin& plugin) const;
+  void Swap(const std::string& name, std::unique_ptr<TaskInstance> instance);
+  void Rollback(const std::string& name);
+
+  // `now`: in the middle of an episode, of which the shadow must not have reached the end.
+  void CheckPromote(const std::string& name, bool now) const;
+  // The shadow's reward and ends go where those of the active task went.
+  void Promote(const std::string& name);
+
+  // `parameter`: "task.weight". Refuses parameters that have no effect after the start.
+  void Set(const std::string& parameter, const ParameterValue& value);
+  const Parameter& FindParameter(const std::string& parameter) const;
+  ParameterValue Get(const std::string& parameter) const;
+
+  // In the place of the out port that an in port has already. Neither a module that is not started
+  // yet nor its slots can be used by others.
+  void Connect(const std::string& first, const std::string& second);
+  // Refuses to leave an in port without a value, or the learner without a task.
+  void Disconnect(const std::string& first, const std::string& second);
+
+  // Starts it as soon as its in ports are connected. Task modules come by Load().
+  void AddModule(const std::string& type, const std::string& name,
+                 const std::vector<std::pair<std::string, ParameterValue>>& parameters);
+  // Refuses what the run cannot do without.
+  void RemoveModule(const std::string& name);
+  // "" where it is started.
+  std::string WhyNotStarted(const std::string& module) const;
+
+ private:
+  struct ParameterName {
+    Module* module;
+    std::string parameter;
+  };
+  ParameterName Split(const std::string& parameter) const;
+  void CheckIsUsable(const Port& port, const Port& by) const;
+  void CheckIsStillPaid(const Port& a, const Port& b) const;
+  void CheckIsNeeded(const Module& module) const;
+  void StartWhatCan();
+
+  ModuleGraph& graph_;
+  const ModuleTypes& types_;
+  const Context& context_;
+  const RobotEnvironment& environment_;
+  Learner& learner_;
+  std::map<std::string, std::string> not_started_;  // modules, and why
+};
+
+}  // namespace runtime

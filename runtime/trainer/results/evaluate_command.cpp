@@ -1,0 +1,147 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/text/print.h"
+#include "runtime/base/user_error.h"
+#include "runtime/live/workers/run_table.h"
+#include "runtime/trainer/commands.h"
+#include "runtime/trainer/results/evaluate_run.h"
+#include "runtime/trainer/results/evaluation_table.h"
+#include "runtime/trainer/runs/many_runs.h"
+#include "runtime/trainer/runs/run_session.h"
+#include "runtime/trainer/setup/task_setup.h"
+
+namespace runtime {
+namespace {
+
+struct EvaluateOptions {
+  std::filesystem::path folder;
+  EvaluationPlan plan;
+  int jobs = 0;
+  OutputOptions output;
+};
+
+void PrintLine(const nlohmann::ordered_json& json) {
+  text::Print("{}\n", json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+}
+
+int EvaluateOne(const EvaluateOptions& options) {
+  const ProgressStyle style = options.output.style();
+  const StopRequest stop;
+  std::optional<PolicyEvaluation> evaluation = FindEvaluation(options.folder, options.plan);
+  if (!evaluation) evaluation = EvaluateRun(options.folder, options.plan, style, stop);
+  if (!evaluation) {
+    if (style == ProgressStyle::kText) {
+      text::Print("stopped; nothing is kept of an evaluation that is not whole\n");
+    }
+    return kStoppedBySignal + stop.signal();
+  }
+  if (style == ProgressStyle::kJson) PrintLine(ToJson(*evaluation));
+  if (style == ProgressStyle::kText) {
+    const std::string name = std::filesystem::weakly_canonical(options.folder).filename().string();
+    text::Print("{}", EvaluationTable({{name, *evaluation}}));
+  }
+  return kSuccess;
+}
+
+// How far the evaluation of a run is.
+RunProgress ProgressOf(const std::filesystem::path& run, std::string name,
+                       const EvaluationPlan& plan) {
+  RunProgress progress{.folder = run, .name = std::move(name), .episodes_planned = plan.episodes};
+  const std::optional<PolicyEvaluation> known = FindEvaluation(run, plan);
+  if (!known) return progress;
+  progress.state = RunProgressState::kFinished;
+  progress.episodes = plan.episodes;
+  progress.last_return = known->returns.back();
+  progress.best_return = *std::ranges::max_element(known->returns);
+  return progress;
+}
+
+// Runs from which nothing was learned yet, or that cannot be read, are left out with a line.
+std::vector<RunProgress> RunsToEvaluate(const EvaluateOptions& options,
+                                        const std::vector<std::filesystem::path>& runs) {
+  std::vector<RunProgress> found;
+  for (const std::filesystem::path& run : runs) {
+    std::string name = run.lexically_relative(options.folder).string();
+    try {
+      if (HasCheckpoint(run)) {
+        found.push_back(ProgressOf(run, std::move(name), options.plan));
+      } else {
+        text::Print(stderr, "{}: left out: it has no checkpoint yet\n", name);
+      }
+    } catch (const UserError& error) {
+      text::Print(stderr, "{}: left out: {}\n", name, error.what());
+    }
+  }
+  if (!found.empty()) return found;
+  throw UserError(fmt::format("{}: no run here has a checkpoint that can be read; train them first",
+                              options.folder.string()));
+}
+
+void PrintAll(const std::vector<RunProgress>& runs, const EvaluationPlan& plan) {
+  std::vector<NamedEvaluation> evaluations;
+  for (const RunProgress& run : runs) {
+    const std::filesystem::path file = EvaluationFile(run.folder, plan.profile);
+    if (run.state != RunProgressState::kFinished) continue;
+    evaluations.push_back({run.name, ReadEvaluation(file)});
+  }
+  if (!evaluations.empty()) text::Print("{}", EvaluationTable(evaluations));
+}
+
+void PrintKnownAsJson(const std::vector<RunProgress>& runs, const EvaluationPlan& plan) {
+  for (const RunProgress& run : runs) {
+    if (run.state != RunProgressState::kFinished) continue;
+    nlohmann::ordered_json json = {{"run", run.name}};
+    json.update(ToJson(ReadEvaluation(EvaluationFile(run.folder, plan.profile))));
+    PrintLine(json);
+  }
+}
+
+int EvaluateMany(const EvaluateOptions& options, const std::vector<std::filesystem::path>& runs) {
+  const EvaluationPlan& plan = options.plan;
+  const ProgressStyle style = options.output.style();
+  const int jobs = JobsOrCores(options.jobs);
+  const auto words = [&](const RunProgress& run) {
+    return std::vector<std::string>{
+        "evaluate",   run.folder.string(),           "--profile", plan.profile,
+        "--episodes", std::to_string(plan.episodes), "--json"};
+  };
+  RunTablePrinter printer(style, jobs, stdout, stderr);
+  Supervisor supervisor(RunsToEvaluate(options, runs), words, jobs, printer);
+  if (style == ProgressStyle::kJson) PrintKnownAsJson(supervisor.runs(), plan);
+  printer.Follow(supervisor.runs());
+  const StopRequest stop(StopRequest::Second::kIsNoted);
+  const bool are_all_finished = supervisor.Run(stop);
+  printer.Erase();
+  if (style == ProgressStyle::kText) PrintAll(supervisor.runs(), plan);
+  if (are_all_finished) return kSuccess;
+  if (stop.signal() == 0) return kFailed;
+  if (style == ProgressStyle::kText) text::Print("stopped; the same call does the rest\n");
+  return kStoppedBySignal + stop.signal();
+}
+
+int Evaluate(const EvaluateOptions& options) {
+  const std::vector<std::filesystem::path> runs = FindRuns(options.folder);
+  return runs.empty() ? EvaluateOne(options) : EvaluateMany(options, runs);
+}
+
+}  // namespace
+
+void AddEvaluateCommand(CLI::App& app, int& status) {
+  const auto options = std::make_shared<EvaluateOptions>();
+  CLI::App* command = app.add_subcommand(
+      "evaluate",
+      "Lets what a run has learned, or all runs of a folder, act in a profile without learning: "
+      "how much of the return remains.");
+  command->add_option("DIR", options->folder, "folder of the run, or of many")->required();
+  AddProfileOption(*command, options->plan.profile)->required();
+  command->add_option("--episodes", options->plan.episodes, "how many episodes of each run")
+      ->check(CLI::Range(int64_t{1}, int64_t{1'000'000}))
+      ->capture_default_str();
+  AddJobsOption(*command, options->jobs, "evaluate");
+  options->output.AddTo(*command, "one JSON object per episode and one per run");
+  command->callback([options, &status] { status = Evaluate(*options); });
+}
+
+}  // namespace runtime

@@ -1,0 +1,158 @@
+#include "runtime/trainer/results/evaluate_run.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "runtime/analysis/study/learning.h"
+#include "runtime/base/scratch_folder.h"
+#include "runtime/live/control/live_run.h"
+#include "runtime/trainer/runs/kept_run.h"
+#include "runtime/training/run/checkpoint.h"
+#include "runtime/training/run/episode.h"
+#include "runtime/training/run/return_statistics.h"
+#include "runtime/training/run/run_database.h"
+
+namespace runtime {
+namespace {
+
+// A run up to its last checkpoint. The checkpoint is read first: all that belongs to it is there by
+// then, also while the run is at work.
+struct LearnedRun {
+  LearnedRun(const std::filesystem::path& folder, const RunDatabase& database)
+      : checkpoint(ReadCheckpoint(folder, database)), record(database.ReadRun()) {
+    std::vector<EpisodeRecord> episodes = database.ReadEpisodes();
+    std::erase_if(episodes, [&](const auto& each) { return each.number > checkpoint.episode; });
+    means = MeansAtTheEnd(record, episodes, MeanWindow(record.episodes_planned));
+  }
+
+  static Checkpoint ReadCheckpoint(const std::filesystem::path& folder,
+                                   const RunDatabase& database) {
+    std::optional<Checkpoint> checkpoint = database.ReadCheckpoint();
+    if (checkpoint) return std::move(*checkpoint);
+    throw UserError(fmt::format(
+        "{0}: this run has no checkpoint yet, and so nothing to evaluate; wait for the first one, "
+        "or go on with it by `trainer resume {0}`",
+        folder.string()));
+  }
+
+  Checkpoint checkpoint;
+  RunRecord record;
+  FinalMeans means;
+};
+
+// The learner with all that its run had learned, in the robot's environment of another profile.
+class Performer {
+ public:
+  Performer(const std::filesystem::path& folder, LearnedRun& run, RunDatabase& database,
+            const std::string& profile, Progress& progress, const StopRequest& stop,
+            const ModuleTypes& types)
+      : kept_(folder, run.record, scratch_.path(), types),
+        environment_(kept_.graph.FindOnly<RobotEnvironment>()),
+        learner_(kept_.graph.FindOnly<Learner>()) {
+    environment_.Set("profile", profile);
+    kept_.graph.Start();
+    // What was changed while the run learned is changed again.
+    LiveRun changes({folder, run.record, database, kept_.graph, kept_.types, kept_.context},
+                    progress, LiveRun::WhenDone::kEnd, stop);
+    LoadModules(kept_.graph, run.checkpoint.state, changes.BeforeRestore(run.checkpoint.episode));
+    tasks_ = FindTaskModules(kept_.graph, learner_);
+    learner_.StopLearning();
+  }
+
+  EpisodeRecord RunEpisode(int64_t number, const AfterStep& after_step) {
+    return runtime::RunEpisode(number, {environment_, learner_, tasks_}, after_step);
+  }
+
+ private:
+  const ScratchFolder scratch_;
+  KeptRun kept_;
+  RobotEnvironment& environment_;
+  Learner& learner_;
+  TaskModules tasks_;
+};
+
+// Fewer than planned where a stop was requested.
+std::vector<EpisodeRecord> RunEpisodes(Performer& performer, int64_t count, Progress& progress,
+                                       const StopRequest& stop) {
+  std::vector<EpisodeRecord> episodes;
+  ReturnStatistics statistics;
+  bool stop_is_noted = false;
+  const auto note_stop = [&](int64_t) {
+    if (stop.signal() == 0 || std::exchange(stop_is_noted, true)) return;
+    progress.Warn(fmt::format("{} ... Ctrl-C again to stop at once", kStopNotice));
+  };
+  for (int64_t number = 1; number <= count && stop.signal() == 0; ++number) {
+    episodes.push_back(performer.RunEpisode(number, note_stop));
+    statistics.Add(episodes.back());
+    progress.FinishEpisode(episodes.back(), statistics);
+  }
+  return episodes;
+}
+
+PolicyEvaluation Summary(const LearnedRun& run, const std::string& profile,
+                         const std::vector<EpisodeRecord>& episodes) {
+  const FinalMeans means =
+      MeansAtTheEnd(run.record, episodes, static_cast<int64_t>(episodes.size()));
+  PolicyEvaluation evaluation{.profile = profile,
+                              .learned_profile = run.record.profile,
+                              .version = TASKC_VERSION,
+                              .checkpoint_episode = run.checkpoint.episode,
+                              .checkpoint = StateHash(run.checkpoint.state),
+                              .mean_return = means.episode_return,
+                              .learned_return = run.means.episode_return,
+                              .metrics = means.metrics,
+                              .learned_metrics = run.means.metrics};
+  for (const EpisodeRecord& episode : episodes) {
+    evaluation.returns.push_back(episode.active.episode_return);
+    ++evaluation.ends[episode.active.end_kind];
+  }
+  return evaluation;
+}
+
+}  // namespace
+
+bool HasCheckpoint(const std::filesystem::path& run) {
+  return RunDatabase::OpenToRead(run).ReadCheckpoint().has_value();
+}
+
+std::optional<PolicyEvaluation> FindEvaluation(const std::filesystem::path& run,
+                                               const EvaluationPlan& plan) {
+  const std::optional<Checkpoint> checkpoint = RunDatabase::OpenToRead(run).ReadCheckpoint();
+  const std::filesystem::path file = EvaluationFile(run, plan.profile);
+  if (!checkpoint || !std::filesystem::exists(file)) return std::nullopt;
+  try {
+    PolicyEvaluation known = ReadEvaluation(file);
+    const bool is_wanted = known.version == TASKC_VERSION &&
+                           known.checkpoint == StateHash(checkpoint->state) &&
+                           static_cast<int64_t>(known.returns.size()) == plan.episodes;
+    if (is_wanted) return known;
+  } catch (const UserError&) {
+    // A damaged file is as good as none: it will be replaced.
+  }
+  return std::nullopt;
+}
+
+std::optional<PolicyEvaluation> EvaluateRun(const std::filesystem::path& folder,
+                                            const EvaluationPlan& plan, ProgressStyle style,
+                                            const StopRequest& stop, const ModuleTypes& types) {
+  auto database = std::make_unique<RunDatabase>(RunDatabase::OpenToRead(folder));
+  LearnedRun run(folder, *database);
+  RunRecord planned = run.record;
+  planned.episodes_planned = plan.episodes;
+  Progress progress(style, planned, stdout, stderr);
+  progress.Note(fmt::format(
+      "{}: what {} learned in {}, up to episode {}, acts in {} and learns nothing", folder.string(),
+      run.record.tasks.front().task, run.record.profile, run.checkpoint.episode, plan.profile));
+  Performer performer(folder, run, *database, plan.profile, progress, stop, types);
+  database.reset();  // a run at work is left alone as soon as can be
+  const std::vector<EpisodeRecord> episodes = RunEpisodes(performer, plan.episodes, progress, stop);
+  if (static_cast<int64_t>(episodes.size()) < plan.episodes) return std::nullopt;
+  PolicyEvaluation evaluation = Summary(run, plan.profile, episodes);
+  WriteEvaluation(folder, evaluation);
+  return evaluation;
+}
+
+}  // namespace runtime

@@ -1,0 +1,79 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "base/text/print.h"
+#include "runtime/live/workers/run_table.h"
+#include "runtime/trainer/commands.h"
+#include "runtime/trainer/results/run_overview.h"
+#include "runtime/trainer/runs/many_runs.h"
+
+namespace runtime {
+namespace {
+
+std::vector<RunProgress> ProgressOf(const std::filesystem::path& folder,
+                                    const std::vector<std::filesystem::path>& runs) {
+  std::vector<RunProgress> progress;
+  for (const std::filesystem::path& run : runs) {
+    progress.push_back(ReadProgressOrFailure(run, folder));
+  }
+  return progress;
+}
+
+void Print(const nlohmann::ordered_json& json) {
+  text::Print("{}\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+}
+
+void PrintJson(const std::vector<RunProgress>& runs) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (const RunProgress& run : runs) {
+    json.push_back({{"run", run.name},
+                    {"state", NameOf(run.state)},
+                    {"episodes", run.episodes},
+                    {"episodes_planned", run.episodes_planned}});
+    if (run.episodes > 0) {
+      json.back()["last_return"] = run.last_return;
+      json.back()["best_return"] = run.best_return;
+    }
+  }
+  Print(json);
+}
+
+void ShowMany(const std::vector<RunProgress>& runs, bool as_json) {
+  if (as_json) return PrintJson(runs);
+  text::Print("{}{}\n", RunTable(runs), RunSummary(runs, 1));
+}
+
+void ShowOne(const std::filesystem::path& folder, bool as_json) {
+  const RunOverview overview = ReadOverview(folder);
+  if (as_json) return Print(OverviewJson(overview));
+  text::Print("{}", OverviewText(overview));
+}
+
+}  // namespace
+
+void AddShowCommand(CLI::App& app, int& status) {
+  struct Options {
+    std::filesystem::path folder;
+    bool json = false;
+  };
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand(
+      "show", "Prints what a run is and how far it got; or how far all runs of a folder are.");
+  command->add_option("DIR", options->folder, "folder of the run, or of many")->required();
+  command->add_flag("--json", options->json, "print JSON");
+  command->callback([options, &status] {
+    status = kSuccess;
+    WarnOfUnfinishedRuns(options->folder);
+    const std::vector<std::filesystem::path> runs = FindRuns(options->folder);
+    if (runs.empty()) return ShowOne(options->folder, options->json);
+    const std::vector<RunProgress> progress = ProgressOf(options->folder, runs);
+    ShowMany(progress, options->json);
+    const bool is_each_readable = std::ranges::find(progress, RunProgressState::kFailed,
+                                                    &RunProgress::state) == progress.end();
+    if (!is_each_readable) status = kFailed;
+  });
+}
+
+}  // namespace runtime

@@ -1,0 +1,39 @@
+#include "runtime/trainer/runs/kept_run.h"
+
+#include <fmt/format.h>
+
+#include "runtime/training/run/run_files.h"
+
+namespace runtime {
+namespace {
+
+// What `make` gives, from what the run's database says of its `part`. Whoever finds fault with
+// that, in an `Error`, does not know where it is from.
+template <class Error, class Make>
+auto FromDatabase(const std::filesystem::path& folder, const char* part, Make make) {
+  try {
+    return make();
+  } catch (const Error& error) {
+    throw UserError(fmt::format(
+        "{}: the table `run`: `{}`: {}; put back a copy of the file, use the trainer that made the "
+        "run, or start another run",
+        (folder / "run.db").string(), part, error.what()));
+  }
+}
+
+}  // namespace
+
+KeptRun::KeptRun(const std::filesystem::path& folder, const RunRecord& run,
+                 const std::filesystem::path& robot_folder, const ModuleTypes& program_types)
+    : plugin(std::make_shared<const Plugin>(FindKeptPlugin(folder, run.tasks.front().plugin))),
+      robot(FromDatabase<robot::DescriptionError>(
+          folder, "robot_description",
+          [&] { return ReadKeptRobot(robot_folder, run.robot_description); })),
+      context{&robot, plugin, run.seed},
+      agent(
+          FromDatabase<UserError>(folder, "agent", [&] { return ParseAgent(run.agent, "agent"); })),
+      types(WithComposites(program_types, agent)),
+      graph(FromDatabase<UserError>(folder, "agent",
+                                    [&] { return BuildGraph(agent, types, context); })) {}
+
+}  // namespace runtime

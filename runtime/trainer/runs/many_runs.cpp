@@ -1,0 +1,133 @@
+#include "runtime/trainer/runs/many_runs.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <thread>
+
+#include "base/text/print.h"
+#include "runtime/base/folder_lock.h"
+#include "runtime/live/workers/run_table.h"
+#include "runtime/live/workers/supervisor.h"
+#include "runtime/trainer/commands.h"
+#include "runtime/training/run/run_database.h"
+#include "runtime/training/run/stop_request.h"
+
+namespace runtime {
+namespace {
+
+// Shorter names first among those of equal beginnings: seed2 before seed10.
+bool ComesBefore(const std::filesystem::path& a, const std::filesystem::path& b) {
+  const std::string first = a.filename().string();
+  const std::string second = b.filename().string();
+  const auto stem = [](const std::string& name) {
+    return name.substr(0, name.find_last_not_of("0123456789") + 1);
+  };
+  if (stem(first) != stem(second)) return stem(first) < stem(second);
+  return std::pair(first.size(), first) < std::pair(second.size(), second);
+}
+
+// Those in `folder`, and in the folders in it that hold no run, in the order of their names. None
+// where `folder` is a run itself.
+std::vector<std::filesystem::path> FoldersBelow(const std::filesystem::path& folder) {
+  if (RunDatabase::Exists(folder)) return {};
+  std::vector<std::filesystem::path> folders;
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+    if (entry.is_directory(error)) folders.push_back(entry.path());
+  }
+  std::ranges::sort(folders, ComesBefore);
+  std::vector<std::filesystem::path> found;
+  for (const std::filesystem::path& each : folders) {
+    found.push_back(each);
+    std::ranges::copy(FoldersBelow(each), std::back_inserter(found));
+  }
+  return found;
+}
+
+// How far the `runs` of `folder` are; those that are not finished wait.
+std::vector<RunProgress> RunsToTrain(const std::filesystem::path& folder,
+                                     const std::vector<std::filesystem::path>& runs) {
+  std::vector<RunProgress> found;
+  for (const std::filesystem::path& run : runs) {
+    RunProgress& progress = found.emplace_back(ReadProgressOrFailure(run, folder));
+    const bool is_over = progress.state == RunProgressState::kFinished ||
+                         progress.state == RunProgressState::kFailed;
+    if (!is_over) progress.state = RunProgressState::kWaiting;
+  }
+  return found;
+}
+
+std::vector<std::string> WordsToTrain(const RunProgress& run) {
+  return {"resume", run.folder.string(), "--json"};
+}
+
+}  // namespace
+
+std::filesystem::path SeedFolder(const std::filesystem::path& folder, uint64_t seed) {
+  return folder / fmt::format("seed{}", seed);
+}
+
+std::vector<std::filesystem::path> FindRuns(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> runs;
+  std::ranges::copy_if(FoldersBelow(folder), std::back_inserter(runs), RunDatabase::Exists);
+  return runs;
+}
+
+void WarnOfUnfinishedRuns(const std::filesystem::path& folder) {
+  for (const std::filesystem::path& each : FoldersBelow(folder)) {
+    // While a trainer makes it, all is well.
+    if (!RunDatabase::IsUnfinished(each) || FolderLock::IsTaken(each)) continue;
+    text::Print(
+        stderr,
+        "warning: {0}: no run: the trainer was ended while it made this one; `trainer study` "
+        "or `trainer train TASK --out {0}` makes it, or delete the folder\n",
+        each.string());
+  }
+}
+
+RunProgress ReadProgressOrFailure(const std::filesystem::path& run,
+                                  const std::filesystem::path& folder) {
+  const std::string name = run.lexically_relative(folder).string();
+  try {
+    return ReadProgress(run, name);
+  } catch (const UserError& error) {
+    text::Print(stderr, "warning: {}\n", error.what());
+    RunProgress progress{run, name};
+    progress.state = RunProgressState::kFailed;
+    progress.failure = error.what();
+    return progress;
+  }
+}
+
+void AddJobsOption(CLI::App& command, int& jobs, const std::string& verb) {
+  command
+      .add_option("--jobs", jobs,
+                  fmt::format("how many runs to {} at a time; otherwise one on each core", verb))
+      ->check(CLI::Range(1, 1024));
+}
+
+int JobsOrCores(int jobs) {
+  return jobs > 0 ? jobs : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+}
+
+int TrainRuns(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& runs,
+              int jobs, const OutputOptions& output) {
+  jobs = JobsOrCores(jobs);
+  WarnOfUnfinishedRuns(folder);
+  RunTablePrinter printer(output.style(), jobs, stdout, stderr);
+  Supervisor supervisor(RunsToTrain(folder, runs), WordsToTrain, jobs, printer);
+  printer.Follow(supervisor.runs());
+  const StopRequest stop(StopRequest::Second::kIsNoted);
+  const bool are_all_finished = supervisor.Run(stop);
+  printer.Finish();
+  if (are_all_finished) return kSuccess;
+  if (stop.signal() == 0) return kFailed;
+  if (output.style() == ProgressStyle::kText) {
+    text::Print("stopped; `trainer resume {}` goes on\n", folder.string());
+  }
+  return kStoppedBySignal + stop.signal();
+}
+
+}  // namespace runtime

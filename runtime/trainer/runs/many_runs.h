@@ -1,0 +1,41 @@
+// Folders of many runs.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "runtime/live/workers/supervisor.h"
+#include "runtime/trainer/runs/run_session.h"
+
+namespace runtime {
+
+// Of the run with this seed among many: FOLDER/seed3.
+std::filesystem::path SeedFolder(const std::filesystem::path& folder, uint64_t seed);
+
+// The runs in `folder`, and in the folders in it, in the order of their names with numbers taken as
+// numbers. None where `folder` is a run itself.
+std::vector<std::filesystem::path> FindRuns(const std::filesystem::path& folder);
+
+// Says on standard error which folders in `folder` a trainer began to make runs in, and was ended
+// before they were runs.
+void WarnOfUnfinishedRuns(const std::filesystem::path& folder);
+
+// How far the run of `folder` is; of one that cannot be read, that it has failed, and why, which is
+// also said on standard error.
+RunProgress ReadProgressOrFailure(const std::filesystem::path& run,
+                                  const std::filesystem::path& folder);
+
+// --jobs, on whose help `verb` says what is done to the runs: "train"; 0 stands for as many as
+// there are cores.
+void AddJobsOption(CLI::App& command, int& jobs, const std::string& verb);
+int JobsOrCores(int jobs);
+
+// Trains these runs of `folder` to their end, in this order, from their last checkpoints, `jobs` at
+// a time; returns the exit status.
+int TrainRuns(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& runs,
+              int jobs, const OutputOptions& output);
+
+}  // namespace runtime

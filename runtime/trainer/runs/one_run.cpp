@@ -1,0 +1,80 @@
+#include "runtime/trainer/runs/one_run.h"
+
+#include <fmt/format.h>
+
+#include "base/text/print.h"
+#include "runtime/trainer/call_error.h"
+#include "runtime/trainer/commands.h"
+#include "runtime/trainer/runs/kept_run.h"
+#include "runtime/training/run/run_database.h"
+
+namespace runtime {
+namespace {
+
+// Whether a session with nothing left to train would end at once.
+bool HasNothingToDo(bool has_episodes_left, const SessionOptions& session) {
+  return !has_episodes_left && session.when_done == LiveRun::WhenDone::kEnd;
+}
+
+void WarnOfOtherVersion(const RunRecord& run) {
+  if (run.version == TASKC_VERSION) return;
+  text::Print(stderr,
+              "warning: the run was started by trainer {}, this is {}: it may go on differently\n",
+              run.version, TASKC_VERSION);
+}
+
+}  // namespace
+
+int TrainOneRun(const TaskOptions& options, const RunPlan& plan,
+                const std::filesystem::path& named_folder, const SessionOptions& session,
+                const ModuleTypes& types) {
+  const BuiltTask task(options.task);
+  if (!task.plugin()) return kFailed;
+  TaskSetup setup(options, *task.plugin(), plan.seed, types);
+  RunRecord run = RecordOf(setup, plan);
+  const std::filesystem::path folder =
+      named_folder.empty()
+          ? std::filesystem::path("runs") /
+                fmt::format("{}-{}-seed{}", run.tasks.front().task, run.profile, run.seed)
+          : named_folder;
+  RunDatabase::CheckIsFree(folder);
+  setup.graph.Start();  // the last that can be wrong: only now the folder is made
+  RunDatabase database = CreateRun(folder, setup, run);
+  return RunSession({folder, run, database, setup.graph, setup.types, setup.context}, session);
+}
+
+bool PlanEpisodes(std::optional<int64_t> episodes, RunDatabase& database, RunRecord& run) {
+  const int64_t done = database.ReadCheckpointEpisode();
+  if (episodes) {
+    if (*episodes < done) {
+      throw CallError(fmt::format(
+          "--episodes {}: the run has {} episodes already; name a larger number", *episodes, done));
+    }
+    run.episodes_planned = *episodes;
+    database.SetEpisodesPlanned(run.episodes_planned);
+  }
+  return done < run.episodes_planned;
+}
+
+int ResumeOneRun(const std::filesystem::path& folder, std::optional<int64_t> episodes,
+                 const SessionOptions& session, const ModuleTypes& types) {
+  RunDatabase database = RunDatabase::Open(folder);
+  RunRecord run = database.ReadRun();
+  const RunState run_state = database.ReadState();
+  if (HasNothingToDo(PlanEpisodes(episodes, database, run), session)) {
+    // A run that was finished long ago keeps the time at which it was.
+    if (run_state != RunState::kFinished) database.SetState(RunState::kFinished);
+    if (session.output.style() == ProgressStyle::kText) {
+      text::Print("all {} episodes of this run are done; a larger `--episodes` trains on\n",
+                  run.episodes_planned);
+    }
+    return kSuccess;
+  }
+  WarnOfOtherVersion(run);
+  KeptRun kept(folder, run, folder, types);
+  kept.graph.Start();
+  database.SetState(RunState::kRunning);
+  return RunSession({folder, run, database, kept.graph, kept.types, kept.context}, session);
+}
+
+}  // namespace runtime

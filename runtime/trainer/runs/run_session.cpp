@@ -1,0 +1,98 @@
+#include "runtime/trainer/runs/run_session.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "runtime/analysis/report/report.h"
+#include "runtime/live/server/server.h"
+#include "runtime/trainer/commands.h"
+#include "runtime/trainer/runs/guard.h"
+#include "runtime/training/run/record_error.h"
+#include "runtime/training/run/stop_request.h"
+#include "runtime/training/run/training.h"
+
+namespace runtime {
+namespace {
+
+// Where a change that somebody made has brought the graph to a halt, the run goes on without it;
+// otherwise it ends. Nobody's change is to blame for what the disk does.
+int Fail(const RunParts& run, LiveRun& live, Progress& progress, const UserError& error) {
+  const std::string name = run.folder.string();
+  const bool is_of_record = dynamic_cast<const RecordError*>(&error) != nullptr;
+  if (!is_of_record && live.BlameLastChange(error.what())) {
+    progress.Warn(fmt::format(
+        "warning: {}; the last change is taken back, from the last checkpoint on", error.what()));
+    if (IsGuarded()) return StartAgain();
+  }
+  throw UserError(fmt::format(
+      "{}; what was saved is kept, and `trainer resume {}` goes on from the last checkpoint",
+      error.what(), name));
+}
+
+// Where clients cannot be served, such as on a disk without sockets, the run is worth as much:
+// null, unless a server was asked for.
+std::unique_ptr<Server> StartServer(const RunParts& run, const SessionOptions& options,
+                                    LiveRun& live, Progress& progress) {
+  try {
+    return std::make_unique<Server>(ServerOptions{.folder = run.folder, .port = options.port}, live,
+                                    [folder = run.folder] { return ReportPage(folder); });
+  } catch (const UserError& error) {
+    if (options.port != 0 || options.when_done == LiveRun::WhenDone::kWait) throw;
+    progress.Warn(fmt::format("warning: {}; the run goes on, but `trainer ctl` cannot reach it",
+                              error.what()));
+    return nullptr;
+  }
+}
+
+}  // namespace
+
+void OutputOptions::AddTo(CLI::App& command, const std::string& objects) {
+  CLI::Option* json_flag =
+      command.add_flag("--json", json, fmt::format("print {}, and nothing else", objects));
+  command.add_flag("--quiet", quiet, "print only warnings and errors")->excludes(json_flag);
+}
+
+ProgressStyle OutputOptions::style() const {
+  if (json) return ProgressStyle::kJson;
+  return quiet ? ProgressStyle::kQuiet : ProgressStyle::kText;
+}
+
+void SessionOptions::AddTo(CLI::App& command) {
+  output.AddTo(command);
+  command
+      .add_option("--port", port,
+                  "port on 127.0.0.1 that clients can connect to; otherwise any that is free")
+      ->check(CLI::Range(1, 65535));
+}
+
+int RunSession(const RunParts& run, const SessionOptions& options) {
+  const std::string name = run.folder.string();
+  TellGuard(run.folder);
+  const StopRequest stop;
+  Progress progress(options.output.style(), run.record, stdout, stderr);
+  LiveRun live(run, progress, options.when_done, stop);
+  Training training(run.graph, run.record, run.database, progress, live);
+  training.Restore();
+  const std::unique_ptr<Server> server = StartServer(run, options, live, progress);
+  live.PublishTo(server.get());
+  progress.Note(fmt::format("{}: task {}, robot {}, profile {}, seed {}, episodes {} to {}", name,
+                            run.record.tasks.front().task, run.record.robot, run.record.profile,
+                            run.record.seed, training.episodes_done() + 1,
+                            run.record.episodes_planned));
+  if (options.when_done == LiveRun::WhenDone::kWait) {
+    progress.Note(fmt::format("{} (`trainer ctl --run {} status`)", server->page_address(), name));
+  }
+  try {
+    if (training.Run(stop) && stop.signal() == 0) {
+      progress.Note(fmt::format("finished; `trainer report {}` draws the curves", name));
+      return kSuccess;
+    }
+  } catch (const UserError& error) {
+    return Fail(run, live, progress, error);
+  }
+  progress.Note(fmt::format("stopped; `trainer resume {}` goes on", name));
+  return stop.signal() == 0 ? kSuccess : kStoppedBySignal + stop.signal();
+}
+
+}  // namespace runtime

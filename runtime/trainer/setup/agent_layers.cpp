@@ -1,0 +1,122 @@
+#include "runtime/trainer/setup/agent_layers.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <utility>
+
+#include "runtime/trainer/call_error.h"
+#include "runtime/training/simulation/robot_environment.h"
+
+namespace runtime {
+namespace {
+
+constexpr const char* kSetOption = "--set";
+
+// Texts that start like a word need no quotes on the command line.
+std::string TomlValue(const std::string& value) {
+  const bool is_word = !value.empty() && std::isalpha(static_cast<unsigned char>(value[0])) != 0;
+  const bool is_plain = value == "true" || value == "false" || value == "inf" || value == "nan";
+  return value.empty() || (is_word && !is_plain) ? fmt::format("'{}'", value) : value;
+}
+
+// The module that simulates the robot. `origin`: who needs it.
+const ModuleSetting& EnvironmentOf(const Agent& agent, const std::string& origin) {
+  const auto environment =
+      std::ranges::find(agent.modules, std::string(RobotEnvironment::kType), &ModuleSetting::type);
+  if (environment != agent.modules.end()) return *environment;
+  throw UserError(fmt::format("{}: the agent has no module of the type `{}` to set it in", origin,
+                              RobotEnvironment::kType));
+}
+
+bool Sets(const ModuleSetting& module, const std::string& parameter) {
+  return std::ranges::find(module.parameters, parameter, &ParameterSetting::name) !=
+         module.parameters.end();
+}
+
+// `agent` with a parameter of its environment. `origin`: where it comes from, as messages name it.
+Agent WithEnvironment(const Agent& agent, const std::string& parameter, const std::string& value,
+                      const std::string& origin) {
+  const SourcePlace place{origin};
+  Agent change;
+  change.modules = {{EnvironmentOf(agent, origin).name, "", place, {{parameter, value, place}}}};
+  return Changed(agent, change);
+}
+
+const ParameterSetting* FindParameter(const Agent& agent, const std::string& module,
+                                      const std::string& name) {
+  const auto owner = std::ranges::find(agent.modules, module, &ModuleSetting::name);
+  if (owner == agent.modules.end()) return nullptr;
+  const auto found = std::ranges::find(owner->parameters, name, &ParameterSetting::name);
+  return found == owner->parameters.end() ? nullptr : &*found;
+}
+
+// "--set", or the place in a file.
+std::string OriginOf(const SourcePlace& place) {
+  return place.line == 0 ? kSetOption : place.ToText();
+}
+
+}  // namespace
+
+Agent ParseSetting(const std::string& setting) {
+  const size_t equals = setting.find('=');
+  const size_t dot = setting.find('.');
+  if (equals == std::string::npos || dot == std::string::npos || dot == 0 || dot + 1 >= equals) {
+    throw CallError(fmt::format(
+        "--set {}: write MODULE.PARAMETER=VALUE, for example `--set learner.temperature=2`",
+        setting));
+  }
+  try {
+    Agent change = ParseAgent(fmt::format("modules.{} = {}", setting.substr(0, equals),
+                                          TomlValue(setting.substr(equals + 1))),
+                              kSetOption);
+    const SourcePlace place{fmt::format("{} {}", kSetOption, setting)};
+    for (ModuleSetting& module : change.modules) {
+      module.place = place;
+      for (ParameterSetting& parameter : module.parameters) parameter.place = place;
+    }
+    return change;
+  } catch (const UserError&) {
+    throw CallError(fmt::format(
+        "--set {}: the value is none: write a number, true, false, \"text\" or [1, 2]", setting));
+  }
+}
+
+Agent AgentLayers::Merge() const {
+  Agent agent = ReadAgent(robot_file.parent_path() / "agent.toml");
+  std::filesystem::path task_agent = task_file;
+  task_agent.replace_extension(".agent.toml");
+  if (std::filesystem::exists(task_agent)) agent = Changed(std::move(agent), ReadAgent(task_agent));
+  if (!file.empty()) agent = Changed(std::move(agent), ReadAgent(file));
+  const std::string origin = "start pose of the task";
+  if (!start_pose.empty() && !Sets(EnvironmentOf(agent, origin), "start_pose")) {
+    agent = WithEnvironment(agent, "start_pose", start_pose, origin);
+  }
+  if (!profile.empty()) {
+    agent = WithEnvironment(agent, "profile", profile, "--profile " + profile);
+  }
+  for (const std::string& setting : settings) {
+    agent = Changed(std::move(agent), ParseSetting(setting));
+  }
+  return agent;
+}
+
+std::vector<Setting> AgentLayers::SettingsIn(const Agent& merged) const {
+  Agent changes = file.empty() ? Agent{} : ReadAgent(file);
+  for (const std::string& setting : settings) {
+    changes = Joined(std::move(changes), ParseSetting(setting));
+  }
+  std::vector<Setting> found;
+  for (const ModuleSetting& module : changes.modules) {
+    for (const ParameterSetting& parameter : module.parameters) {
+      const ParameterSetting* value = FindParameter(merged, module.name, parameter.name);
+      if (value == nullptr || value->place.ToText() != parameter.place.ToText()) continue;
+      found.push_back(
+          {module.name + "." + parameter.name, ToText(value->value), OriginOf(parameter.place)});
+    }
+  }
+  return found;
+}
+
+}  // namespace runtime

@@ -1,0 +1,121 @@
+#include "runtime/trainer/setup/task_setup.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "runtime/base/build_task.h"
+#include "runtime/base/suggestion.h"
+#include "runtime/core/module/context.h"
+#include "runtime/trainer/call_error.h"
+#include "runtime/trainer/setup/agent_layers.h"
+#include "runtime/training/simulation/profile.h"
+
+namespace runtime {
+namespace {
+
+void CheckTaskFile(const std::filesystem::path& task) {
+  if (task.extension() != ".task" && task.extension() != ".so") {
+    const std::string meant = task.string() + ".task";
+    throw CallError(fmt::format(
+        "{}: a task is a .task file, or a .so file that taskc has built from one{}", task.string(),
+        std::filesystem::exists(meant) ? fmt::format("; did you mean `{}`?", meant) : ""));
+  }
+  if (std::filesystem::exists(task)) return;
+  std::vector<std::string> neighbors;
+  const std::filesystem::path folder = task.has_parent_path() ? task.parent_path() : ".";
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+    if (entry.path().extension() == task.extension()) {
+      neighbors.push_back(entry.path().filename().string());
+    }
+  }
+  std::sort(neighbors.begin(), neighbors.end());
+  throw CallError(
+      fmt::format("{}: there is no such file{}", task.string(),
+                  neighbors.empty() ? "" : Suggestion(task.filename().string(), neighbors)));
+}
+
+// Runs without an end would never reach their second episode.
+void CheckHasEnd(const taskc_plugin& plugin) {
+  if (plugin.end_count > 0) return;
+  throw UserError(
+      fmt::format("{}: no episode of task `{}` ever ends; add a limit, for example "
+                  "`if time > 20 s {{ truncate_episode \"time is up\" }}` in `on end_of_time_step`",
+                  plugin.sources[0].file, plugin.name));
+}
+
+std::string RobotName(const TaskOptions& options, const taskc_plugin& plugin) {
+  const std::string name = options.robot.empty() ? plugin.robot : options.robot;
+  if (name.empty()) {
+    throw CallError(fmt::format(
+        "task `{}` is for no robot in particular; name one, for example `--robot humanoid`",
+        plugin.name));
+  }
+  return name;
+}
+
+AgentLayers LayersOf(const TaskOptions& options, const taskc_plugin& plugin,
+                     const std::filesystem::path& robot_file) {
+  return {robot_file,    plugin.start_pose, options.task,
+          options.agent, options.profile,   options.settings};
+}
+
+std::shared_ptr<const Plugin> Load(const std::filesystem::path& file) {
+  auto plugin = std::make_shared<const Plugin>(file);
+  CheckHasEnd(plugin->table());
+  return plugin;
+}
+
+}  // namespace
+
+CLI::Option* AddProfileOption(CLI::App& command, std::string& profile) {
+  std::vector<std::string> profiles;
+  for (const Profile& each : kProfiles) profiles.emplace_back(each.name);
+  return command
+      .add_option(
+          "--profile", profile,
+          "how to simulate: `paper` faithfully, `fast` with longer steps; each `-tree`: the same "
+          "equations, solved several times as fast")
+      ->check(CLI::IsMember(profiles));
+}
+
+void TaskOptions::AddTo(CLI::App& command) {
+  command.add_option("TASK", task, "a .task file, or a .so that taskc built from one")->required();
+  AddProfileOption(command, profile);
+  command.add_option("--agent", agent, "agent file that changes the robot's default agent")
+      ->check(CLI::ExistingFile);
+  command.add_option("--robot", robot, "robot, for a task that is for none in particular");
+  command
+      .add_option("--set", settings, "change a parameter, MODULE.PARAMETER=VALUE; may be repeated")
+      ->allow_extra_args(false);
+}
+
+BuiltTask::BuiltTask(const std::filesystem::path& task) {
+  CheckTaskFile(task);
+  if (task.extension() == ".so") {
+    plugin_ = task;
+    return;
+  }
+  scratch_.emplace();
+  const std::filesystem::path built = scratch_->path() / "task.so";
+  if (BuildTask(task, built)) plugin_ = built;
+}
+
+TaskSetup::TaskSetup(const TaskOptions& wanted, const std::filesystem::path& file, uint64_t seed,
+                     const ModuleTypes& program_types)
+    : options(wanted),
+      plugin_file(file),
+      plugin(Load(file)),
+      robot_file(
+          robot::FindRobotFile(RobotName(options, plugin->table()), robot::DefaultRobotFolders())),
+      robot(robot::ReadRobot(robot_file)),
+      agent(LayersOf(options, plugin->table(), robot_file).Merge()),
+      context{&robot, plugin, seed},
+      types(WithComposites(program_types, agent)),
+      graph(BuildGraph(agent, types, context)) {
+  agent = Resolved(agent, graph);
+  settings = LayersOf(options, plugin->table(), robot_file).SettingsIn(agent);
+}
+
+}  // namespace runtime

@@ -1,0 +1,69 @@
+// From a task's file and what the user says about it to a graph that is ready to start.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "plugins/robot/robot_description.h"
+#include "runtime/base/scratch_folder.h"
+#include "runtime/core/agent/agent.h"
+#include "runtime/core/module/context.h"
+#include "runtime/core/module/module_graph.h"
+#include "runtime/core/task/plugin.h"
+#include "runtime/training/run/module_types.h"
+#include "runtime/training/run/run_settings.h"
+
+namespace runtime {
+
+// --profile
+CLI::Option* AddProfileOption(CLI::App& command, std::string& profile);
+
+struct TaskOptions {
+  std::filesystem::path task;  // .task or .so
+  std::string profile;
+  std::filesystem::path agent;
+  std::string robot;
+  std::vector<std::string> settings;
+
+  void AddTo(CLI::App& command);
+};
+
+// The plugin of a task, built for as long as this object lives if it is not a plugin already.
+class BuiltTask {
+ public:
+  // Throws CallError where there is no such task, UserError where it cannot be built.
+  explicit BuiltTask(const std::filesystem::path& task);
+
+  // Nothing where the task has errors: the compiler has said which.
+  const std::optional<std::filesystem::path>& plugin() const { return plugin_; }
+
+ private:
+  std::optional<ScratchFolder> scratch_;
+  std::optional<std::filesystem::path> plugin_;
+};
+
+struct TaskSetup {
+  // `program_types`: what the agent's modules can be made of, besides its own composites. Throws
+  // UserError or CallError for whatever does not exist or does not fit.
+  TaskSetup(const TaskOptions& wanted, const std::filesystem::path& plugin_file, uint64_t seed,
+            const ModuleTypes& program_types = ProgramModuleTypes());
+  TaskSetup(const TaskSetup&) = delete;
+  TaskSetup& operator=(const TaskSetup&) = delete;
+
+  TaskOptions options;
+  std::filesystem::path plugin_file;
+  std::shared_ptr<const Plugin> plugin;
+  std::filesystem::path robot_file;
+  robot::RobotDescription robot;
+  Agent agent;                    // resolved
+  std::vector<Setting> settings;  // what the user has set in it
+  Context context;
+  ModuleTypes types;  // also the agent's own composites
+  ModuleGraph graph;
+};
+
+}  // namespace runtime

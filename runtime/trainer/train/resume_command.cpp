@@ -1,0 +1,67 @@
+#include <optional>
+
+#include "runtime/trainer/call_error.h"
+#include "runtime/trainer/commands.h"
+#include "runtime/trainer/runs/guard.h"
+#include "runtime/trainer/runs/many_runs.h"
+#include "runtime/trainer/runs/one_run.h"
+#include "runtime/training/run/run_database.h"
+
+namespace runtime {
+namespace {
+
+struct ResumeOptions {
+  std::filesystem::path folder;
+  std::optional<int64_t> episodes;
+  int jobs = 0;
+  SessionOptions session;
+};
+
+int ResumeOne(const ResumeOptions& options) {
+  const auto resume = [&](std::optional<int64_t> episodes) {
+    return ResumeOneRun(options.folder, episodes, options.session);
+  };
+  return RunGuarded([&] { return resume(options.episodes); },
+                    [&](const std::filesystem::path&) { return resume(std::nullopt); });
+}
+
+// In a folder of runs the new number of episodes is set first, for all of them.
+int ResumeMany(const ResumeOptions& options, const std::vector<std::filesystem::path>& runs) {
+  if (options.episodes) {
+    for (const std::filesystem::path& folder : runs) {
+      try {
+        RunDatabase database = RunDatabase::Open(folder);
+        RunRecord run = database.ReadRun();
+        PlanEpisodes(options.episodes, database, run);
+      } catch (const CallError&) {
+        throw;
+      } catch (const UserError&) {
+        // One that cannot be opened keeps none of the others from going on, and says why then.
+      }
+    }
+  }
+  return TrainRuns(options.folder, runs, options.jobs, options.session.output);
+}
+
+int Resume(const ResumeOptions& options) {
+  const std::vector<std::filesystem::path> runs = FindRuns(options.folder);
+  return runs.empty() ? ResumeOne(options) : ResumeMany(options, runs);
+}
+
+}  // namespace
+
+void AddResumeCommand(CLI::App& app, int& status) {
+  const auto options = std::make_shared<ResumeOptions>();
+  CLI::App* command =
+      app.add_subcommand("resume", "Goes on with a run, or all runs of a folder, bit for bit.");
+  command->add_option("DIR", options->folder, "folder of the run, or of many")->required();
+  command
+      ->add_option("--episodes", options->episodes,
+                   "how many episodes the run is to have in all; otherwise as planned")
+      ->check(CLI::Range(int64_t{1}, int64_t{1'000'000'000}));
+  AddJobsOption(*command, options->jobs, "train");
+  options->session.AddTo(*command);
+  command->callback([options, &status] { status = Resume(*options); });
+}
+
+}  // namespace runtime

@@ -1,0 +1,50 @@
+#include <optional>
+
+#include "runtime/trainer/commands.h"
+#include "runtime/trainer/runs/guard.h"
+#include "runtime/trainer/runs/one_run.h"
+#include "runtime/training/run/run_database.h"
+
+namespace runtime {
+namespace {
+
+struct ServeOptions {
+  TaskOptions task;  // or a run's folder in the place of the task
+  RunPlan plan;
+  std::filesystem::path out;
+  SessionOptions session;
+};
+
+int Serve(const ServeOptions& options) {
+  const auto resume = [&](const std::filesystem::path& run) {
+    return ResumeOneRun(run, std::nullopt, options.session);
+  };
+  const bool is_run = RunDatabase::Exists(options.task.task);
+  return RunGuarded(
+      [&] {
+        return is_run ? resume(options.task.task)
+                      : TrainOneRun(options.task, options.plan, options.out, options.session);
+      },
+      resume);
+}
+
+}  // namespace
+
+void AddServeCommand(CLI::App& app, int& status) {
+  const auto options = std::make_shared<ServeOptions>();
+  options->session.when_done = LiveRun::WhenDone::kWait;
+  CLI::App* command = app.add_subcommand(
+      "serve",
+      "Trains like `train`, or like `resume` in a run's folder, and waits when it is done.");
+  options->task.AddTo(*command);
+  options->plan.AddTo(*command);
+  command
+      ->add_option("--out", options->out,
+                   "folder of a new run; otherwise runs/TASK-PROFILE-seedSEED")
+      ->type_name("DIR");
+  options->session.AddTo(*command);
+  command->footer("`trainer ctl` talks to it.");
+  command->callback([options, &status] { status = Serve(*options); });
+}
+
+}  // namespace runtime

@@ -1,0 +1,96 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <iterator>
+#include <set>
+
+#include "runtime/trainer/commands.h"
+#include "runtime/trainer/runs/many_runs.h"
+#include "runtime/trainer/setup/create_run.h"
+#include "runtime/trainer/setup/study_file.h"
+#include "runtime/trainer/train/run_difference.h"
+
+namespace runtime {
+namespace {
+
+struct StudyOptions {
+  std::filesystem::path file;
+  std::filesystem::path out;
+  int jobs = 0;
+  OutputOptions output;
+};
+
+// A run that is there already belongs to the study as it is, if it is of the same task and agent.
+// Only its number of episodes can grow.
+void TakeOver(const std::filesystem::path& folder, const RunRecord& wanted,
+              const std::string& place) {
+  const RunRecord run = RunDatabase::OpenToRead(folder).ReadRun();
+  const std::vector<std::string> differences = DifferencesOf(run, wanted);
+  if (!differences.empty()) {
+    throw UserError(fmt::format(
+        "{}: {} holds a run that differs from this experiment: {}; give this experiment another "
+        "`name`",
+        place, folder.string(), fmt::join(differences, ", ")));
+  }
+  if (run.episodes_planned < wanted.episodes_planned) {
+    RunDatabase::Open(folder).SetEpisodesPlanned(wanted.episodes_planned);
+  }
+}
+
+// Makes the runs of an experiment that are not there yet, and returns the folders of all. `names`:
+// the experiments' folders taken before.
+std::vector<std::filesystem::path> Prepare(const Experiment& experiment,
+                                           const std::filesystem::path& out,
+                                           std::set<std::string>& names) {
+  const BuiltTask task(experiment.task.task);
+  if (!task.plugin()) throw UserError(fmt::format("{}: its task has errors", experiment.place));
+  TaskSetup setup(experiment.task, *task.plugin(), experiment.seeds.front());
+  const RunRecord run = RecordOf(setup, experiment.plan);
+  const std::string name = experiment.name.empty()
+                               ? fmt::format("{}-{}", run.tasks.front().task, run.profile)
+                               : experiment.name;
+  if (!names.insert(name).second) {
+    throw UserError(fmt::format("{}: two experiments are called `{}`; give this one another `name`",
+                                experiment.place, name));
+  }
+  setup.graph.Start();
+  std::vector<std::filesystem::path> folders;
+  for (const uint64_t seed : experiment.seeds) {
+    const std::filesystem::path folder = folders.emplace_back(SeedFolder(out / name, seed));
+    if (RunDatabase::Exists(folder)) {
+      TakeOver(folder, run, experiment.place);
+    } else {
+      PrepareRun(folder, setup, run, seed);
+    }
+  }
+  return folders;
+}
+
+int Study(const StudyOptions& options) {
+  const std::vector<Experiment> experiments = ReadStudy(options.file);
+  const std::filesystem::path out =
+      options.out.empty() ? std::filesystem::path("runs") / options.file.stem() : options.out;
+  std::set<std::string> names;
+  std::vector<std::filesystem::path> runs;
+  for (const Experiment& experiment : experiments) {
+    std::ranges::move(Prepare(experiment, out, names), std::back_inserter(runs));
+  }
+  return TrainRuns(out, runs, options.jobs, options.output);
+}
+
+}  // namespace
+
+void AddStudyCommand(CLI::App& app, int& status) {
+  const auto options = std::make_shared<StudyOptions>();
+  CLI::App* command = app.add_subcommand(
+      "study", "Trains many tasks with many seeds; called again, it goes on and adds what is new.");
+  command->add_option("FILE", options->file, "the study, a TOML file")->required();
+  command->add_option("--out", options->out, "folder of the runs; otherwise runs/FILE")
+      ->type_name("DIR");
+  AddJobsOption(*command, options->jobs, "train");
+  options->output.AddTo(*command);
+  command->callback([options, &status] { status = Study(*options); });
+}
+
+}  // namespace runtime

@@ -1,0 +1,79 @@
+#include <fmt/format.h>
+
+#include "runtime/trainer/commands.h"
+#include "runtime/trainer/runs/guard.h"
+#include "runtime/trainer/runs/many_runs.h"
+#include "runtime/trainer/runs/one_run.h"
+#include "runtime/trainer/setup/create_run.h"
+#include "runtime/trainer/setup/task_setup.h"
+#include "runtime/training/run/run_database.h"
+
+namespace runtime {
+namespace {
+
+struct TrainOptions {
+  TaskOptions task;
+  RunPlan plan;
+  int64_t runs = 1;
+  int jobs = 0;  // 0: one for each core
+  std::filesystem::path out;
+  SessionOptions session;
+};
+
+int TrainOne(const TrainOptions& options) {
+  return RunGuarded(
+      [&] { return TrainOneRun(options.task, options.plan, options.out, options.session); },
+      [&](const std::filesystem::path& run) {
+        return ResumeOneRun(run, std::nullopt, options.session);
+      });
+}
+
+// Makes all runs before the first one starts, so that they go on with the same task and agent
+// whatever becomes of the files; each is then trained as if it were resumed.
+int TrainMany(const TrainOptions& options) {
+  const BuiltTask task(options.task.task);
+  if (!task.plugin()) return kFailed;
+  TaskSetup setup(options.task, *task.plugin(), options.plan.seed);
+  const RunRecord run = RecordOf(setup, options.plan);
+  const std::filesystem::path folder =
+      options.out.empty() ? std::filesystem::path("runs") /
+                                fmt::format("{}-{}", run.tasks.front().task, run.profile)
+                          : options.out;
+  setup.graph.Start();
+  const uint64_t end = run.seed + static_cast<uint64_t>(options.runs);
+  for (uint64_t seed = run.seed; seed < end; ++seed) {
+    RunDatabase::CheckIsFree(SeedFolder(folder, seed));
+  }
+  for (uint64_t seed = run.seed; seed < end; ++seed) {
+    PrepareRun(SeedFolder(folder, seed), setup, run, seed);
+  }
+  return TrainRuns(folder, FindRuns(folder), options.jobs, options.session.output);
+}
+
+int Train(const TrainOptions& options) {
+  return options.runs == 1 ? TrainOne(options) : TrainMany(options);
+}
+
+}  // namespace
+
+void AddTrainCommand(CLI::App& app, int& status) {
+  const auto options = std::make_shared<TrainOptions>();
+  CLI::App* command =
+      app.add_subcommand("train", "Starts a run, or many: trains a robot in a task.");
+  options->task.AddTo(*command);
+  options->plan.AddTo(*command);
+  command
+      ->add_option("--runs", options->runs, "how many runs to train, each with a seed of its own")
+      ->check(CLI::Range(int64_t{1}, int64_t{10'000}))
+      ->capture_default_str();
+  AddJobsOption(*command, options->jobs, "train");
+  command
+      ->add_option("--out", options->out,
+                   "folder of the run; otherwise runs/TASK-PROFILE-seedSEED. Of many runs the "
+                   "folder of their folders; otherwise runs/TASK-PROFILE")
+      ->type_name("DIR");
+  options->session.AddTo(*command);
+  command->callback([options, &status] { status = Train(*options); });
+}
+
+}  // namespace runtime
