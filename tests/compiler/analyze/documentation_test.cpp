@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "compiler/analyze/analyze.h"
-#include "tests/compiler/golden.h"
+#include "tests/golden.h"
 
 namespace compiler {
 namespace {

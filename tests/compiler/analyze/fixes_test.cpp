@@ -8,7 +8,7 @@
 
 #include "compiler/analyze/analyze.h"
 #include "tests/compiler/compose/file_set.h"
-#include "tests/compiler/golden.h"
+#include "tests/golden.h"
 
 namespace compiler {
 namespace {

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "compiler/analyze/analyze.h"
-#include "tests/compiler/golden.h"
+#include "tests/golden.h"
 
 namespace compiler {
 namespace {

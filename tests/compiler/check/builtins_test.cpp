@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "tests/compiler/check/checked_source.h"
-#include "tests/compiler/golden.h"
+#include "tests/golden.h"
 
 namespace compiler {
 namespace {

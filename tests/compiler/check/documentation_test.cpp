@@ -10,7 +10,7 @@
 #include "compiler/source/diagnostic_table.h"
 #include "plugins/robot/sensors.h"
 #include "tests/compiler/check/checked_source.h"
-#include "tests/compiler/golden.h"
+#include "tests/golden.h"
 
 namespace compiler {
 namespace {

@@ -1,7 +1,7 @@
 // The tasks that come with the project.
 #include "compiler/source/file_reader.h"
 #include "tests/compiler/check/checked_source.h"
-#include "tests/compiler/golden.h"
+#include "tests/golden.h"
 
 namespace compiler {
 namespace {

@@ -6,7 +6,7 @@
 #include <regex>
 #include <set>
 
-#include "tests/compiler/golden.h"
+#include "tests/golden.h"
 
 namespace compiler {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "tests/compiler/compose/file_set.h"
-#include "tests/compiler/golden.h"
+#include "tests/golden.h"
 
 namespace compiler {
 namespace {

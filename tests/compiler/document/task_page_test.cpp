@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "compiler/document/task_json.h"
-#include "tests/compiler/golden.h"
+#include "tests/golden.h"
 
 namespace compiler {
 namespace {

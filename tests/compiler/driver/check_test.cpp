@@ -5,7 +5,7 @@
 
 #include "compiler/toolchain/file_io.h"
 #include "tests/compiler/driver/taskc_process.h"
-#include "tests/compiler/golden.h"
+#include "tests/golden.h"
 
 namespace compiler {
 namespace {

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/compiler/driver/taskc_process.h"
-#include "tests/compiler/golden.h"
+#include "tests/golden.h"
 
 namespace compiler {
 namespace {

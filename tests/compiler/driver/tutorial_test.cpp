@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "tests/compiler/driver/taskc_process.h"
-#include "tests/compiler/golden.h"
+#include "tests/golden.h"
 
 namespace compiler {
 namespace {

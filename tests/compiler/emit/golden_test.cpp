@@ -1,5 +1,5 @@
 // The emitted text itself, reviewed once and compared from then on.
-#include "tests/compiler/golden.h"
+#include "tests/golden.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -7,7 +7,7 @@
 #include <span>
 
 #include "tests/compiler/emit/compiled_task.h"
-#include "tests/compiler/golden.h"
+#include "tests/golden.h"
 
 namespace compiler {
 namespace {

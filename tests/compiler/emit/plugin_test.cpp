@@ -8,7 +8,7 @@
 
 #include "base/seal/sha256.h"
 #include "tests/compiler/emit/compiled_task.h"
-#include "tests/compiler/golden.h"
+#include "tests/golden.h"
 
 namespace compiler {
 namespace {

@@ -9,8 +9,8 @@
 #include "compiler/format/format.h"
 #include "compiler/syntax/parse.h"
 #include "compiler/syntax/written_tokens.h"
-#include "tests/compiler/golden.h"
 #include "tests/compiler/syntax/syntax_text.h"
+#include "tests/golden.h"
 
 namespace compiler {
 namespace {

@@ -11,9 +11,9 @@
 
 #include "compiler/language_server/message_stream.h"
 #include "compiler/language_server/uri.h"
-#include "tests/compiler/golden.h"
 #include "tests/compiler/language_server/editor.h"
 #include "tests/compiler/temporary_folder.h"
+#include "tests/golden.h"
 
 namespace compiler {
 namespace {

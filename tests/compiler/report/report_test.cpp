@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/compiler/golden.h"
+#include "tests/golden.h"
 
 namespace compiler {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "compiler/source/diagnostic_table.h"
-#include "tests/compiler/golden.h"
+#include "tests/golden.h"
 
 namespace compiler {
 namespace {

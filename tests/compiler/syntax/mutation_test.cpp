@@ -11,7 +11,7 @@
 
 #include "compiler/source/diagnostic.h"
 #include "compiler/syntax/parse.h"
-#include "tests/compiler/golden.h"
+#include "tests/golden.h"
 
 namespace compiler {
 namespace {

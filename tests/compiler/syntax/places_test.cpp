@@ -6,8 +6,8 @@
 #include <string>
 
 #include "compiler/syntax/parse.h"
-#include "tests/compiler/golden.h"
 #include "tests/compiler/syntax/syntax_text.h"
+#include "tests/golden.h"
 
 namespace compiler {
 namespace {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "compiler/source/diagnostic_table.h"
-#include "tests/compiler/golden.h"
 #include "tests/compiler/syntax/syntax_text.h"
+#include "tests/golden.h"
 
 namespace compiler {
 namespace {
