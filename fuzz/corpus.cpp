@@ -10,6 +10,7 @@
 #include "compiler/check/type.h"
 #include "compiler/check/unit.h"
 #include "compiler/syntax/words.h"
+#include "tests/golden_file.h"
 
 namespace fuzz {
 namespace {
@@ -51,7 +52,7 @@ std::vector<std::string> TaskTexts() {
   }
   std::ranges::sort(files);
   std::vector<std::string> texts;
-  for (const fs::path& file : files) texts.push_back(ReadFile(file));
+  for (const fs::path& file : files) texts.push_back(golden::Split(file, ReadFile(file)).input);
   return texts;
 }
 

@@ -1,6 +1,6 @@
-// Golden files: an output is compared with the file that holds the reviewed one. With the
-// environment variable UPDATE_GOLDEN=1 the tests write the files instead; the changes are then
-// reviewed as a diff.
+// Golden files: an output is compared with the reviewed one, which is a file of its own or stands
+// behind its input (golden_file.h). With the environment variable UPDATE_GOLDEN=1 the tests write
+// the files instead; the changes are then reviewed as a diff.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -13,6 +13,8 @@
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "tests/golden_file.h"
 
 namespace golden {
 
@@ -47,6 +49,18 @@ inline void Expect(const std::filesystem::path& file, const std::string& actual)
     return;
   }
   EXPECT_EQ(actual, ReadFile(file)) << file << "\nUPDATE_GOLDEN=1 writes what is there now";
+}
+
+// The input in a file that may also hold what is expected of it.
+inline std::string ReadInput(const std::filesystem::path& file) {
+  return Split(file, ReadFile(file)).input;
+}
+
+// The test fails where `actual` is not what stands behind the input. The input stays as it is.
+inline void ExpectBehindInput(const std::filesystem::path& file, const std::string& actual) {
+  const std::string input = ReadInput(file);
+  ASSERT_TRUE(input.ends_with('\n')) << file << ": an input ends with the end of a line";
+  Expect(file, input + Section(file, actual));
 }
 
 }  // namespace golden

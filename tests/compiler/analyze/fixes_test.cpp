@@ -26,11 +26,11 @@ std::vector<Case> Cases() {
   for (const char* folder : {"syntax", "check", "analyze"}) {
     for (const auto& path : golden::FilesIn(tests / folder / "messages", "", ".task")) {
       const std::string name = path.filename();
-      cases.push_back({path, name, {{name, golden::ReadFile(path)}}});
+      cases.push_back({path, name, {{name, golden::ReadInput(path)}}});
     }
   }
   for (const auto& path : golden::FilesIn(tests / "compose/messages", "", ".txt"))
-    cases.push_back({path, "main.task", SplitFiles(golden::ReadFile(path))});
+    cases.push_back({path, "main.task", SplitFiles(golden::ReadInput(path))});
   return cases;
 }
 

@@ -1,5 +1,5 @@
-// The warnings that need a whole, checked task, word for word: the .expected file beside each task
-// of messages/ has all that is said about it.
+// The warnings that need a whole, checked task, word for word: behind each task of messages/ stands
+// all that is said about it.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -15,7 +15,7 @@ const std::filesystem::path kFolder = SOURCE_DIR "/tests/compiler/analyze/messag
 // Under a path that does not depend on where the project lies.
 Analysis AnalyzeFile(const std::filesystem::path& file) {
   const auto read = [&](const std::filesystem::path& name) {
-    return golden::ReadFile(file.parent_path() / name);
+    return golden::ReadInput(file.parent_path() / name);
   };
   return Analyze(file.filename(), read, SOURCE_DIR "/plugins");
 }
@@ -24,9 +24,7 @@ TEST(WarningMessages, AreAsReviewed) {
   for (const auto& file : golden::FilesIn(kFolder, "warn_", ".task")) {
     const Analysis analysis = AnalyzeFile(file);
     EXPECT_TRUE(analysis.task) << file;
-    auto expected = file;
-    golden::Expect(expected.replace_extension(".expected"),
-                   Render(analysis.sources, analysis.diagnostics, false));
+    golden::ExpectBehindInput(file, Render(analysis.sources, analysis.diagnostics, false));
   }
 }
 

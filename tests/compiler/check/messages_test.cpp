@@ -1,5 +1,5 @@
 // The messages of the checker, word for word: messages/fail_*.task are wrong, messages/warn_*.task
-// only get warnings; the .expected file beside each has all that is said about it.
+// only get warnings; behind each task stands all that is said about it.
 #include <filesystem>
 #include <set>
 
@@ -14,13 +14,12 @@ const std::filesystem::path kFolder = SOURCE_DIR "/tests/compiler/check/messages
 
 // A task of the folder, under a path that does not depend on where the project lies.
 CheckedSource CheckFile(const std::filesystem::path& file) {
-  return CheckedSource(file.filename(), golden::ReadFile(file));
+  return CheckedSource(file.filename(), golden::ReadInput(file));
 }
 
 void ExpectMessages(const std::filesystem::path& file, const CheckedSource& checked) {
   EXPECT_TRUE(checked.is_parsed) << file << "\n" << checked.Messages();
-  auto expected = file;
-  golden::Expect(expected.replace_extension(".expected"), checked.Messages());
+  golden::ExpectBehindInput(file, checked.Messages());
 }
 
 TEST(Messages, OfWrongTasksAreAsReviewed) {

@@ -1,5 +1,5 @@
 // What is wrong between files, as a person reads it. A golden file in `messages` holds files, see
-// SplitFiles(), and one of the same name ending in `.expected` what is said of the first.
+// SplitFiles(), and behind them what is said of `main.task`.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -15,10 +15,9 @@ const std::filesystem::path kFolder = SOURCE_DIR "/tests/compiler/compose/messag
 
 TEST(ComposeMessages, AreAsReviewed) {
   for (const auto& path : golden::FilesIn(kFolder, "fail_", ".txt")) {
-    const Composed composed(SplitFiles(golden::ReadFile(path)));
+    const Composed composed(SplitFiles(golden::ReadInput(path)));
     EXPECT_FALSE(composed.tree) << path;
-    std::filesystem::path expected = path;
-    golden::Expect(expected.replace_extension(".expected"), composed.Messages());
+    golden::ExpectBehindInput(path, composed.Messages());
   }
 }
 

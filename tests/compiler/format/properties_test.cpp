@@ -35,7 +35,7 @@ const std::vector<std::string>& Tasks() {
     }
     for (const char* folder : {"/tests/compiler/emit/golden", "/tests/compiler/check/messages"}) {
       for (const auto& file : golden::FilesIn(std::string(SOURCE_DIR) + folder, "", ".task")) {
-        found.push_back(golden::ReadFile(file));
+        found.push_back(golden::ReadInput(file));
       }
     }
     for (const char* page : {"/docs/language.md", "/docs/diagnostics.md"}) {

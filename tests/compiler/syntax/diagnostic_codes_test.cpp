@@ -17,6 +17,8 @@ std::string TestTexts() {
        std::filesystem::recursive_directory_iterator(SOURCE_DIR "/tests/compiler")) {
     const std::string extension = entry.path().extension();
     if (extension == ".expected" || extension == ".cpp") texts += golden::ReadFile(entry.path());
+    if (extension == ".task" || extension == ".txt")
+      texts += golden::Split(entry.path(), golden::ReadFile(entry.path())).section;
   }
   return texts;
 }

@@ -14,11 +14,10 @@ const std::filesystem::path kFolder = SOURCE_DIR "/tests/compiler/syntax/message
 
 TEST(SyntaxMessages, AreAsReviewed) {
   for (const auto& path : golden::FilesIn(kFolder, "fail_", ".task")) {
-    const Sources sources(path.filename(), golden::ReadFile(path));
+    const Sources sources(path.filename(), golden::ReadInput(path));
     Diagnostics diagnostics;
     EXPECT_FALSE(Parse(sources.main(), diagnostics).has_value()) << path;
-    std::filesystem::path expected = path;
-    golden::Expect(expected.replace_extension(".expected"), Render(sources, diagnostics, false));
+    golden::ExpectBehindInput(path, Render(sources, diagnostics, false));
   }
 }
 

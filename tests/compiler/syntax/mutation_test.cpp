@@ -28,7 +28,7 @@ std::vector<std::string> Seeds() {
   seeds.push_back(golden::ReadFile(SOURCE_DIR "/tests/compiler/syntax/every_construct.task"));
   const std::filesystem::path messages = SOURCE_DIR "/tests/compiler/syntax/messages";
   for (const auto& path : golden::FilesIn(messages, "fail_", ".task")) {
-    seeds.push_back(golden::ReadFile(path));
+    seeds.push_back(golden::ReadInput(path));
   }
   return seeds;
 }

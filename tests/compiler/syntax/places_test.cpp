@@ -32,7 +32,7 @@ struct Twice {
 
 TEST(Places, OfErrorsCountOnFromTheFilesBefore) {
   for (const auto& path : golden::FilesIn(kFolder, "fail_", ".task")) {
-    const Twice twice(golden::ReadFile(path));
+    const Twice twice(golden::ReadInput(path));
     EXPECT_EQ(Render(twice.first, twice.first_diagnostics, false),
               Render(twice.second, twice.second_diagnostics, false))
         << path;

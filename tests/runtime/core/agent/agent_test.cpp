@@ -4,12 +4,11 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <fstream>
-#include <sstream>
 
 #include "runtime/core/module/composite.h"
 #include "runtime/core/module/context.h"
+#include "tests/golden.h"
 
 namespace runtime {
 namespace {
@@ -52,13 +51,6 @@ ModuleTypes TestTypes() {
 }
 
 ModuleGraph Build(const Agent& agent) { return BuildGraph(agent, TestTypes(), Context()); }
-
-std::string Text(const std::filesystem::path& file) {
-  std::ifstream stream(file);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
 
 constexpr const char* kAgent = R"(connections = [
   ["environment.reward", "learner.reward"],
@@ -349,8 +341,7 @@ TEST(ReadAgent, FileThatIsNotThereIsRefused) {
   }
 }
 
-// errors/NAME.toml has one mistake; errors/NAME.txt is what is said about it. To accept new
-// messages, run with UPDATE_GOLDEN=1 and look at the difference.
+// errors/NAME.toml has one mistake; behind it stands what is said about it.
 std::vector<std::string> Mistakes() {
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(TEST_FOLDER "/errors")) {
@@ -363,17 +354,14 @@ std::vector<std::string> Mistakes() {
 class MistakeTest : public testing::TestWithParam<std::string> {};
 
 TEST_P(MistakeTest, IsReportedWithItsPlace) {
-  const std::filesystem::path folder = TEST_FOLDER "/errors";
-  const std::string file = GetParam() + ".toml";
+  const std::filesystem::path file = TEST_FOLDER "/errors/" + GetParam() + ".toml";
   std::string message = "no error\n";
   try {
-    Build(ParseAgent(Text(folder / file), file));
+    Build(ParseAgent(golden::ReadInput(file), file.filename()));
   } catch (const UserError& error) {
     message = std::string(error.what()) + "\n";
   }
-  const std::filesystem::path golden = folder / (GetParam() + ".txt");
-  if (std::getenv("UPDATE_GOLDEN") != nullptr) std::ofstream(golden) << message;
-  EXPECT_EQ(message, Text(golden));
+  golden::ExpectBehindInput(file, message);
 }
 
 INSTANTIATE_TEST_SUITE_P(Agent, MistakeTest, testing::ValuesIn(Mistakes()),
