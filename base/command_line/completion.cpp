@@ -260,8 +260,17 @@ std::string ToFish(const std::string& program, const Commands& commands) {
 
 }  // namespace
 
+void AddShell(Command& command, std::string& shell) {
+  command.AddOption("SHELL", shell, "for which shell").OneOf({"bash", "zsh", "fish"}).Required();
+}
+
 void AddShell(CLI::App& app, std::string& shell) {
   AddChoice(app, "SHELL", shell, {"bash", "zsh", "fish"}, "for which shell")->required();
+}
+
+std::string Completion(const std::string& shell, const Command& program,
+                       const ArgumentWords& words) {
+  return Completion(shell, program.app(), words);
 }
 
 std::string Completion(const std::string& shell, const CLI::App& program,
