@@ -33,14 +33,14 @@ ExitStatus Build(const Options& options, Session& session) {
 
 }  // namespace
 
-Action DeclareBuild(CLI::App& app, Session& session) {
+Action DeclareBuild(Command& command, Session& session) {
   auto options = std::make_shared<Options>();
-  AddTask(app, options->task);
-  AddOutput(app, options->output, "FILE.so",
+  AddTask(command, options->task);
+  AddOutput(command, options->output, "FILE.so",
             "the plugin; without, it stays in the cache and its path is printed");
-  app.add_option("--cache", options->cache, "the folder of built plugins")->type_name("DIR");
-  AddRobots(app, session);
-  AddReport(app, session);
+  command.AddOption("--cache", options->cache, "the folder of built plugins").ValueName("DIR");
+  AddRobots(command, session);
+  AddReport(command, session);
   return [options](Session& call) { return Build(*options, call); };
 }
 

@@ -59,13 +59,13 @@ ExitStatus CheckOne(const std::string& file, bool shows_bounds, Session& session
 
 }  // namespace
 
-Action DeclareCheck(CLI::App& app, Session& session) {
+Action DeclareCheck(Command& command, Session& session) {
   auto options = std::make_shared<Options>();
-  AddTasks(app, options->tasks);
-  app.add_flag("--bounds", options->shows_bounds,
-               "show how small and how large each reward, metric and log can get");
-  AddRobots(app, session);
-  AddReport(app, session);
+  AddTasks(command, options->tasks);
+  command.AddFlag("--bounds", options->shows_bounds,
+                  "show how small and how large each reward, metric and log can get");
+  AddRobots(command, session);
+  AddReport(command, session);
   return [options](Session& call) {
     return ForEachTask(options->tasks, call, [&](const std::string& file) {
       return CheckOne(file, options->shows_bounds, call);

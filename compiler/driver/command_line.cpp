@@ -2,9 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
-
-#include "base/command_line/wrong_call.h"
+#include "base/command_line/command.h"
 #include "compiler/driver/crash_report.h"
 #include "compiler/driver/print_error.h"
 #include "compiler/driver/session.h"
@@ -25,6 +23,7 @@ constexpr const char* kFooter =
     "Exit status: 0 fine, 1 the task has errors, 2 the call is wrong, 3 an error in taskc.";
 
 constexpr const char* kVersion = "taskc " TASKC_VERSION;
+constexpr const char* kVersionTitle = "Display program version information and exit";
 
 // "Examples:" and the verb's, indented.
 std::string Examples(const Verb& verb) {
@@ -34,13 +33,6 @@ std::string Examples(const Verb& verb) {
     if (*at == '\n') text += "  ";
   }
   return text;
-}
-
-Action Declare(const Verb& verb, CLI::App& app, Session& session) {
-  CLI::App* command = app.add_subcommand(verb.name, verb.title);
-  command->set_version_flag("--version", kVersion);
-  command->footer(Examples(verb));
-  return verb.declare(*command, session);
 }
 
 // A mistake of ours; `folder` may hold evidence of it already.
@@ -68,33 +60,32 @@ ExitStatus RunGuarded(const Action& action, Session& session) {
   return ExitStatus::kInternalError;
 }
 
+void Declare(const Verb& verb, Command& program, Session& session) {
+  Command& command = program.AddCommand(verb.name, verb.title);
+  command.Version(kVersion, kVersionTitle);
+  command.Footer(Examples(verb));
+  command.OnRun([action = verb.declare(command, session), &session] {
+    const ExitStatus status = RunGuarded(action, session);
+    session.Finish(status);
+    return static_cast<int>(status);
+  });
+}
+
 }  // namespace
 
 ExitStatus RunCommandLine(int argc, char** argv) {
-  CLI::App app(kDescription, "taskc");
-  app.footer(kFooter);
-  app.set_version_flag("--version", kVersion);
-  app.require_subcommand(1);
-
   Session session;
-  std::vector<Action> actions;
-  for (const Verb& verb : kVerbs) actions.push_back(Declare(verb, app, session));
+  Command program("taskc", kDescription);
+  program.Footer(kFooter);
+  program.Version(kVersion, kVersionTitle);
+  for (const Verb& verb : kVerbs) Declare(verb, program, session);
   try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& wish) {  // --help, --version
-    app.exit(wish);
-    return ExitStatus::kOk;
-  } catch (const CLI::ParseError& error) {
-    PrintError(fmt::format("{} (see `taskc --help`)", command_line::WhatIsWrong(app, error)));
+    const auto run = program.Parse(argc, argv);
+    return run ? static_cast<ExitStatus>(run()) : ExitStatus::kOk;
+  } catch (const command_line::CallError& error) {
+    PrintError(fmt::format("{} (see `taskc --help`)", error.what()));
     return ExitStatus::kWrongCall;
   }
-
-  ExitStatus status = ExitStatus::kOk;
-  for (size_t i = 0; i < kVerbs.size(); ++i) {
-    if (app.got_subcommand(kVerbs[i].name)) status = RunGuarded(actions[i], session);
-  }
-  session.Finish(status);
-  return status;
 }
 
 }  // namespace compiler

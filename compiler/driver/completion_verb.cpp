@@ -19,11 +19,11 @@ command_line::ArgumentWords Codes() {
 
 }  // namespace
 
-Action DeclareCompletion(CLI::App& app, Session&) {
+Action DeclareCompletion(Command& command, Session&) {
   auto shell = std::make_shared<std::string>();
-  command_line::AddShell(app, *shell);
-  return [shell, program = app.get_parent()](Session&) {
-    text::Print("{}", command_line::Completion(*shell, *program, Codes()));
+  command_line::AddShell(command, *shell);
+  return [shell, &program = command.program()](Session&) {
+    text::Print("{}", command_line::Completion(*shell, program, Codes()));
     return ExitStatus::kOk;
   };
 }

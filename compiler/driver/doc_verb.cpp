@@ -44,14 +44,14 @@ ExitStatus Document(const Options& options, Session& session) {
 
 }  // namespace
 
-Action DeclareDoc(CLI::App& app, Session& session) {
+Action DeclareDoc(Command& command, Session& session) {
   auto options = std::make_shared<Options>();
-  AddTask(app, options->task);
-  AddOutput(app, options->output, "FILE.md|FILE.html",
-            "the page; without, it is printed as Markdown");
-  app.add_flag("--json", options->is_json, "print params, terms and metrics as JSON instead")
-      ->excludes("--output");
-  AddRobots(app, session);
+  AddTask(command, options->task);
+  Option output = AddOutput(command, options->output, "FILE.md|FILE.html",
+                            "the page; without, it is printed as Markdown");
+  command.AddFlag("--json", options->is_json, "print params, terms and metrics as JSON instead")
+      .Excludes(output);
+  AddRobots(command, session);
   return [options](Session& call) { return Document(*options, call); };
 }
 

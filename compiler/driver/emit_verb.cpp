@@ -32,13 +32,13 @@ ExitStatus EmitOne(const Options& options, Session& session) {
 
 }  // namespace
 
-Action DeclareEmit(CLI::App& app, Session& session) {
+Action DeclareEmit(Command& command, Session& session) {
   auto options = std::make_shared<Options>();
-  AddTask(app, options->task);
-  AddOutput(app, options->output, "FILE.cpp", "the C++ file; without, it is printed");
-  app.add_flag("--map", options->map,
-               "print which lines of C++ each line of the task has become, not the C++ itself");
-  AddRobots(app, session);
+  AddTask(command, options->task);
+  AddOutput(command, options->output, "FILE.cpp", "the C++ file; without, it is printed");
+  command.AddFlag("--map", options->map,
+                  "print which lines of C++ each line of the task has become, not the C++ itself");
+  AddRobots(command, session);
   return [options](Session& call) { return EmitOne(*options, call); };
 }
 

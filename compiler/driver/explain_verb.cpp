@@ -73,10 +73,10 @@ ExitStatus Explain(const Options& options) {
 
 }  // namespace
 
-Action DeclareExplain(CLI::App& app, Session&) {
+Action DeclareExplain(Command& command, Session&) {
   auto options = std::make_shared<Options>();
-  app.add_option("CODE", options->codes, "of errors and warnings; none: list them all")
-      ->type_name("...");
+  command.AddOption("CODE", options->codes, "of errors and warnings; none: list them all")
+      .ValueName("...");
   return [options](Session&) { return Explain(*options); };
 }
 

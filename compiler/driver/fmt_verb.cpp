@@ -49,12 +49,12 @@ ExitStatus FormatStandardInput(bool check, Session& session) {
 
 }  // namespace
 
-Action DeclareFmt(CLI::App& app, Session& session) {
+Action DeclareFmt(Command& command, Session& session) {
   auto options = std::make_shared<Options>();
-  AddTasks(app, options->tasks);
-  app.add_flag("--check", options->check,
-               "change nothing, list the files that would change; status 1 if there are any");
-  AddReport(app, session);
+  AddTasks(command, options->tasks);
+  command.AddFlag("--check", options->check,
+                  "change nothing, list the files that would change; status 1 if there are any");
+  AddReport(command, session);
   return [options](Session& call) {
     return ForEachTask(options->tasks, call, [&](const std::string& file) {
       return file == "-" ? FormatStandardInput(options->check, call)

@@ -25,11 +25,11 @@ ExitStatus ServeEditor(const Session& session) {
 
 }  // namespace
 
-Action DeclareLsp(CLI::App& app, Session& session) {
+Action DeclareLsp(Command& command, Session& session) {
   // Editors' clients add it to the call; there is no other way to talk.
-  app.add_flag_function(
-      "--stdio", [](int64_t) {}, "talk over the standard streams, as is always done");
-  AddRobots(app, session);
+  command.OnFlag(
+      "--stdio", [] {}, "talk over the standard streams, as is always done");
+  AddRobots(command, session);
   return [](Session& call) { return ServeEditor(call); };
 }
 

@@ -57,14 +57,14 @@ ExitStatus New(const Options& options, Session& session) {
 
 }  // namespace
 
-Action DeclareNew(CLI::App& app, Session& session) {
+Action DeclareNew(Command& command, Session& session) {
   auto options = std::make_shared<Options>();
-  app.add_option("NAME", options->name, "of the task; the file is NAME.task")
-      ->required()
-      ->type_name("");
-  app.add_option("--for", options->robot, "the robot; without, the task brings its own sensors")
-      ->type_name("ROBOT");
-  AddRobots(app, session);
+  command.AddOption("NAME", options->name, "of the task; the file is NAME.task")
+      .Required()
+      .ValueName("");
+  command.AddOption("--for", options->robot, "the robot; without, the task brings its own sensors")
+      .ValueName("ROBOT");
+  AddRobots(command, session);
   return [options](Session& call) { return New(*options, call); };
 }
 

@@ -38,9 +38,9 @@ ExitStatus SealFile(const std::string& file, const Session& session) {
 
 }  // namespace
 
-Action DeclareSeal(CLI::App& app, Session&) {
+Action DeclareSeal(Command& command, Session&) {
   auto files = std::make_shared<std::vector<std::string>>();
-  app.add_option("FILE.so", *files, "plugins that you trust")->required()->type_name("...");
+  command.AddOption("FILE.so", *files, "plugins that you trust").Required().ValueName("...");
   return [files](Session& call) {
     return ForEachTask(*files, call, [&](const std::string& file) { return SealFile(file, call); });
   };

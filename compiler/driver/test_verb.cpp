@@ -61,14 +61,14 @@ ExitStatus TestOne(const std::string& file, const Options& options, Session& ses
 
 }  // namespace
 
-Action DeclareTest(CLI::App& app, Session& session) {
+Action DeclareTest(Command& command, Session& session) {
   auto options = std::make_shared<Options>();
-  AddTasks(app, options->tasks);
-  app.add_option("--filter", options->filter, "only the tests whose names contain this")
-      ->type_name("NAME");
-  app.add_option("--cache", options->cache, "the folder of built plugins")->type_name("DIR");
-  AddRobots(app, session);
-  AddReport(app, session);
+  AddTasks(command, options->tasks);
+  command.AddOption("--filter", options->filter, "only the tests whose names contain this")
+      .ValueName("NAME");
+  command.AddOption("--cache", options->cache, "the folder of built plugins").ValueName("DIR");
+  AddRobots(command, session);
+  AddReport(command, session);
   return [options](Session& call) {
     return ForEachTask(options->tasks, call,
                        [&](const std::string& file) { return TestOne(file, *options, call); });

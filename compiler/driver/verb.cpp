@@ -1,7 +1,5 @@
 #include "compiler/driver/verb.h"
 
-#include "base/command_line/choice.h"
-
 namespace compiler {
 
 const std::vector<Verb> kVerbs = {
@@ -68,35 +66,36 @@ ExitStatus ForEachTask(const std::vector<std::string>& files, Session& session,
   return status;
 }
 
-void AddTask(CLI::App& app, std::string& task) {
-  app.add_option("FILE.task", task, "the task")->required()->type_name("");
+void AddTask(Command& command, std::string& task) {
+  command.AddOption("FILE.task", task, "the task").Required().ValueName("");
 }
 
-void AddTasks(CLI::App& app, std::vector<std::string>& tasks) {
-  app.add_option("FILE.task", tasks, "the tasks")->required()->type_name("...");
+void AddTasks(Command& command, std::vector<std::string>& tasks) {
+  command.AddOption("FILE.task", tasks, "the tasks").Required().ValueName("...");
 }
 
-void AddOutput(CLI::App& app, std::filesystem::path& output, const std::string& what,
-               const std::string& description) {
-  app.add_option("-o,--output", output, description)->type_name(what);
+Option AddOutput(Command& command, std::filesystem::path& output, const std::string& what,
+                 const std::string& description) {
+  return command.AddOption("-o,--output", output, description).ValueName(what);
 }
 
-void AddRobots(CLI::App& app, Session& session) {
-  app.add_option("--robots", session.robots, "look for robots in this folder first")
-      ->type_name("DIR");
+void AddRobots(Command& command, Session& session) {
+  command.AddOption("--robots", session.robots, "look for robots in this folder first")
+      .ValueName("DIR");
 }
 
-void AddReport(CLI::App& app, Session& session) {
-  CLI::Option* json = app.add_flag_callback(
+void AddReport(Command& command, Session& session) {
+  Option json = command.OnFlag(
       "--json", [&] { session.format = "json"; }, "report as JSON, for other programs");
-  app.add_flag_callback(
-         "--sarif", [&] { session.format = "sarif"; }, "report as SARIF 2.1.0")
-      ->excludes(json);
-  // What scripts may still say: not in the help.
-  command_line::AddChoice(app, "--format", session.format, {"text", "json", "sarif"}, "")
-      ->group("");
-  command_line::AddChoice(app, "--color", session.color, {"auto", "always", "never"},
-                          "colors; auto: on a terminal, where NO_COLOR is not set");
+  command
+      .OnFlag(
+          "--sarif", [&] { session.format = "sarif"; }, "report as SARIF 2.1.0")
+      .Excludes(json);
+  // What scripts may still say.
+  command.AddOption("--format", session.format, "").OneOf({"text", "json", "sarif"}).Hidden();
+  command
+      .AddOption("--color", session.color, "colors; auto: on a terminal, where NO_COLOR is not set")
+      .OneOf({"auto", "always", "never"});
 }
 
 }  // namespace compiler

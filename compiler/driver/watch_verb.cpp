@@ -88,11 +88,11 @@ ExitStatus Watch(const Options& options, const Session& session) try {
 
 }  // namespace
 
-Action DeclareWatch(CLI::App& app, Session& session) {
+Action DeclareWatch(Command& command, Session& session) {
   auto options = std::make_shared<Options>();
-  AddTasks(app, options->tasks);
-  app.add_option("--cache", options->cache, "the folder of built plugins")->type_name("DIR");
-  AddRobots(app, session);
+  AddTasks(command, options->tasks);
+  command.AddOption("--cache", options->cache, "the folder of built plugins").ValueName("DIR");
+  AddRobots(command, session);
   return [options](Session& call) { return Watch(*options, call); };
 }
 

@@ -59,6 +59,7 @@ TEST(CommandLine, RefusesWhatItDoesNotUnderstand) {
   ExpectRefusal(taskc.Run("check --fast a.task"), "`taskc check` has no option `--fast`");
   ExpectRefusal(taskc.Run("check --fromat json a.task"), "did you mean `--format`?");
   ExpectRefusal(taskc.Run("build a.task -o"), "output");
+  ExpectRefusal(taskc.Run("lsp --stdio=maybe"), "--stdio = maybe");
 }
 
 TEST(CommandLine, SaysWhichFileCannotBeRead) {
