@@ -37,8 +37,8 @@ Action DeclareBuild(Command& command, Session& session) {
   auto options = std::make_shared<Options>();
   AddTask(command, options->task);
   AddOutput(command, options->output, "FILE.so",
-            "the plugin; without, it stays in the cache and its path is printed");
-  command.AddOption("--cache", options->cache, "the folder of built plugins").ValueName("DIR");
+            "where to put the plugin; otherwise it stays in the cache and its path is printed");
+  command.AddOption("--cache", options->cache, "folder for built plugins").ValueName("DIR");
   AddRobots(command, session);
   AddReport(command, session);
   return [options](Session& call) { return Build(*options, call); };

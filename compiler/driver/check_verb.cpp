@@ -63,7 +63,7 @@ Action DeclareCheck(Command& command, Session& session) {
   auto options = std::make_shared<Options>();
   AddTasks(command, options->tasks);
   command.AddFlag("--bounds", options->shows_bounds,
-                  "show how small and how large each reward, metric and log can get");
+                  "show the lowest and highest value that each reward, metric and log can take");
   AddRobots(command, session);
   AddReport(command, session);
   return [options](Session& call) {

@@ -17,10 +17,10 @@ constexpr const char* kDescription =
     "Compiles tasks for robots that learn: .task files become plugins for the trainer.";
 
 constexpr const char* kFooter =
-    "`taskc VERB --help` tells more of a verb.\n"
+    "`taskc VERB --help` describes a verb and its options.\n"
     "Environment: CXX, the C++ compiler; TASKC_CACHE, the folder of built plugins;\n"
-    "TASKC_ROBOT_PATH, folders with robots; NO_COLOR, no colors.\n"
-    "Exit status: 0 fine, 1 the task has errors, 2 the call is wrong, 3 an error in taskc.";
+    "TASKC_ROBOT_PATH, folders with robots; NO_COLOR, to turn colors off.\n"
+    "Exit status: 0 success, 1 the task has errors, 2 wrong call, 3 internal error.";
 
 constexpr const char* kVersion = "taskc " TASKC_VERSION;
 constexpr const char* kVersionTitle = "Display program version information and exit";

@@ -113,7 +113,7 @@ void ReportCrashes(int argc, char** argv) {
   for (int i = 0; i < argc; ++i) state.heading += fmt::format("{}{}", i > 0 ? " " : "", argv[i]);
   state.heading += "\n";
   state.farewell = fmt::format(
-      "taskc: internal error: a crash; please report this with the folder {}\n", state.folder);
+      "taskc: internal error: crash; please report this with the folder {}\n", state.folder);
   for (int i = 1; i < argc; ++i) {
     if (std::string_view(argv[i]).ends_with(".task")) RememberFile(argv[i]);
   }

@@ -23,7 +23,7 @@ ExitStatus Document(const Options& options, Session& session) {
   const std::filesystem::path kind = options.output.extension();
   if (!options.output.empty() && kind != ".md" && kind != ".html") {
     throw CallError(
-        fmt::format("cannot write `{}`: a page is a .md or a .html file", options.output.string()));
+        fmt::format("cannot write `{}`: a page is a .md or .html file", options.output.string()));
   }
   const Analysis analysis = session.Analyze(options.task);
   if (!analysis.task) return ExitStatus::kWrongTask;
@@ -48,7 +48,7 @@ Action DeclareDoc(Command& command, Session& session) {
   auto options = std::make_shared<Options>();
   AddTask(command, options->task);
   Option output = AddOutput(command, options->output, "FILE.md|FILE.html",
-                            "the page; without, it is printed as Markdown");
+                            "where to write the page; otherwise Markdown is printed");
   command.AddFlag("--json", options->is_json, "print params, terms and metrics as JSON instead")
       .Excludes(output);
   AddRobots(command, session);

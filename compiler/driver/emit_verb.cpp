@@ -35,9 +35,10 @@ ExitStatus EmitOne(const Options& options, Session& session) {
 Action DeclareEmit(Command& command, Session& session) {
   auto options = std::make_shared<Options>();
   AddTask(command, options->task);
-  AddOutput(command, options->output, "FILE.cpp", "the C++ file; without, it is printed");
+  AddOutput(command, options->output, "FILE.cpp",
+            "where to write the C++; otherwise it is printed");
   command.AddFlag("--map", options->map,
-                  "print which lines of C++ each line of the task has become, not the C++ itself");
+                  "print which C++ lines each line of the task compiles to, instead of the C++");
   AddRobots(command, session);
   return [options](Session& call) { return EmitOne(*options, call); };
 }

@@ -29,15 +29,15 @@ std::string KnownCode(std::string typed) {
   std::ranges::transform(code, code.begin(), [](unsigned char c) { return std::toupper(c); });
   if (std::ranges::find(codes, code) != codes.end()) return code;
   const auto nearest = text::NearestName(code, codes);
-  throw CallError(fmt::format("there is no code `{}`{}; `taskc explain` lists them all", typed,
-                              nearest ? fmt::format("; perhaps `{}`", *nearest) : ""));
+  throw CallError(fmt::format("there is no code `{}`; {}`taskc explain` lists them all", typed,
+                              nearest ? fmt::format("did you mean `{}`? ", *nearest) : ""));
 }
 
 // The section of a code, without the signs of Markdown: examples are indented instead.
 std::string SectionOf(const std::string& code, const std::string& page) {
   const size_t heading = page.find("\n### " + code + ":");
   if (heading == std::string::npos) {
-    throw CallError(fmt::format("`{}` says nothing of {}; install taskc again",
+    throw CallError(fmt::format("`{}` does not describe {}; reinstall taskc",
                                 (ShareFolder() / "diagnostics.md").string(), code));
   }
   const size_t begin = heading + std::string_view("\n### ").size();
@@ -75,7 +75,7 @@ ExitStatus Explain(const Options& options) {
 
 Action DeclareExplain(Command& command, Session&) {
   auto options = std::make_shared<Options>();
-  command.AddOption("CODE", options->codes, "of errors and warnings; none: list them all")
+  command.AddOption("CODE", options->codes, "of errors and warnings; without one, all are listed")
       .ValueName("...");
   return [options](Session&) { return Explain(*options); };
 }

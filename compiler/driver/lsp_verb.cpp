@@ -14,7 +14,7 @@ namespace {
 
 ExitStatus ServeEditor(const Session& session) {
   if (isatty(STDIN_FILENO) != 0) {
-    PrintError("waiting for an editor's messages on the standard input; see docs/editors.md");
+    PrintError("waiting for messages from an editor on standard input; see docs/editors.md");
   }
   std::ios::sync_with_stdio(false);  // so that what has arrived already is known
   const std::filesystem::path page = ShareFolder() / "diagnostics.md";
@@ -28,7 +28,7 @@ ExitStatus ServeEditor(const Session& session) {
 Action DeclareLsp(Command& command, Session& session) {
   // Editors' clients add it to the call; there is no other way to talk.
   command.OnFlag(
-      "--stdio", [] {}, "talk over the standard streams, as is always done");
+      "--stdio", [] {}, "use standard input and output, as it always does");
   AddRobots(command, session);
   return [](Session& call) { return ServeEditor(call); };
 }

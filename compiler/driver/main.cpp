@@ -14,7 +14,7 @@ int main(int argc, char** argv) {
   ReportCrashes(argc, argv);
   ExitStatus status = RunCommandLine(argc, argv);
   if (std::fflush(stdout) != 0) {
-    PrintError(fmt::format("cannot write to the standard output: {}", std::strerror(errno)));
+    PrintError(fmt::format("cannot write to standard output: {}", std::strerror(errno)));
     status = Worse(status, ExitStatus::kWrongCall);
   }
   return static_cast<int>(status);

@@ -25,10 +25,10 @@ void CheckName(const std::string& name) {
   Diagnostics diagnostics;
   const auto tree = Parse(header, diagnostics);
   if (tree && tree->task && tree->task->text == name && !tree->robot && !tree->base) return;
-  throw CallError(fmt::format(
-      "a task cannot be called `{}`: a name has letters, digits and `_`, begins with no digit, and "
-      "is no word of the language",
-      name));
+  throw CallError(
+      fmt::format("a task cannot be called `{}`: a name consists of letters, digits and `_`, does "
+                  "not begin with a digit, and is not a keyword",
+                  name));
 }
 
 robot::RobotDescription GetRobot(const std::string& name, const std::filesystem::path& file,
@@ -48,7 +48,7 @@ ExitStatus New(const Options& options, Session& session) {
   std::optional<robot::RobotDescription> robot;
   if (!options.robot.empty()) robot = GetRobot(options.robot, file, session);
   if (std::filesystem::exists(std::filesystem::symlink_status(file))) {
-    throw CallError(fmt::format("`{}` is there already", file.string()));
+    throw CallError(fmt::format("`{}` already exists", file.string()));
   }
   ReplaceFile(file, TaskSkeleton(name, robot ? &*robot : nullptr));
   text::Print("{}\n", file.string());
@@ -59,10 +59,11 @@ ExitStatus New(const Options& options, Session& session) {
 
 Action DeclareNew(Command& command, Session& session) {
   auto options = std::make_shared<Options>();
-  command.AddOption("NAME", options->name, "of the task; the file is NAME.task")
+  command.AddOption("NAME", options->name, "name of the task; the file is NAME.task")
       .Required()
       .ValueName("");
-  command.AddOption("--for", options->robot, "the robot; without, the task brings its own sensors")
+  command
+      .AddOption("--for", options->robot, "the robot; otherwise the task declares its own sensors")
       .ValueName("ROBOT");
   AddRobots(command, session);
   return [options](Session& call) { return New(*options, call); };

@@ -19,16 +19,16 @@ ExitStatus SealFile(const std::string& file, const Session& session) {
   if (!reading.bytes.starts_with("\x7f"
                                  "ELF")) {
     throw CallError(
-        fmt::format("`{}` is no shared object; build one against the ABI, or build a "
+        fmt::format("`{}` is not a shared object; build one against the ABI, or build a "
                     "task with `taskc build`",
                     file));
   }
   switch (seal::StateOf(reading.bytes)) {
     case seal::State::kIntact:
-      session.Say(fmt::format("{}: is sealed already\n", file));
+      session.Say(fmt::format("{}: already sealed\n", file));
       return ExitStatus::kOk;
     case seal::State::kBroken:
-      throw CallError(fmt::format("`{}` has changed since it was sealed; build it again", file));
+      throw CallError(fmt::format("`{}` has changed since it was sealed; rebuild it", file));
     case seal::State::kAbsent:
       break;
   }

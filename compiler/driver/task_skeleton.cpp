@@ -43,8 +43,8 @@ std::vector<std::string> SensorNames() {
 }
 
 std::string ForRobot(const std::string& name, const robot::RobotDescription& robot) {
-  std::string text =
-      "/// What the robot is to do, in one sentence.\ntask " + name + " for " + robot.name + "\n\n";
+  std::string text = "/// What the robot should do, in one sentence.\ntask " + name + " for " +
+                     robot.name + "\n\n";
   if (!robot.poses.empty()) {
     text += Listed("Poses to start from", NamesOf(robot.poses));
     text += "start " + robot.poses.front().name + "\n\n";
@@ -56,10 +56,10 @@ std::string ForRobot(const std::string& name, const robot::RobotDescription& rob
   if (!robot.joint_groups.empty()) text += Listed("Groups of joints", NamesOf(robot.joint_groups));
   return text +
          "\n"
-         "/// What a fall costs. A param can be turned while the trainer runs.\n"
+         "/// What a fall costs. A param can be changed while the trainer runs.\n"
          "param fall_penalty: real = 2 in 0 .. 20\n"
          "\n"
-         "/// What you really want, told apart from the reward: plotted beside the return.\n"
+         "/// What you really want, apart from the reward: plotted next to the return.\n"
          "metric distance = base.position.x\n"
          "\n"
          "on end_of_time_step {\n"
@@ -77,20 +77,21 @@ std::string ForRobot(const std::string& name, const robot::RobotDescription& rob
 }
 
 std::string WithOwnSensors(const std::string& name) {
-  return "/// What is to be learned, in one sentence.\n"
+  return "/// What should be learned, in one sentence.\n"
          "task " +
          name +
          "\n"
          "\n"
-         "// Whatever runs this task supplies these sensors, by name, type and unit.\n"
+         "// The program that runs this task supplies these sensors by name, type and unit.\n"
          "sensor time: real [s]\n"
          "sensor position: vec3 [m]\n"
          "sensor velocity: vec3 [m/s]\n"
          "\n"
-         "/// How far out the field ends. A param can be turned while the trainer runs.\n"
+         "/// How far the field extends to each side. A param can be changed while the trainer "
+         "runs.\n"
          "param width: real [m] = 2 m in 0.5 m .. 10 m\n"
          "\n"
-         "/// What you really want, told apart from the reward: plotted beside the return.\n"
+         "/// What you really want, apart from the reward: plotted next to the return.\n"
          "metric distance = position.x\n"
          "\n"
          "on end_of_time_step {\n"

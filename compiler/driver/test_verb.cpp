@@ -64,9 +64,9 @@ ExitStatus TestOne(const std::string& file, const Options& options, Session& ses
 Action DeclareTest(Command& command, Session& session) {
   auto options = std::make_shared<Options>();
   AddTasks(command, options->tasks);
-  command.AddOption("--filter", options->filter, "only the tests whose names contain this")
+  command.AddOption("--filter", options->filter, "run only tests whose names contain this")
       .ValueName("NAME");
-  command.AddOption("--cache", options->cache, "the folder of built plugins").ValueName("DIR");
+  command.AddOption("--cache", options->cache, "folder for built plugins").ValueName("DIR");
   AddRobots(command, session);
   AddReport(command, session);
   return [options](Session& call) {

@@ -3,51 +3,51 @@
 namespace compiler {
 
 const std::vector<Verb> kVerbs = {
-    {"new", "Begin a task",
+    {"new", "Start a new task",
      "taskc new walking --for humanoid   # walking.task, with the robot's sensors and links "
      "listed\n"
-     "taskc new balancing                # a task that brings its own sensors",
+     "taskc new balancing                # a task that declares its own sensors",
      DeclareNew},
     {"build", "Build a task into a plugin",
      "taskc build crawling.task                  # into the cache; prints where the plugin is\n"
      "taskc build crawling.task -o crawling.so   # into a file",
      DeclareBuild},
-    {"check", "Check tasks, build nothing",
-     "taskc check crawling.task   # all its mistakes at once\n"
+    {"check", "Check tasks without building them",
+     "taskc check crawling.task   # reports all errors at once\n"
      "taskc check *.task",
      DeclareCheck},
     {"test", "Run the tests of tasks",
      "taskc test crawling.task\n"
-     "taskc test crawling.task --filter fall   # those with `fall` in their names",
+     "taskc test crawling.task --filter fall   # only tests with `fall` in their names",
      DeclareTest},
-    {"watch", "Build tasks again whenever their files are saved",
+    {"watch", "Rebuild tasks whenever their files are saved",
      "taskc watch crawling.task   # until Ctrl-C", DeclareWatch},
-    {"emit", "Show the C++ that a task becomes",
+    {"emit", "Show the C++ that a task compiles to",
      "taskc emit crawling.task\n"
      "taskc emit crawling.task -o crawling.cpp",
      DeclareEmit},
-    {"fmt", "Lay out tasks: indentation, blanks, line breaks",
+    {"fmt", "Format tasks: indentation, spaces, line breaks",
      "taskc fmt *.task           # rewrites the files\n"
-     "taskc fmt --check *.task   # lists those that would change\n"
+     "taskc fmt --check *.task   # lists the files that would change\n"
      "taskc fmt - <crawling.task # prints the result",
      DeclareFmt},
-    {"doc", "Write a task's page: equations, sensors, params, bounds",
+    {"doc", "Document a task: equations, sensors, params, bounds",
      "taskc doc crawling.task                     # as Markdown\n"
-     "taskc doc crawling.task -o crawling.html    # one file, with the equations set\n"
+     "taskc doc crawling.task -o crawling.html    # one file, with typeset equations\n"
      "taskc doc crawling.task --json              # params, terms, metrics; weights of rewards",
      DeclareDoc},
-    {"seal", "Seal plugins that taskc has not built, so that the trainer loads them",
-     "taskc seal mine.so   # written by hand against the ABI; its code runs when it is loaded",
+    {"seal", "Seal plugins that taskc did not build, so that the trainer loads them",
+     "taskc seal mine.so   # written by hand against the ABI; loading it runs its code",
      DeclareSeal},
-    {"lsp", "Serve an editor by the Language Server Protocol",
-     "taskc lsp   # editors call it; docs/editors.md says how", DeclareLsp},
+    {"lsp", "Serve an editor through the Language Server Protocol",
+     "taskc lsp   # started by an editor; see docs/editors.md", DeclareLsp},
     {"explain", "Explain an error or a warning",
      "taskc explain E0203   # what it means, with examples\n"
-     "taskc explain         # all codes with their titles",
+     "taskc explain         # lists all codes with their titles",
      DeclareExplain},
-    {"completion", "Print what a shell needs to complete taskc's command line",
+    {"completion", "Print a script that completes taskc's command line in a shell",
      "taskc completion bash >>~/.bashrc\n"
-     "taskc completion zsh >>~/.zshrc       # behind the line with compinit\n"
+     "taskc completion zsh >>~/.zshrc       # after the line with compinit\n"
      "taskc completion fish >~/.config/fish/completions/taskc.fish",
      DeclareCompletion},
 };
@@ -93,8 +93,7 @@ void AddReport(Command& command, Session& session) {
       .Excludes(json);
   // What scripts may still say.
   command.AddOption("--format", session.format, "").OneOf({"text", "json", "sarif"}).Hidden();
-  command
-      .AddOption("--color", session.color, "colors; auto: on a terminal, where NO_COLOR is not set")
+  command.AddOption("--color", session.color, "colors; auto: on a terminal, unless NO_COLOR is set")
       .OneOf({"auto", "always", "never"});
 }
 

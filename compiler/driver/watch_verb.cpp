@@ -91,7 +91,7 @@ ExitStatus Watch(const Options& options, const Session& session) try {
 Action DeclareWatch(Command& command, Session& session) {
   auto options = std::make_shared<Options>();
   AddTasks(command, options->tasks);
-  command.AddOption("--cache", options->cache, "the folder of built plugins").ValueName("DIR");
+  command.AddOption("--cache", options->cache, "folder for built plugins").ValueName("DIR");
   AddRobots(command, session);
   return [options](Session& call) { return Watch(*options, call); };
 }

@@ -42,7 +42,7 @@ TEST(Doc, IsMarkdownOrHtml) {
   taskc.Write("good.task", kGoodTask);
   Outcome outcome = taskc.Run("doc good.task -o good.pdf");
   EXPECT_EQ(outcome.status, 2);
-  EXPECT_THAT(outcome.error, HasSubstr("a page is a .md or a .html file"));
+  EXPECT_THAT(outcome.error, HasSubstr("a page is a .md or .html file"));
 }
 
 TEST(Doc, IsJsonForPrograms) {

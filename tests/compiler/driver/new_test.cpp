@@ -40,7 +40,7 @@ TEST(New, OverwritesNothing) {
   taskc.Write("mine.task", "my work");
   Outcome outcome = taskc.Run("new mine");
   EXPECT_EQ(outcome.status, 2);
-  EXPECT_THAT(outcome.error, HasSubstr("`mine.task` is there already"));
+  EXPECT_THAT(outcome.error, HasSubstr("`mine.task` already exists"));
   EXPECT_EQ(ReadWholeFile(taskc.path("mine.task")), "my work");
 }
 

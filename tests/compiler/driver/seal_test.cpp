@@ -30,7 +30,7 @@ TEST(SealVerb, SealsWhatHasNoSeal) {
   EXPECT_TRUE(fs::is_symlink(taskc.path("link.so")));
   EXPECT_EQ(In(taskc, "mine.so"), seal::Seal(kSharedObject));
   EXPECT_EQ(fs::status(taskc.path("mine.so")).permissions(), static_cast<fs::perms>(0750));
-  EXPECT_THAT(taskc.Run("seal mine.so").out, HasSubstr("is sealed already"));
+  EXPECT_THAT(taskc.Run("seal mine.so").out, HasSubstr("already sealed"));
   EXPECT_EQ(In(taskc, "mine.so"), seal::Seal(kSharedObject));
 }
 
@@ -44,7 +44,7 @@ TEST(SealVerb, SealsNothingElse) {
   const Outcome outcome = taskc.Run("seal changed.so text.so absent.so mine.so");
   EXPECT_EQ(outcome.status, 2);
   EXPECT_THAT(outcome.error, HasSubstr("`changed.so` has changed since it was sealed"));
-  EXPECT_THAT(outcome.error, HasSubstr("`text.so` is no shared object"));
+  EXPECT_THAT(outcome.error, HasSubstr("`text.so` is not a shared object"));
   EXPECT_THAT(outcome.error, HasSubstr("cannot read `absent.so`: No such file"));
   EXPECT_EQ(In(taskc, "changed.so"), changed);
   EXPECT_EQ(In(taskc, "text.so"), "task crawling for humanoid\n");
