@@ -1,25 +1,25 @@
-// The subcommands of `trainer`. Each adds itself to the command line; when it is the chosen one, it
-// runs while the line is parsed and sets `status` to the exit status. Errors are thrown.
+// The commands of `trainer`. Each adds itself to the command line, with its options and what it
+// does: that returns the exit status, and throws UserError or CallError.
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include "base/command_line/command.h"
 
 namespace runtime {
 
 // Exit statuses. A run that was stopped by a signal ends with kStoppedBySignal + its number.
 enum ExitStatus : int { kSuccess = 0, kFailed = 1, kWrongCall = 2, kStoppedBySignal = 128 };
 
-void AddTrainCommand(CLI::App& app, int& status);
-void AddResumeCommand(CLI::App& app, int& status);
-void AddAgentCommand(CLI::App& app, int& status);
-void AddServeCommand(CLI::App& app, int& status);
-void AddStudyCommand(CLI::App& app, int& status);
-void AddCtlCommand(CLI::App& app, int& status);
-void AddShowCommand(CLI::App& app, int& status);
-void AddEvaluateCommand(CLI::App& app, int& status);
-void AddReportCommand(CLI::App& app, int& status);
-void AddSnapshotsCommand(CLI::App& app, int& status);
-void AddPreferCommand(CLI::App& app, int& status);
-void AddCompletionCommand(CLI::App& app, int& status);
+void AddTrainCommand(command_line::Command& program);
+void AddResumeCommand(command_line::Command& program);
+void AddAgentCommand(command_line::Command& program);
+void AddServeCommand(command_line::Command& program);
+void AddStudyCommand(command_line::Command& program);
+void AddCtlCommand(command_line::Command& program);
+void AddShowCommand(command_line::Command& program);
+void AddEvaluateCommand(command_line::Command& program);
+void AddReportCommand(command_line::Command& program);
+void AddSnapshotsCommand(command_line::Command& program);
+void AddPreferCommand(command_line::Command& program);
+void AddCompletionCommand(command_line::Command& program);
 
 }  // namespace runtime

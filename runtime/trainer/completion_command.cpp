@@ -1,6 +1,4 @@
 // trainer completion bash|zsh|fish
-#include <fmt/format.h>
-
 #include <memory>
 
 #include "base/command_line/completion.h"
@@ -9,19 +7,19 @@
 
 namespace runtime {
 
-void AddCompletionCommand(CLI::App& app, int& status) {
+void AddCompletionCommand(command_line::Command& program) {
   const auto shell = std::make_shared<std::string>();
-  CLI::App* command = app.add_subcommand(
+  command_line::Command& command = program.AddCommand(
       "completion", "Prints what a shell needs to complete trainer's command line.");
-  command_line::AddShell(*command, *shell);
-  command->footer(
+  command_line::AddShell(command, *shell);
+  command.Footer(
       "Examples:\n"
       "  trainer completion bash >>~/.bashrc\n"
       "  trainer completion zsh >>~/.zshrc       # behind the line with compinit\n"
       "  trainer completion fish >~/.config/fish/completions/trainer.fish");
-  command->callback([shell, &app, &status] {
-    text::Print("{}", command_line::Completion(*shell, app));
-    status = kSuccess;
+  command.OnRun([shell, &program] {
+    text::Print("{}", command_line::Completion(*shell, program));
+    return kSuccess;
   });
 }
 

@@ -14,6 +14,8 @@
 namespace runtime {
 namespace {
 
+using command_line::CallError;
+using command_line::Command;
 using nlohmann::json;
 
 std::string UpperCase(std::string text) {
@@ -27,22 +29,22 @@ std::string Absolute(const std::string& file) {
 }
 
 template <class Value, class Set>
-void AddValue(CLI::App& command, const ArgumentSpec& spec, const Set& set) {
+void AddValue(Command& command, const ArgumentSpec& spec, const Set& set) {
   const std::string word = UpperCase(spec.name);
-  command
-      .add_option_function<Value>(spec.is_required ? word : std::string("--") + spec.name, set,
-                                  spec.doc)
-      ->required(spec.is_required)
-      ->type_name(spec.is_required ? "" : word);
+  if (spec.is_required) {
+    command.OnOption<Value>(word, set, spec.doc).Required().ValueName("");
+  } else {
+    command.OnOption<Value>(std::string("--") + spec.name, set, spec.doc).ValueName(word);
+  }
 }
 
 // A required argument stands without its name, the others are options.
-void AddArgument(CLI::App& command, const ArgumentSpec& spec, json& arguments) {
+void AddArgument(Command& command, const ArgumentSpec& spec, json& arguments) {
   const std::string name = spec.name;
   const auto set = [&arguments, name](const auto& value) { arguments[name] = value; };
   switch (spec.type) {
     case ArgumentType::kFlag:
-      command.add_flag_callback(
+      command.OnFlag(
           "--" + name, [set] { set(true); }, spec.doc);
       break;
     case ArgumentType::kText:
@@ -64,84 +66,79 @@ void AddArgument(CLI::App& command, const ArgumentSpec& spec, json& arguments) {
   }
 }
 
-void DeclareByTable(CLI::App& command, const CommandSpec& spec, json& arguments) {
+void DeclareByTable(Command& command, const CommandSpec& spec, json& arguments) {
   for (const ArgumentSpec& argument : spec.arguments) AddArgument(command, argument, arguments);
 }
 
 // load FILE [as NAME]
-void DeclareLoad(CLI::App& command, const CommandSpec& spec, json& arguments) {
+void DeclareLoad(Command& command, const CommandSpec& spec, json& arguments) {
   AddArgument(command, spec.arguments[0], arguments);
   const auto set_name = [&arguments](const std::string& name) { arguments["name"] = name; };
   const auto set_words = [set_name](const std::vector<std::string>& words) {
     if (words.front() != "as") {
-      throw CLI::ValidationError("`" + words.front() + "`: write `as NAME`");
+      throw CallError("`" + words.front() + "`: write `as NAME`");
     }
     set_name(words.back());
   };
   const char* doc = spec.arguments[1].doc;
-  command.add_option_function<std::vector<std::string>>("as NAME", set_words, doc)
-      ->expected(2)
-      ->type_name("");
-  command.add_option_function<std::string>("--as", set_name, doc)->type_name("NAME");
+  command.OnOption<std::vector<std::string>>("as NAME", set_words, doc).Count(2, 2).ValueName("");
+  command.OnOption<std::string>("--as", set_name, doc).ValueName("NAME");
 }
 
 // set NAME VALUE; what follows may begin with `-`, or be an arrow.
-void DeclareSet(CLI::App& command, const CommandSpec&, json& arguments) {
-  command.allow_extras();
-  command.footer(
+void DeclareSet(Command& command, const CommandSpec&, json& arguments) {
+  command.Footer(
       "  trainer ctl set NAME VALUE\n"
       "  trainer ctl set NAME = FROM to TO over N episodes\n"
       "A value may have a unit: `20 s`. For `to` there may stand → or, in quotes, `->`.");
-  command.parse_complete_callback([&command, &arguments] {
+  command.OnWords([&arguments](const std::vector<std::string>& words) {
     try {
-      arguments = SetArguments(command.remaining());
+      arguments = SetArguments(words);
     } catch (const UserError& error) {
-      throw CLI::ValidationError(error.what());
+      throw CallError(error.what());
     }
   });
 }
 
 // rollback NAME [VERSION] [--now]
-void DeclareRollback(CLI::App& command, const CommandSpec& spec, json& arguments) {
+void DeclareRollback(Command& command, const CommandSpec& spec, json& arguments) {
   AddArgument(command, spec.arguments[0], arguments);
   const auto set_version = [&arguments](const std::string& word) { arguments["version"] = word; };
-  command.add_option_function<std::string>("VERSION", set_version, spec.arguments[1].doc)
-      ->type_name("");
+  command.OnOption<std::string>("VERSION", set_version, spec.arguments[1].doc).ValueName("");
   AddArgument(command, spec.arguments[2], arguments);
 }
 
 // step [COUNT] [--episodes]
-void DeclareStep(CLI::App& command, const CommandSpec& spec, json& arguments) {
+void DeclareStep(Command& command, const CommandSpec& spec, json& arguments) {
   const auto set_count = [&arguments](int64_t count) { arguments["count"] = count; };
-  command.add_option_function<int64_t>("COUNT", set_count, spec.arguments[0].doc)->type_name("");
-  command.add_flag_callback(
+  command.OnOption<int64_t>("COUNT", set_count, spec.arguments[0].doc).ValueName("");
+  command.OnFlag(
       "--episodes", [&arguments] { arguments["unit"] = "episode"; },
       "episodes; otherwise time steps");
 }
 
 // module add TYPE NAME [PARAMETER=VALUE...]
-void DeclareModuleAdd(CLI::App& command, const CommandSpec& spec, json& arguments) {
+void DeclareModuleAdd(Command& command, const CommandSpec& spec, json& arguments) {
   AddArgument(command, spec.arguments[0], arguments);
   AddArgument(command, spec.arguments[1], arguments);
   const auto set_parameters = [&arguments](const std::vector<std::string>& settings) {
     for (const std::string& setting : settings) {
       const size_t equals = setting.find('=');
       if (equals == std::string::npos) {
-        throw CLI::ValidationError("`" + setting + "`: write `PARAMETER=VALUE`");
+        throw CallError("`" + setting + "`: write `PARAMETER=VALUE`");
       }
       arguments["parameters"][setting.substr(0, equals)] = ValueOfWord(setting.substr(equals + 1));
     }
   };
   command
-      .add_option_function<std::vector<std::string>>("PARAMETER=VALUE", set_parameters,
-                                                     spec.arguments[2].doc)
-      ->type_name("");
+      .OnOption<std::vector<std::string>>("PARAMETER=VALUE", set_parameters, spec.arguments[2].doc)
+      .ValueName("");
 }
 
 // Commands that are not written as the table says.
 struct Special {
   std::string_view command;
-  void (*declare)(CLI::App& command, const CommandSpec& spec, json& arguments);
+  void (*declare)(Command& command, const CommandSpec& spec, json& arguments);
 };
 constexpr Special kSpecial[] = {{"load", DeclareLoad},
                                 {"rollback", DeclareRollback},
@@ -151,7 +148,7 @@ constexpr Special kSpecial[] = {{"load", DeclareLoad},
 
 }  // namespace
 
-void AddCtlArguments(CLI::App& command, const CommandSpec& spec, json& arguments) {
+void AddCtlArguments(Command& command, const CommandSpec& spec, json& arguments) {
   const auto special = std::ranges::find(kSpecial, std::string_view(spec.name), &Special::command);
   const auto declare = special == std::end(kSpecial) ? DeclareByTable : special->declare;
   declare(command, spec, arguments);

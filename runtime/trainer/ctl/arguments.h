@@ -1,8 +1,8 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "base/command_line/command.h"
 #include "runtime/live/control/command_table.h"
 
 namespace runtime {
@@ -10,6 +10,7 @@ namespace runtime {
 // Declares how the arguments of a command are written on the command line: as the command table
 // says, or, for a few commands, in a shorter way. Fills `arguments`, an object, while the line is
 // parsed; it must live until then.
-void AddCtlArguments(CLI::App& command, const CommandSpec& spec, nlohmann::json& arguments);
+void AddCtlArguments(command_line::Command& command, const CommandSpec& spec,
+                     nlohmann::json& arguments);
 
 }  // namespace runtime

@@ -17,6 +17,7 @@
 namespace runtime {
 namespace {
 
+using command_line::Command;
 using nlohmann::json;
 
 constexpr const char* kLookingGroup = "Commands that look";
@@ -54,55 +55,57 @@ int AskAndPrint(const CtlOptions& options, const Request& request) {
 }
 
 // "module_add" is `module add`.
-CLI::App* AddSubcommand(CLI::App& ctl, const std::string& name, const std::string& doc) {
+Command& AddSubcommand(Command& ctl, const CommandSpec& spec) {
+  const std::string name = spec.name;
   const size_t underscore = name.find('_');
-  if (underscore == std::string::npos) return ctl.add_subcommand(name, doc);
-  const std::string first = name.substr(0, underscore);
-  const auto there =
-      ctl.get_subcommands([&](const CLI::App* command) { return command->get_name() == first; });
-  CLI::App* parent =
-      there.empty() ? ctl.add_subcommand(first, "adds and removes modules") : there.front();
-  parent->require_subcommand(1);
-  parent->group(kChangingGroup);
-  return parent->add_subcommand(name.substr(underscore + 1), doc);
-}
-
-void AddCommand(CLI::App& ctl, const CommandSpec& spec, const Options& options, int& status) {
-  CLI::App* command = AddSubcommand(ctl, spec.name, spec.doc);
-  if (command->get_parent() == &ctl) {
-    command->group(spec.changes ? kChangingGroup : kLookingGroup);
+  if (underscore == std::string::npos) {
+    Command& command = ctl.AddCommand(name, spec.doc);
+    command.Group(spec.changes ? kChangingGroup : kLookingGroup);
+    return command;
   }
-  options->AddTo(*command);
-  const auto request = std::make_shared<Request>(Request{spec.name, json::object()});
-  AddCtlArguments(*command, spec, request->arguments);
-  command->callback([options, request, &status] { status = AskAndPrint(*options, *request); });
+  const std::string first = name.substr(0, underscore);
+  Command* parent = ctl.FindCommand(first);
+  if (parent == nullptr) {
+    parent = &ctl.AddCommand(first, "adds and removes modules");
+    parent->Group(kChangingGroup);
+  }
+  return parent->AddCommand(name.substr(underscore + 1), spec.doc);
 }
 
-void AddEvents(CLI::App& ctl, const Options& options, int& status) {
-  CLI::App* command = ctl.add_subcommand(
-      "events", "prints what happens, as it happens, until the trainer ends or Ctrl-C");
-  command->group(kLookingGroup);
-  options->AddTo(*command);
-  command->callback([options, &status] {
-    FollowEvents(options->FindRun(), [&](const json& event) {
-      text::Print("{}\n", options->json ? event.dump() : EventLine(event));
-      std::fflush(stdout);
-    });
-    status = kSuccess;
+void AddSpecified(Command& ctl, const CommandSpec& spec, const Options& options) {
+  Command& command = AddSubcommand(ctl, spec);
+  options->AddTo(command);
+  const auto request = std::make_shared<Request>(Request{spec.name, json::object()});
+  AddCtlArguments(command, spec, request->arguments);
+  command.OnRun([options, request] { return AskAndPrint(*options, *request); });
+}
+
+int PrintEvents(const CtlOptions& options) {
+  FollowEvents(options.FindRun(), [&](const json& event) {
+    text::Print("{}\n", options.json ? event.dump() : EventLine(event));
+    std::fflush(stdout);
   });
+  return kSuccess;
+}
+
+void AddEvents(Command& ctl, const Options& options) {
+  Command& command = ctl.AddCommand(
+      "events", "prints what happens, as it happens, until the trainer ends or Ctrl-C");
+  command.Group(kLookingGroup);
+  options->AddTo(command);
+  command.OnRun([options] { return PrintEvents(*options); });
 }
 
 }  // namespace
 
-void AddCtlCommand(CLI::App& app, int& status) {
+void AddCtlCommand(Command& program) {
   const auto options = std::make_shared<CtlOptions>();
-  CLI::App* ctl = app.add_subcommand("ctl", "Talks to a trainer while it trains.");
-  ctl->require_subcommand(1);
-  options->AddTo(*ctl);
-  for (const CommandSpec& command : Commands()) AddCommand(*ctl, command, options, status);
-  AddEvents(*ctl, options, status);
-  AddCtlWatch(*ctl, options);
-  ctl->footer(kExamples);  // last, because subcommands take over what there is
+  Command& ctl = program.AddCommand("ctl", "Talks to a trainer while it trains.");
+  options->AddTo(ctl);
+  for (const CommandSpec& spec : Commands()) AddSpecified(ctl, spec, options);
+  AddEvents(ctl, options);
+  AddCtlWatch(ctl, options);
+  ctl.Footer(kExamples);  // last, because commands take over what there is
 }
 
 }  // namespace runtime

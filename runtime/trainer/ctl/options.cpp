@@ -4,10 +4,10 @@
 
 namespace runtime {
 
-void CtlOptions::AddTo(CLI::App& command) {
-  command.add_option("--run", run, "folder of the run; otherwise the one under runs/ that answers")
-      ->type_name("DIR");
-  command.add_flag("--json", json, "print JSON, one object in a line");
+void CtlOptions::AddTo(command_line::Command& command) {
+  command.AddOption("--run", run, "folder of the run; otherwise the one under runs/ that answers")
+      .ValueName("DIR");
+  command.AddFlag("--json", json, "print JSON, one object in a line");
 }
 
 std::filesystem::path CtlOptions::FindRun() const {

@@ -16,7 +16,6 @@
 #include "runtime/base/user_error.h"
 #include "runtime/live/client/client.h"
 #include "runtime/live/client/task_files.h"
-#include "runtime/trainer/call_error.h"
 #include "runtime/trainer/commands.h"
 #include "runtime/trainer/ctl/options.h"
 #include "runtime/trainer/ctl/trainer_end.h"
@@ -24,6 +23,7 @@
 namespace runtime {
 namespace {
 
+using command_line::CallError;
 using nlohmann::json;
 using Clock = std::chrono::steady_clock;
 
@@ -52,8 +52,8 @@ class TaskWatch {
     Print({{"watching", names}}, fmt::format("watching {}\n", fmt::join(names, ", ")));
   }
 
-  // Until the trainer has ended, or Ctrl-C ends the program.
-  void Run() {
+  // Until Ctrl-C ends the program. Throws UserError once the trainer has ended.
+  [[noreturn]] void Run() {
     while (watch_.Wait(trainer_end_.descriptor())) {
       if (!std::filesystem::exists(options_.file)) continue;
       Swap();
@@ -139,17 +139,17 @@ class TaskWatch {
 
 }  // namespace
 
-void AddCtlWatch(CLI::App& ctl, const std::shared_ptr<CtlOptions>& ctl_options) {
+void AddCtlWatch(command_line::Command& ctl, const std::shared_ptr<CtlOptions>& ctl_options) {
   const auto options = std::make_shared<WatchOptions>();
-  CLI::App* command = ctl.add_subcommand(
+  command_line::Command& command = ctl.AddCommand(
       "watch", "swaps a task whenever its file, or one that it imports or extends, is saved");
-  ctl_options->AddTo(*command);
-  command->add_option("FILE", options->file, "a .task file")->required()->type_name("");
-  command->add_option("--name", options->name, "name of the task module")->capture_default_str();
-  command->add_flag("--now", options->now,
-                    "between two time steps; otherwise when the next episode starts");
-  command->add_flag("--forget", options->forget, "forget what was learned, and begin anew");
-  command->callback([ctl_options, options] { TaskWatch(*ctl_options, *options).Run(); });
+  ctl_options->AddTo(command);
+  command.AddOption("FILE", options->file, "a .task file").Required().ValueName("");
+  command.AddOption("--name", options->name, "name of the task module").ShowDefault();
+  command.AddFlag("--now", options->now,
+                  "between two time steps; otherwise when the next episode starts");
+  command.AddFlag("--forget", options->forget, "forget what was learned, and begin anew");
+  command.OnRun([ctl_options, options]() -> int { TaskWatch(*ctl_options, *options).Run(); });
 }
 
 }  // namespace runtime

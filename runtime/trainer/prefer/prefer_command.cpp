@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <map>
+#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "base/text/print.h"
 #include "runtime/analysis/study/preference_figures.h"
-#include "runtime/trainer/call_error.h"
 #include "runtime/trainer/commands.h"
 #include "runtime/trainer/prefer/dialog.h"
 #include "runtime/trainer/prefer/statements.h"
@@ -20,6 +20,8 @@ namespace runtime {
 namespace {
 
 namespace fs = std::filesystem;
+
+using command_line::CallError;
 
 struct PreferOptions {
   fs::path folder;
@@ -163,35 +165,35 @@ class PreferCommand {
 
 }  // namespace
 
-void AddPreferCommand(CLI::App& app, int& status) {
+void AddPreferCommand(command_line::Command& program) {
   const auto options = std::make_shared<PreferOptions>();
-  CLI::App* command = app.add_subcommand("prefer",
-                                         "Fits the weights of a task to what you call better, "
-                                         "shows what would change, and writes it.");
-  command->add_option("DIR", options->folder, "folder of the runs")->required();
-  options->statements.AddTo(*command);
-  command->add_option("--experiment", options->experiment, "look at this one only");
+  command_line::Command& command =
+      program.AddCommand("prefer",
+                         "Fits the weights of a task to what you call better, "
+                         "shows what would change, and writes it.");
+  command.AddOption("DIR", options->folder, "folder of the runs").Required();
+  options->statements.AddTo(command);
+  command.AddOption("--experiment", options->experiment, "look at this one only");
   command
-      ->add_option("--factor", options->factor,
-                   "by which a weight is expected to change at most, in two cases out of three")
-      ->check(CLI::Range(1.01, 1000.))
-      ->capture_default_str();
-  CLI::Option* output =
+      .AddOption("--factor", options->factor,
+                 "by which a weight is expected to change at most, in two cases out of three")
+      .Range(1.01, 1000.)
+      .ShowDefault();
+  const command_line::Option output =
       command
-          ->add_option("-o,--output", options->output, "write the new weights as a task: FILE.task")
-          ->type_name("FILE");
-  command->add_option("--task", options->task, "which it extends; otherwise that of the runs")
-      ->type_name("FILE")
-      ->needs(output);
-  command->add_flag("--force", options->is_forced, "write over a task that is there")
-      ->needs(output);
-  command->add_flag("--json", options->json, "print JSON, and ask nothing");
-  command->footer(
+          .AddOption("-o,--output", options->output, "write the new weights as a task: FILE.task")
+          .ValueName("FILE");
+  command.AddOption("--task", options->task, "which it extends; otherwise that of the runs")
+      .ValueName("FILE")
+      .Needs(output);
+  command.AddFlag("--force", options->is_forced, "write over a task that is there").Needs(output);
+  command.AddFlag("--json", options->json, "print JSON, and ask nothing");
+  command.Footer(
       "What is stated is kept in DIR/preferences.toml. Without a statement, and without -o, it "
       "asks on a\nterminal which of two groups of behaviors is better.");
-  command->callback([options, &status] {
+  command.OnRun([options] {
     PreferCommand(*options).Run();
-    status = kSuccess;
+    return kSuccess;
   });
 }
 

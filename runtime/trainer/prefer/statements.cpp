@@ -6,10 +6,12 @@
 
 #include "runtime/analysis/preference/preferences_file.h"
 #include "runtime/analysis/study/compared_behavior.h"
-#include "runtime/trainer/call_error.h"
+#include "runtime/base/user_error.h"
 
 namespace runtime {
 namespace {
+
+using command_line::CallError;
 
 const ExperimentResult& ExperimentOf(const StudyResults& study, const std::string& run) {
   return *std::ranges::find_if(study.experiments, [&](const ExperimentResult& each) {
@@ -39,15 +41,15 @@ const ExperimentResult& Check(const Preference& preference, const StudyResults& 
 
 }  // namespace
 
-void PreferStatements::AddTo(CLI::App& command) {
+void PreferStatements::AddTo(command_line::Command& command) {
   const std::string name = "a run, or RUN:EPISODE; its name may be shortened: `seed3`";
-  CLI::Option* better_option = command.add_option("--better", better, name);
-  CLI::Option* worse_option = command.add_option("--worse", worse, "than which it is better");
-  better_option->needs(worse_option);
-  worse_option->needs(better_option);
-  command.add_option("--order", order, "runs, or RUN:EPISODE, the best first")
-      ->expected(2, CLI::detail::expected_max_vector_size);
-  command.add_option("--equal", equal, "two that are equally good")->expected(2);
+  command_line::Option better_option = command.AddOption("--better", better, name);
+  command_line::Option worse_option =
+      command.AddOption("--worse", worse, "than which it is better");
+  better_option.Needs(worse_option);
+  worse_option.Needs(better_option);
+  command.AddOption("--order", order, "runs, or RUN:EPISODE, the best first").Count(2, 0);
+  command.AddOption("--equal", equal, "two that are equally good").Count(2, 2);
 }
 
 const ExperimentResult* NoteStatements(const PreferStatements& statements,

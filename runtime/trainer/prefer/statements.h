@@ -1,11 +1,11 @@
 // What the command line of `trainer prefer` states.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <string>
 #include <vector>
 
+#include "base/command_line/command.h"
 #include "runtime/analysis/study/results.h"
 
 namespace runtime {
@@ -17,7 +17,7 @@ struct PreferStatements {
   std::vector<std::string> order;  // the best first
   std::vector<std::string> equal;
 
-  void AddTo(CLI::App& command);
+  void AddTo(command_line::Command& command);
   bool empty() const { return better.empty() && order.empty() && equal.empty(); }
 };
 

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
 
 #include "base/text/print.h"
 #include "runtime/base/user_error.h"
@@ -128,20 +129,20 @@ int Evaluate(const EvaluateOptions& options) {
 
 }  // namespace
 
-void AddEvaluateCommand(CLI::App& app, int& status) {
+void AddEvaluateCommand(command_line::Command& program) {
   const auto options = std::make_shared<EvaluateOptions>();
-  CLI::App* command = app.add_subcommand(
+  command_line::Command& command = program.AddCommand(
       "evaluate",
       "Lets what a run has learned, or all runs of a folder, act in a profile without learning: "
       "how much of the return remains.");
-  command->add_option("DIR", options->folder, "folder of the run, or of many")->required();
-  AddProfileOption(*command, options->plan.profile)->required();
-  command->add_option("--episodes", options->plan.episodes, "how many episodes of each run")
-      ->check(CLI::Range(int64_t{1}, int64_t{1'000'000}))
-      ->capture_default_str();
-  AddJobsOption(*command, options->jobs, "evaluate");
-  options->output.AddTo(*command, "one JSON object per episode and one per run");
-  command->callback([options, &status] { status = Evaluate(*options); });
+  command.AddOption("DIR", options->folder, "folder of the run, or of many").Required();
+  AddProfileOption(command, options->plan.profile).Required();
+  command.AddOption("--episodes", options->plan.episodes, "how many episodes of each run")
+      .Range(1, 1'000'000)
+      .ShowDefault();
+  AddJobsOption(command, options->jobs, "evaluate");
+  options->output.AddTo(command, "one JSON object per episode and one per run");
+  command.OnRun([options] { return Evaluate(*options); });
 }
 
 }  // namespace runtime

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "base/text/print.h"
@@ -55,27 +56,27 @@ void Report(const ReportOptions& options) {
 
 }  // namespace
 
-void AddReportCommand(CLI::App& app, int& status) {
+void AddReportCommand(command_line::Command& program) {
   const auto options = std::make_shared<ReportOptions>();
-  CLI::App* command = app.add_subcommand(
+  command_line::Command& command = program.AddCommand(
       "report", "Writes the report of a run, or of all runs of a folder, as one HTML file.");
-  command->add_option("DIR", options->folder, "folder of the run, or of many")->required();
-  CLI::Option* output = command
-                            ->add_option("-o,--output", options->output,
-                                         "file to write; otherwise report.html in DIR")
-                            ->type_name("FILE");
-  CLI::Option* document =
+  command.AddOption("DIR", options->folder, "folder of the run, or of many").Required();
+  const command_line::Option output =
       command
-          ->add_option("--document", options->document,
-                       "write Markdown with pictures into this folder instead: for a repository")
-          ->type_name("DIR")
-          ->excludes(output);
-  command->add_flag("--json", options->json, "print the figures as JSON instead")
-      ->excludes(output)
-      ->excludes(document);
-  command->callback([options, &status] {
+          .AddOption("-o,--output", options->output, "file to write; otherwise report.html in DIR")
+          .ValueName("FILE");
+  const command_line::Option document =
+      command
+          .AddOption("--document", options->document,
+                     "write Markdown with pictures into this folder instead: for a repository")
+          .ValueName("DIR")
+          .Excludes(output);
+  command.AddFlag("--json", options->json, "print the figures as JSON instead")
+      .Excludes(output)
+      .Excludes(document);
+  command.OnRun([options] {
     Report(*options);
-    status = kSuccess;
+    return kSuccess;
   });
 }
 

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "base/text/print.h"
@@ -51,29 +52,34 @@ void ShowOne(const std::filesystem::path& folder, bool as_json) {
   text::Print("{}", OverviewText(overview));
 }
 
+struct ShowOptions {
+  std::filesystem::path folder;
+  bool json = false;
+};
+
+int Show(const ShowOptions& options) {
+  WarnOfUnfinishedRuns(options.folder);
+  const std::vector<std::filesystem::path> runs = FindRuns(options.folder);
+  if (runs.empty()) {
+    ShowOne(options.folder, options.json);
+    return kSuccess;
+  }
+  const std::vector<RunProgress> progress = ProgressOf(options.folder, runs);
+  ShowMany(progress, options.json);
+  const bool is_each_readable =
+      std::ranges::find(progress, RunProgressState::kFailed, &RunProgress::state) == progress.end();
+  return is_each_readable ? kSuccess : kFailed;
+}
+
 }  // namespace
 
-void AddShowCommand(CLI::App& app, int& status) {
-  struct Options {
-    std::filesystem::path folder;
-    bool json = false;
-  };
-  const auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand(
+void AddShowCommand(command_line::Command& program) {
+  const auto options = std::make_shared<ShowOptions>();
+  command_line::Command& command = program.AddCommand(
       "show", "Prints what a run is and how far it got; or how far all runs of a folder are.");
-  command->add_option("DIR", options->folder, "folder of the run, or of many")->required();
-  command->add_flag("--json", options->json, "print JSON");
-  command->callback([options, &status] {
-    status = kSuccess;
-    WarnOfUnfinishedRuns(options->folder);
-    const std::vector<std::filesystem::path> runs = FindRuns(options->folder);
-    if (runs.empty()) return ShowOne(options->folder, options->json);
-    const std::vector<RunProgress> progress = ProgressOf(options->folder, runs);
-    ShowMany(progress, options->json);
-    const bool is_each_readable = std::ranges::find(progress, RunProgressState::kFailed,
-                                                    &RunProgress::state) == progress.end();
-    if (!is_each_readable) status = kFailed;
-  });
+  command.AddOption("DIR", options->folder, "folder of the run, or of many").Required();
+  command.AddFlag("--json", options->json, "print JSON");
+  command.OnRun([options] { return Show(*options); });
 }
 
 }  // namespace runtime

@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "base/text/print.h"
 #include "runtime/analysis/behavior/motion.h"
 #include "runtime/analysis/picture/snapshot_strip.h"
-#include "runtime/trainer/call_error.h"
+#include "runtime/base/user_error.h"
 #include "runtime/trainer/commands.h"
 #include "runtime/training/run/body_json.h"
 #include "runtime/training/run/run_database.h"
@@ -15,6 +16,8 @@
 
 namespace runtime {
 namespace {
+
+using command_line::CallError;
 
 struct SnapshotsOptions {
   std::filesystem::path folder;
@@ -111,32 +114,32 @@ void Snapshots(const SnapshotsOptions& options) {
 
 }  // namespace
 
-void AddSnapshotsCommand(CLI::App& app, int& status) {
+void AddSnapshotsCommand(command_line::Command& program) {
   const auto options = std::make_shared<SnapshotsOptions>();
-  CLI::App* command = app.add_subcommand(
+  command_line::Command& command = program.AddCommand(
       "snapshots", "Draws a recorded episode as a strip of pictures, and prints their times.");
-  command->add_option("RUN", options->folder, "folder of the run")->required();
-  command->add_option("-o,--output", options->output, "PNG file to write")
-      ->required()
-      ->type_name("FILE");
+  command.AddOption("RUN", options->folder, "folder of the run").Required();
+  command.AddOption("-o,--output", options->output, "PNG file to write")
+      .Required()
+      .ValueName("FILE");
   command
-      ->add_option("--episode", options->episode,
-                   "number of a recorded episode; otherwise the last of these")
-      ->check(CLI::PositiveNumber);
-  command->add_option("--count", options->strip.count, "number of pictures")
-      ->capture_default_str()
-      ->check(CLI::Range(1, 100));
-  command->add_option("--height", options->strip.height, "of the strip, in pixels")
-      ->capture_default_str()
-      ->check(CLI::Range(16, 4096));
-  command->add_option("--from", options->strip.from, "time of the first picture, in seconds")
-      ->check(CLI::NonNegativeNumber);
-  command->add_option("--to", options->strip.to, "time of the last picture, in seconds")
-      ->check(CLI::NonNegativeNumber);
-  command->add_flag("--json", options->json, "print JSON");
-  command->callback([options, &status] {
+      .AddOption("--episode", options->episode,
+                 "number of a recorded episode; otherwise the last of these")
+      .Positive();
+  command.AddOption("--count", options->strip.count, "number of pictures")
+      .ShowDefault()
+      .Range(1, 100);
+  command.AddOption("--height", options->strip.height, "of the strip, in pixels")
+      .ShowDefault()
+      .Range(16, 4096);
+  command.AddOption("--from", options->strip.from, "time of the first picture, in seconds")
+      .NonNegative();
+  command.AddOption("--to", options->strip.to, "time of the last picture, in seconds")
+      .NonNegative();
+  command.AddFlag("--json", options->json, "print JSON");
+  command.OnRun([options] {
     Snapshots(*options);
-    status = kSuccess;
+    return kSuccess;
   });
 }
 

@@ -101,11 +101,11 @@ RunProgress ReadProgressOrFailure(const std::filesystem::path& run,
   }
 }
 
-void AddJobsOption(CLI::App& command, int& jobs, const std::string& verb) {
+void AddJobsOption(command_line::Command& command, int& jobs, const std::string& verb) {
   command
-      .add_option("--jobs", jobs,
-                  fmt::format("how many runs to {} at a time; otherwise one on each core", verb))
-      ->check(CLI::Range(1, 1024));
+      .AddOption("--jobs", jobs,
+                 fmt::format("how many runs to {} at a time; otherwise one on each core", verb))
+      .Range(1, 1024);
 }
 
 int JobsOrCores(int jobs) {

@@ -1,12 +1,12 @@
 // Folders of many runs.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
 
+#include "base/command_line/command.h"
 #include "runtime/live/workers/supervisor.h"
 #include "runtime/trainer/runs/run_session.h"
 
@@ -30,7 +30,7 @@ RunProgress ReadProgressOrFailure(const std::filesystem::path& run,
 
 // --jobs, on whose help `verb` says what is done to the runs: "train"; 0 stands for as many as
 // there are cores.
-void AddJobsOption(CLI::App& command, int& jobs, const std::string& verb);
+void AddJobsOption(command_line::Command& command, int& jobs, const std::string& verb);
 int JobsOrCores(int jobs);
 
 // Trains these runs of `folder` to their end, in this order, from their last checkpoints, `jobs` at

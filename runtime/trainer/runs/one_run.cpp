@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "base/text/print.h"
-#include "runtime/trainer/call_error.h"
 #include "runtime/trainer/commands.h"
 #include "runtime/trainer/runs/kept_run.h"
 #include "runtime/training/run/run_database.h"
@@ -47,7 +46,7 @@ bool PlanEpisodes(std::optional<int64_t> episodes, RunDatabase& database, RunRec
   const int64_t done = database.ReadCheckpointEpisode();
   if (episodes) {
     if (*episodes < done) {
-      throw CallError(fmt::format(
+      throw command_line::CallError(fmt::format(
           "--episodes {}: the run has {} episodes already; name a larger number", *episodes, done));
     }
     run.episodes_planned = *episodes;

@@ -47,10 +47,10 @@ std::unique_ptr<Server> StartServer(const RunParts& run, const SessionOptions& o
 
 }  // namespace
 
-void OutputOptions::AddTo(CLI::App& command, const std::string& objects) {
-  CLI::Option* json_flag =
-      command.add_flag("--json", json, fmt::format("print {}, and nothing else", objects));
-  command.add_flag("--quiet", quiet, "print only warnings and errors")->excludes(json_flag);
+void OutputOptions::AddTo(command_line::Command& command, const std::string& objects) {
+  const command_line::Option json_flag =
+      command.AddFlag("--json", json, fmt::format("print {}, and nothing else", objects));
+  command.AddFlag("--quiet", quiet, "print only warnings and errors").Excludes(json_flag);
 }
 
 ProgressStyle OutputOptions::style() const {
@@ -58,12 +58,12 @@ ProgressStyle OutputOptions::style() const {
   return quiet ? ProgressStyle::kQuiet : ProgressStyle::kText;
 }
 
-void SessionOptions::AddTo(CLI::App& command) {
+void SessionOptions::AddTo(command_line::Command& command) {
   output.AddTo(command);
   command
-      .add_option("--port", port,
-                  "port on 127.0.0.1 that clients can connect to; otherwise any that is free")
-      ->check(CLI::Range(1, 65535));
+      .AddOption("--port", port,
+                 "port on 127.0.0.1 that clients can connect to; otherwise any that is free")
+      .Range(1, 65535);
 }
 
 int RunSession(const RunParts& run, const SessionOptions& options) {

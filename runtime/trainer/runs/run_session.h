@@ -1,10 +1,10 @@
 // What `train`, `resume` and `serve` have in common.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <string>
 
+#include "base/command_line/command.h"
 #include "runtime/live/control/live_run.h"
 #include "runtime/training/run/progress.h"
 
@@ -16,7 +16,8 @@ struct OutputOptions {
   bool quiet = false;
 
   // `objects`: what --json prints.
-  void AddTo(CLI::App& command, const std::string& objects = "one JSON object per episode");
+  void AddTo(command_line::Command& command,
+             const std::string& objects = "one JSON object per episode");
   ProgressStyle style() const;
 };
 
@@ -26,7 +27,7 @@ struct SessionOptions {
   LiveRun::WhenDone when_done = LiveRun::WhenDone::kEnd;
 
   // --json, --quiet and --port
-  void AddTo(CLI::App& command);
+  void AddTo(command_line::Command& command);
 };
 
 // Trains until all episodes are done or somebody stops it, from the last checkpoint if there is

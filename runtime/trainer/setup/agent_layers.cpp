@@ -6,11 +6,14 @@
 #include <cctype>
 #include <utility>
 
-#include "runtime/trainer/call_error.h"
+#include "base/command_line/command.h"
+#include "runtime/base/user_error.h"
 #include "runtime/training/simulation/robot_environment.h"
 
 namespace runtime {
 namespace {
+
+using command_line::CallError;
 
 constexpr const char* kSetOption = "--set";
 

@@ -40,25 +40,25 @@ std::vector<std::string> CallOf(const TaskOptions& options, const RunPlan& plan)
 
 }  // namespace
 
-void RunPlan::AddTo(CLI::App& command) {
-  command.add_option("--episodes", episodes, "how many episodes to train")
-      ->check(CLI::Range(int64_t{1}, int64_t{1'000'000'000}))
-      ->capture_default_str();
+void RunPlan::AddTo(command_line::Command& command) {
+  command.AddOption("--episodes", episodes, "how many episodes to train")
+      .Range(1, 1'000'000'000)
+      .ShowDefault();
   command
-      .add_option("--seed", seed,
-                  "seed of all chance, of many runs the first one's; equal seeds give equal runs")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
+      .AddOption("--seed", seed,
+                 "seed of all chance, of many runs the first one's; equal seeds give equal runs")
+      .NonNegative()
+      .ShowDefault();
   command
-      .add_option("--record-every", record_every,
-                  "record every N-th episode besides the best ones and the last; 0: only these")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
+      .AddOption("--record-every", record_every,
+                 "record every N-th episode besides the best ones and the last; 0: only these")
+      .NonNegative()
+      .ShowDefault();
   command
-      .add_option("--checkpoint-every", checkpoint_seconds,
-                  "seconds between two checkpoints, at least")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
+      .AddOption("--checkpoint-every", checkpoint_seconds,
+                 "seconds between two checkpoints, at least")
+      .NonNegative()
+      .ShowDefault();
 }
 
 RunRecord RecordOf(const TaskSetup& setup, const RunPlan& plan) {

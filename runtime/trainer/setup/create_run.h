@@ -1,10 +1,10 @@
 // A new run in its folder, ready to be trained by `trainer resume` or at once.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <filesystem>
 
+#include "base/command_line/command.h"
 #include "runtime/trainer/setup/task_setup.h"
 #include "runtime/training/run/run_database.h"
 #include "runtime/training/run/run_records.h"
@@ -18,7 +18,7 @@ struct RunPlan {
   int64_t record_every = 50;
   double checkpoint_seconds = 60;
 
-  void AddTo(CLI::App& command);
+  void AddTo(command_line::Command& command);
 };
 
 // All that is stored about the run but its plugin. Throws UserError where the agent lacks what

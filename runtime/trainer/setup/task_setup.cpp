@@ -1,18 +1,20 @@
 #include "runtime/trainer/setup/task_setup.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
 #include "runtime/base/build_task.h"
 #include "runtime/base/suggestion.h"
 #include "runtime/core/module/context.h"
-#include "runtime/trainer/call_error.h"
 #include "runtime/trainer/setup/agent_layers.h"
 #include "runtime/training/simulation/profile.h"
 
 namespace runtime {
 namespace {
+
+using command_line::CallError;
 
 void CheckTaskFile(const std::filesystem::path& task) {
   if (task.extension() != ".task" && task.extension() != ".so") {
@@ -69,26 +71,27 @@ std::shared_ptr<const Plugin> Load(const std::filesystem::path& file) {
 
 }  // namespace
 
-CLI::Option* AddProfileOption(CLI::App& command, std::string& profile) {
+command_line::Option AddProfileOption(command_line::Command& command, std::string& profile) {
   std::vector<std::string> profiles;
   for (const Profile& each : kProfiles) profiles.emplace_back(each.name);
   return command
-      .add_option(
+      .AddOption(
           "--profile", profile,
           "how to simulate: `paper` faithfully, `fast` with longer steps; each `-tree`: the same "
           "equations, solved several times as fast")
-      ->check(CLI::IsMember(profiles));
+      .OneOf(profiles)
+      .ValueName(fmt::format("TEXT:{{{}}}", fmt::join(profiles, ",")));
 }
 
-void TaskOptions::AddTo(CLI::App& command) {
-  command.add_option("TASK", task, "a .task file, or a .so that taskc built from one")->required();
+void TaskOptions::AddTo(command_line::Command& command) {
+  command.AddOption("TASK", task, "a .task file, or a .so that taskc built from one").Required();
   AddProfileOption(command, profile);
-  command.add_option("--agent", agent, "agent file that changes the robot's default agent")
-      ->check(CLI::ExistingFile);
-  command.add_option("--robot", robot, "robot, for a task that is for none in particular");
+  command.AddOption("--agent", agent, "agent file that changes the robot's default agent")
+      .ExistingFile();
+  command.AddOption("--robot", robot, "robot, for a task that is for none in particular");
   command
-      .add_option("--set", settings, "change a parameter, MODULE.PARAMETER=VALUE; may be repeated")
-      ->allow_extra_args(false);
+      .AddOption("--set", settings, "change a parameter, MODULE.PARAMETER=VALUE; may be repeated")
+      .OneAtATime();
 }
 
 BuiltTask::BuiltTask(const std::filesystem::path& task) {

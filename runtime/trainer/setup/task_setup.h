@@ -1,13 +1,14 @@
 // From a task's file and what the user says about it to a graph that is ready to start.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "base/command_line/command.h"
 #include "plugins/robot/robot_description.h"
 #include "runtime/base/scratch_folder.h"
 #include "runtime/core/agent/agent.h"
@@ -20,7 +21,7 @@
 namespace runtime {
 
 // --profile
-CLI::Option* AddProfileOption(CLI::App& command, std::string& profile);
+command_line::Option AddProfileOption(command_line::Command& command, std::string& profile);
 
 struct TaskOptions {
   std::filesystem::path task;  // .task or .so
@@ -29,7 +30,7 @@ struct TaskOptions {
   std::string robot;
   std::vector<std::string> settings;
 
-  void AddTo(CLI::App& command);
+  void AddTo(command_line::Command& command);
 };
 
 // The plugin of a task, built for as long as this object lives if it is not a plugin already.

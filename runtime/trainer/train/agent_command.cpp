@@ -1,4 +1,5 @@
-#include <fmt/format.h>
+#include <memory>
+#include <string>
 
 #include "base/text/print.h"
 #include "runtime/core/module/graph_text.h"
@@ -8,56 +9,44 @@
 namespace runtime {
 namespace {
 
-enum class AgentFormat { kToml, kText, kJson, kDot };
-
 struct AgentOptions {
   TaskOptions task;
-  AgentFormat format = AgentFormat::kToml;
+  std::string format = "toml";
+  bool json = false;
 };
 
-std::string Show(const TaskSetup& setup, AgentFormat format) {
-  switch (format) {
-    case AgentFormat::kText:
-      return GraphText(setup.graph);
-    case AgentFormat::kJson:
-      return GraphJson(setup.graph);
-    case AgentFormat::kDot:
-      return GraphDot(setup.graph);
-    case AgentFormat::kToml:
-      break;
-  }
+std::string Show(const TaskSetup& setup, const AgentOptions& options) {
+  if (options.json || options.format == "json") return GraphJson(setup.graph);
+  if (options.format == "text") return GraphText(setup.graph);
+  if (options.format == "dot") return GraphDot(setup.graph);
   return ToTomlWithPlaces(setup.agent);
 }
 
 int ShowAgent(const AgentOptions& options) {
   const BuiltTask task(options.task.task);
   if (!task.plugin()) return kFailed;
-  text::Print("{}", Show(TaskSetup(options.task, *task.plugin(), 0), options.format));
+  text::Print("{}", Show(TaskSetup(options.task, *task.plugin(), 0), options));
   return kSuccess;
 }
 
 }  // namespace
 
-void AddAgentCommand(CLI::App& app, int& status) {
-  const std::map<std::string, AgentFormat> formats = {{"toml", AgentFormat::kToml},
-                                                      {"text", AgentFormat::kText},
-                                                      {"json", AgentFormat::kJson},
-                                                      {"dot", AgentFormat::kDot}};
-  CLI::App* command = app.add_subcommand("agent", "Looks at agents.");
-  command->require_subcommand(1);
+void AddAgentCommand(command_line::Command& program) {
   const auto options = std::make_shared<AgentOptions>();
-  CLI::App* show = command->add_subcommand(
-      "show",
-      "Prints the whole agent that would learn a task, as an agent file that says for each line "
-      "where it comes from; or its modules and connections, as text, JSON or Graphviz.");
-  options->task.AddTo(*show);
-  CLI::Option* format = show->add_option("--format", options->format, "toml, text or dot")
-                            ->transform(CLI::CheckedTransformer(formats).description(""))
-                            ->type_name("toml|text|dot");
-  show->add_flag_callback(
-          "--json", [options] { options->format = AgentFormat::kJson; }, "print JSON")
-      ->excludes(format);
-  show->callback([options, &status] { status = ShowAgent(*options); });
+  command_line::Command& show =
+      program.AddCommand("agent", "Looks at agents.")
+          .AddCommand(
+              "show",
+              "Prints the whole agent that would learn a task, as an agent file that says for each "
+              "line "
+              "where it comes from; or its modules and connections, as text, JSON or Graphviz.");
+  options->task.AddTo(show);
+  const command_line::Option format =
+      show.AddOption("--format", options->format, "toml, text or dot")
+          .OneOf({"toml", "text", "json", "dot"})
+          .ValueName("toml|text|dot");
+  show.AddFlag("--json", options->json, "print JSON").Excludes(format);
+  show.OnRun([options] { return ShowAgent(*options); });
 }
 
 }  // namespace runtime

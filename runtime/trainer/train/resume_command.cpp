@@ -1,6 +1,6 @@
+#include <memory>
 #include <optional>
 
-#include "runtime/trainer/call_error.h"
 #include "runtime/trainer/commands.h"
 #include "runtime/trainer/runs/guard.h"
 #include "runtime/trainer/runs/many_runs.h"
@@ -33,8 +33,6 @@ int ResumeMany(const ResumeOptions& options, const std::vector<std::filesystem::
         RunDatabase database = RunDatabase::Open(folder);
         RunRecord run = database.ReadRun();
         PlanEpisodes(options.episodes, database, run);
-      } catch (const CallError&) {
-        throw;
       } catch (const UserError&) {
         // One that cannot be opened keeps none of the others from going on, and says why then.
       }
@@ -50,18 +48,18 @@ int Resume(const ResumeOptions& options) {
 
 }  // namespace
 
-void AddResumeCommand(CLI::App& app, int& status) {
+void AddResumeCommand(command_line::Command& program) {
   const auto options = std::make_shared<ResumeOptions>();
-  CLI::App* command =
-      app.add_subcommand("resume", "Goes on with a run, or all runs of a folder, bit for bit.");
-  command->add_option("DIR", options->folder, "folder of the run, or of many")->required();
+  command_line::Command& command =
+      program.AddCommand("resume", "Goes on with a run, or all runs of a folder, bit for bit.");
+  command.AddOption("DIR", options->folder, "folder of the run, or of many").Required();
   command
-      ->add_option("--episodes", options->episodes,
-                   "how many episodes the run is to have in all; otherwise as planned")
-      ->check(CLI::Range(int64_t{1}, int64_t{1'000'000'000}));
-  AddJobsOption(*command, options->jobs, "train");
-  options->session.AddTo(*command);
-  command->callback([options, &status] { status = Resume(*options); });
+      .AddOption("--episodes", options->episodes,
+                 "how many episodes the run is to have in all; otherwise as planned")
+      .Range(1, 1'000'000'000);
+  AddJobsOption(command, options->jobs, "train");
+  options->session.AddTo(command);
+  command.OnRun([options] { return Resume(*options); });
 }
 
 }  // namespace runtime

@@ -1,3 +1,4 @@
+#include <memory>
 #include <optional>
 
 #include "runtime/trainer/commands.h"
@@ -30,21 +31,20 @@ int Serve(const ServeOptions& options) {
 
 }  // namespace
 
-void AddServeCommand(CLI::App& app, int& status) {
+void AddServeCommand(command_line::Command& program) {
   const auto options = std::make_shared<ServeOptions>();
   options->session.when_done = LiveRun::WhenDone::kWait;
-  CLI::App* command = app.add_subcommand(
+  command_line::Command& command = program.AddCommand(
       "serve",
       "Trains like `train`, or like `resume` in a run's folder, and waits when it is done.");
-  options->task.AddTo(*command);
-  options->plan.AddTo(*command);
+  options->task.AddTo(command);
+  options->plan.AddTo(command);
   command
-      ->add_option("--out", options->out,
-                   "folder of a new run; otherwise runs/TASK-PROFILE-seedSEED")
-      ->type_name("DIR");
-  options->session.AddTo(*command);
-  command->footer("`trainer ctl` talks to it.");
-  command->callback([options, &status] { status = Serve(*options); });
+      .AddOption("--out", options->out, "folder of a new run; otherwise runs/TASK-PROFILE-seedSEED")
+      .ValueName("DIR");
+  options->session.AddTo(command);
+  command.Footer("`trainer ctl` talks to it.");
+  command.OnRun([options] { return Serve(*options); });
 }
 
 }  // namespace runtime

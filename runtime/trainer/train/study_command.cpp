@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <memory>
 #include <set>
 
 #include "runtime/trainer/commands.h"
@@ -81,16 +82,16 @@ int Study(const StudyOptions& options) {
 
 }  // namespace
 
-void AddStudyCommand(CLI::App& app, int& status) {
+void AddStudyCommand(command_line::Command& program) {
   const auto options = std::make_shared<StudyOptions>();
-  CLI::App* command = app.add_subcommand(
+  command_line::Command& command = program.AddCommand(
       "study", "Trains many tasks with many seeds; called again, it goes on and adds what is new.");
-  command->add_option("FILE", options->file, "the study, a TOML file")->required();
-  command->add_option("--out", options->out, "folder of the runs; otherwise runs/FILE")
-      ->type_name("DIR");
-  AddJobsOption(*command, options->jobs, "train");
-  options->output.AddTo(*command);
-  command->callback([options, &status] { status = Study(*options); });
+  command.AddOption("FILE", options->file, "the study, a TOML file").Required();
+  command.AddOption("--out", options->out, "folder of the runs; otherwise runs/FILE")
+      .ValueName("DIR");
+  AddJobsOption(command, options->jobs, "train");
+  options->output.AddTo(command);
+  command.OnRun([options] { return Study(*options); });
 }
 
 }  // namespace runtime

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <memory>
+
 #include "runtime/trainer/commands.h"
 #include "runtime/trainer/runs/guard.h"
 #include "runtime/trainer/runs/many_runs.h"
@@ -56,24 +58,23 @@ int Train(const TrainOptions& options) {
 
 }  // namespace
 
-void AddTrainCommand(CLI::App& app, int& status) {
+void AddTrainCommand(command_line::Command& program) {
   const auto options = std::make_shared<TrainOptions>();
-  CLI::App* command =
-      app.add_subcommand("train", "Starts a run, or many: trains a robot in a task.");
-  options->task.AddTo(*command);
-  options->plan.AddTo(*command);
+  command_line::Command& command =
+      program.AddCommand("train", "Starts a run, or many: trains a robot in a task.");
+  options->task.AddTo(command);
+  options->plan.AddTo(command);
+  command.AddOption("--runs", options->runs, "how many runs to train, each with a seed of its own")
+      .Range(1, 10'000)
+      .ShowDefault();
+  AddJobsOption(command, options->jobs, "train");
   command
-      ->add_option("--runs", options->runs, "how many runs to train, each with a seed of its own")
-      ->check(CLI::Range(int64_t{1}, int64_t{10'000}))
-      ->capture_default_str();
-  AddJobsOption(*command, options->jobs, "train");
-  command
-      ->add_option("--out", options->out,
-                   "folder of the run; otherwise runs/TASK-PROFILE-seedSEED. Of many runs the "
-                   "folder of their folders; otherwise runs/TASK-PROFILE")
-      ->type_name("DIR");
-  options->session.AddTo(*command);
-  command->callback([options, &status] { status = Train(*options); });
+      .AddOption("--out", options->out,
+                 "folder of the run; otherwise runs/TASK-PROFILE-seedSEED. Of many runs the "
+                 "folder of their folders; otherwise runs/TASK-PROFILE")
+      .ValueName("DIR");
+  options->session.AddTo(command);
+  command.OnRun([options] { return Train(*options); });
 }
 
 }  // namespace runtime
