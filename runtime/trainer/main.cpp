@@ -11,13 +11,13 @@ namespace runtime {
 namespace {
 
 void AddVersion(command_line::Command& command) {
-  command.Version("trainer " TASKC_VERSION, "print the version and leave");
+  command.Version("trainer " TASKC_VERSION, "print the version and exit");
 }
 
 void Declare(command_line::Command& program) {
   program.Footer(
-      "Exit status: 0 done, 1 the task or the run failed, 2 wrong call, 128 + n stopped by signal "
-      "n.");
+      "Exit status: 0 done, 1 the task or the run failed, 2 the command line is wrong, 128 + n "
+      "stopped by signal n.");
   AddTrainCommand(program);
   AddResumeCommand(program);
   AddServeCommand(program);
@@ -35,8 +35,8 @@ void Declare(command_line::Command& program) {
 }
 
 int RunTrainer(int argc, char** argv) {
-  command_line::Command program(
-      "trainer", "Trains a simulated robot in a task that was written in the task language.");
+  command_line::Command program("trainer",
+                                "Trains a simulated robot on a task written in the task language.");
   Declare(program);
   std::function<int()> action;
   try {

@@ -27,8 +27,8 @@ constexpr uint64_t kMaxReply = 256 << 20;   // far more than any: against a brok
 
 [[noreturn]] void FailBecauseItEnded(const std::filesystem::path& folder, const error_code& error) {
   throw UserError(
-      fmt::format("{}: the trainer ended, or ended the connection, before it had answered ({}); "
-                  "`trainer resume {}` goes on with a run",
+      fmt::format("{}: the trainer ended, or closed the connection, before it answered ({}); "
+                  "`trainer resume {}` continues a run",
                   folder.string(), error.message(), folder.string()));
 }
 
@@ -36,7 +36,7 @@ Socket Connect(net::io_context& io, const std::filesystem::path& folder) {
   Descriptor descriptor = ConnectToTrainer(OpenRunFolder(folder));
   if (!descriptor.is_open()) {
     throw UserError(
-        fmt::format("{}: no trainer is at work on this run; `trainer resume {}` goes on with it",
+        fmt::format("{}: no trainer is running for this run; `trainer resume {}` continues it",
                     folder.string(), folder.string()));
   }
   Socket socket(io);
@@ -47,8 +47,9 @@ Socket Connect(net::io_context& io, const std::filesystem::path& folder) {
 Reply ReadReply(const std::string& text, const std::filesystem::path& folder) {
   const json answer = json::parse(text, nullptr, false);
   if (!answer.is_object() || !answer.contains("ok")) {
-    throw UserError(fmt::format("{}: the trainer's answer is none; is it of another version?",
-                                folder.string()));
+    throw UserError(
+        fmt::format("{}: cannot understand the trainer's response; is it of another version?",
+                    folder.string()));
   }
   return {.ok = answer.value("ok", false),
           .value = answer.value("value", json()),

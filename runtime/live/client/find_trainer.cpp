@@ -37,10 +37,10 @@ std::filesystem::path FindTrainer(const std::filesystem::path& root) {
   if (folders.size() == 1) return folders.front();
   if (folders.empty()) {
     throw UserError(fmt::format(
-        "no trainer is at work on a run under `{}`; name the run's folder by `--run DIR`",
+        "no trainer is running for any run under `{}`; name the run's folder with `--run DIR`",
         root.string()));
   }
-  std::string message = "several trainers are at work; name the run's folder by `--run DIR`:";
+  std::string message = "several trainers are running; name the run's folder with `--run DIR`:";
   for (const std::string& folder : folders) message += "\n  --run " + folder;
   throw UserError(message);
 }

@@ -25,13 +25,13 @@ const std::regex kLooksLikeSchedule(R"(.*(->|→|\bover\b|\bepisodes?\b).*)");
 double Number(const std::string& text) {
   const json value = ValueOfWord(text);
   if (value.is_number()) return value;
-  throw UserError(fmt::format("`{}` is no number; {}", text, kForms));
+  throw UserError(fmt::format("`{}` is not a number; {}", text, kForms));
 }
 
 int64_t Count(const std::string& digits) {
   const json value = ValueOfWord(digits);
   if (value.is_number_integer()) return value;
-  throw UserError(fmt::format("{} are too many episodes", digits));
+  throw UserError(fmt::format("{} is too many episodes", digits));
 }
 
 }  // namespace

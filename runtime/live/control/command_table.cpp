@@ -21,28 +21,28 @@ constexpr bool kChanges = true;
 constexpr bool kLooks = false;
 
 constexpr ArgumentSpec kTaskModule = {"name", kText, kRequired, "name of the task module"};
-constexpr ArgumentSpec kTaskFile = {"file", kText, kRequired, "a .task file, or a .so of taskc"};
+constexpr ArgumentSpec kTaskFile = {"file", kText, kRequired,
+                                    "a .task file, or a .so built by taskc"};
 constexpr ArgumentSpec kNow = {"now", kFlag, kOptional,
-                               "between two time steps; otherwise when the next episode starts"};
+                               "between two time steps; by default when the next episode starts"};
 constexpr ArgumentSpec kForget = {"forget", kFlag, kOptional,
-                                  "forget what was learned, and begin anew"};
+                                  "forget what was learned and start over"};
 
 constexpr ArgumentSpec kLoad[] = {
-    kTaskFile, {"name", kText, kOptional, "name of the new task module; otherwise the task's"}};
+    kTaskFile, {"name", kText, kOptional, "name of the new task module; by default the task's"}};
 constexpr ArgumentSpec kSwap[] = {kTaskModule, kTaskFile, kNow, kForget};
 constexpr ArgumentSpec kUnload[] = {kTaskModule};
-constexpr ArgumentSpec kRollback[] = {
-    kTaskModule,
-    {"version", kText, kOptional,
-     "a version that the module has had: its number, or the beginning of its hash; otherwise the "
-     "one before"},
-    kNow};
+constexpr ArgumentSpec kRollback[] = {kTaskModule,
+                                      {"version", kText, kOptional,
+                                       "a version that the module has had: its number, or the "
+                                       "beginning of its hash; by default the previous one"},
+                                      kNow};
 constexpr ArgumentSpec kPromote[] = {kTaskModule, kNow, kForget};
 constexpr ArgumentSpec kGet[] = {
-    {"name", kText, kRequired, "`task.weight`, or `task` for all of a module"}};
+    {"name", kText, kRequired, "`task.weight`, or `task` for all parameters of a module"}};
 constexpr ArgumentSpec kSet[] = {
     {"name", kText, kRequired, "`task.weight`"},
-    {"value", kValue, kOptional, "the new value; a text may carry the unit: \"20 s\""},
+    {"value", kValue, kOptional, "the new value; a string may have a unit: \"20 s\""},
     {"from", kNumber, kOptional, "of a schedule: the value in the next episode"},
     {"to", kNumber, kOptional, "of a schedule: the value in its last episode"},
     {"episodes", kWhole, kOptional, "of a schedule: how many episodes it takes"}};
@@ -55,12 +55,12 @@ constexpr ArgumentSpec kModuleAdd[] = {
     {"parameters", kObject, kOptional, "values of its parameters"}};
 constexpr ArgumentSpec kModuleRemove[] = {{"name", kText, kRequired, "name of the module"}};
 constexpr ArgumentSpec kResume[] = {
-    {"episodes", kWhole, kOptional, "how many episodes the run is to have in all"}};
+    {"episodes", kWhole, kOptional, "how many episodes the run is to have in total"}};
 constexpr ArgumentSpec kStep[] = {
-    {"count", kWhole, kOptional, "how many; otherwise 1"},
-    {"unit", kText, kOptional, "`step` (a time step) or `episode`; otherwise `step`"}};
+    {"count", kWhole, kOptional, "how many; by default 1"},
+    {"unit", kText, kOptional, "`step` (a time step) or `episode`; by default `step`"}};
 constexpr ArgumentSpec kGraph[] = {
-    {"format", kText, kOptional, "`text`, `json` or `dot`; otherwise `text`"}};
+    {"format", kText, kOptional, "`text`, `json` or `dot`; by default `text`"}};
 
 constexpr CommandSpec kCommands[] = {
     {"status", "what the run is doing", kLooks, {}},
@@ -69,20 +69,20 @@ constexpr CommandSpec kCommands[] = {
     {"graph", "the modules and how their ports are connected", kLooks, kGraph},
     {"load", "evaluates another task beside the active one, as its shadow", kChanges, kLoad},
     {"swap", "replaces the task of a task module", kChanges, kSwap},
-    {"rollback", "goes back to the task before the last swap, or to any before it", kChanges,
+    {"rollback", "returns to the task before the last swap, or to any earlier one", kChanges,
      kRollback},
     {"unload", "removes a shadow", kChanges, kUnload},
     {"promote", "makes a shadow the active task, and the active one a shadow", kChanges, kPromote},
-    {"set", "changes a parameter, at once or step by step over episodes", kChanges, kSet},
+    {"set", "changes a parameter, at once or gradually over episodes", kChanges, kSet},
     {"connect", "connects two ports", kChanges, kConnect},
     {"disconnect", "disconnects two ports", kChanges, kConnect},
     {"module_add", "adds a module", kChanges, kModuleAdd},
     {"module_remove", "removes a module", kChanges, kModuleRemove},
-    {"pause", "stands still after the present time step", kChanges, {}},
-    {"resume", "goes on after a pause", kChanges, kResume},
-    {"step", "goes on for a few time steps or episodes, then pauses", kChanges, kStep},
-    {"save", "writes a checkpoint when the present episode is over", kChanges, {}},
-    {"stop", "ends the trainer after the present episode", kChanges, {}},
+    {"pause", "pauses after the current time step", kChanges, {}},
+    {"resume", "continues after a pause", kChanges, kResume},
+    {"step", "runs a few time steps or episodes, then pauses", kChanges, kStep},
+    {"save", "writes a checkpoint when the current episode is over", kChanges, {}},
+    {"stop", "ends the trainer after the current episode", kChanges, {}},
 };
 
 bool Fits(const nlohmann::json& value, ArgumentType type) {

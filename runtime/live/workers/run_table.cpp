@@ -200,7 +200,7 @@ void RunTablePrinter::OnStopping(bool at_once) {
   Erase();
   text::Print(warnings_, "{}\n",
               at_once ? "stopping at once"
-                      : "stopping after the present episodes (saving) ... "
+                      : "stopping after the current episodes (saving) ... "
                         "Ctrl-C again to stop at once");
   std::fflush(warnings_);
   Refresh(true);

@@ -159,7 +159,7 @@ void Supervisor::OnEnd(Job& job) {
   }
   run.state = RunProgressState::kWaiting;
   listener_.OnMessage(run,
-                      fmt::format("its worker ended by {}; it goes on from its last checkpoint",
+                      fmt::format("its worker ended by {}; it continues from its last checkpoint",
                                   WhyItEnded(status)));
 }
 

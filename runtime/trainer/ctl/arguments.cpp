@@ -90,7 +90,7 @@ void DeclareSet(Command& command, const CommandSpec&, json& arguments) {
   command.Footer(
       "  trainer ctl set NAME VALUE\n"
       "  trainer ctl set NAME = FROM to TO over N episodes\n"
-      "A value may have a unit: `20 s`. For `to` there may stand → or, in quotes, `->`.");
+      "A value may have a unit: `20 s`. Instead of `to` you may write → or, in quotes, `->`.");
   command.OnWords([&arguments](const std::vector<std::string>& words) {
     try {
       arguments = SetArguments(words);
@@ -114,7 +114,7 @@ void DeclareStep(Command& command, const CommandSpec& spec, json& arguments) {
   command.OnOption<int64_t>("COUNT", set_count, spec.arguments[0].doc).ValueName("");
   command.OnFlag(
       "--episodes", [&arguments] { arguments["unit"] = "episode"; },
-      "episodes; otherwise time steps");
+      "count episodes; by default time steps");
 }
 
 // module add TYPE NAME [PARAMETER=VALUE...]

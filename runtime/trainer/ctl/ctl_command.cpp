@@ -20,7 +20,7 @@ namespace {
 using command_line::Command;
 using nlohmann::json;
 
-constexpr const char* kLookingGroup = "Commands that look";
+constexpr const char* kLookingGroup = "Commands that look at the run";
 constexpr const char* kChangingGroup = "Commands that change the run";
 
 constexpr const char* kExamples =
@@ -34,8 +34,8 @@ constexpr const char* kExamples =
     "  trainer ctl set learner.temperature = 2 to 0.1 over 200 episodes\n"
     "  trainer ctl watch crawling.task --now         # swaps whenever the file is saved\n"
     "  trainer ctl events --json | jq .return\n"
-    "Without --run it is the one run under runs/ on which a trainer is at work.\n"
-    "Exit status: 0 done, 1 refused or no trainer there, 2 wrong call.";
+    "Without --run it is the one run under runs/ that is being trained.\n"
+    "Exit status: 0 done, 1 refused or no trainer is running, 2 the command line is wrong.";
 
 using Options = std::shared_ptr<CtlOptions>;  // of the whole line
 
@@ -89,8 +89,8 @@ int PrintEvents(const CtlOptions& options) {
 }
 
 void AddEvents(Command& ctl, const Options& options) {
-  Command& command = ctl.AddCommand(
-      "events", "prints what happens, as it happens, until the trainer ends or Ctrl-C");
+  Command& command =
+      ctl.AddCommand("events", "prints events as they happen, until the trainer ends or Ctrl-C");
   command.Group(kLookingGroup);
   options->AddTo(command);
   command.OnRun([options] { return PrintEvents(*options); });
@@ -100,7 +100,8 @@ void AddEvents(Command& ctl, const Options& options) {
 
 void AddCtlCommand(Command& program) {
   const auto options = std::make_shared<CtlOptions>();
-  Command& ctl = program.AddCommand("ctl", "Talks to a trainer while it trains.");
+  Command& ctl = program.AddCommand(
+      "ctl", "Talks to a trainer while it trains: looks at the run and changes it.");
   options->AddTo(ctl);
   for (const CommandSpec& spec : Commands()) AddSpecified(ctl, spec, options);
   AddEvents(ctl, options);

@@ -5,9 +5,11 @@
 namespace runtime {
 
 void CtlOptions::AddTo(command_line::Command& command) {
-  command.AddOption("--run", run, "folder of the run; otherwise the one under runs/ that answers")
+  command
+      .AddOption("--run", run,
+                 "folder of the run; by default the one under runs/ that is being trained")
       .ValueName("DIR");
-  command.AddFlag("--json", json, "print JSON, one object in a line");
+  command.AddFlag("--json", json, "print JSON, one object per line");
 }
 
 std::filesystem::path CtlOptions::FindRun() const {

@@ -50,7 +50,7 @@ void WaitForEnd(const std::filesystem::path& run) {
 TrainerEnd::TrainerEnd(const std::filesystem::path& run) {
   if (!HasTrainer(run)) {
     throw UserError(
-        fmt::format("{}: no trainer is at work on this run; `trainer resume {}` goes on with it",
+        fmt::format("{}: no trainer is running for this run; `trainer resume {}` continues it",
                     run.string(), run.string()));
   }
   std::array<int, 2> ends = {-1, -1};

@@ -59,10 +59,10 @@ class TaskWatch {
       Swap();
       WatchFiles();
     }
-    throw UserError(fmt::format(
-        "{}: the trainer has ended, so nothing is watched any more; `trainer resume {}` goes on "
-        "with the run",
-        run_.string(), run_.string()));
+    throw UserError(
+        fmt::format("{}: the trainer has ended, so nothing is watched any more; `trainer resume "
+                    "{}` continues the run",
+                    run_.string(), run_.string()));
   }
 
  private:
@@ -114,9 +114,8 @@ class TaskWatch {
                                     ? "is there already: nothing to swap"
                                     : fmt::format("takes effect: {}", takes_effect);
     if (reply.value("role", "active") == "active") return outcome;
-    return fmt::format(
-        "{}, as a shadow: the learner is paid by another task until `{}` is promoted", outcome,
-        options_.name);
+    return fmt::format("{}, as a shadow: another task pays the learner until `{}` is promoted",
+                       outcome, options_.name);
   }
 
   // At once, for a program or, with the time of day, for a person.
@@ -147,8 +146,8 @@ void AddCtlWatch(command_line::Command& ctl, const std::shared_ptr<CtlOptions>& 
   command.AddOption("FILE", options->file, "a .task file").Required().ValueName("");
   command.AddOption("--name", options->name, "name of the task module").ShowDefault();
   command.AddFlag("--now", options->now,
-                  "between two time steps; otherwise when the next episode starts");
-  command.AddFlag("--forget", options->forget, "forget what was learned, and begin anew");
+                  "between two time steps; by default when the next episode starts");
+  command.AddFlag("--forget", options->forget, "forget what was learned and start over");
   command.OnRun([ctl_options, options]() -> int { TaskWatch(*ctl_options, *options).Run(); });
 }
 

@@ -43,7 +43,7 @@ class PreferCommand {
     std::vector<std::string> names;
     for (const ExperimentResult& each : study_.experiments) names.push_back(each.experiment->name);
     if (std::ranges::count(names, options_.experiment) > 0) return;
-    throw CallError(fmt::format("--experiment {}: there is none in {}; there are {}",
+    throw CallError(fmt::format("--experiment {}: there is no such experiment in {}; there are {}",
                                 options_.experiment, options_.folder.string(),
                                 fmt::join(names, ", ")));
   }
@@ -62,10 +62,9 @@ class PreferCommand {
   static StudyResults Read(const fs::path& folder) {
     const std::vector<fs::path> runs = FindRuns(folder);
     if (runs.empty()) {
-      throw CallError(
-          fmt::format("{}: there are no runs in this folder; give that of a study, or of "
-                      "many runs",
-                      folder.string()));
+      throw CallError(fmt::format(
+          "{}: there are no runs in this folder; name the folder of a study, or of many runs",
+          folder.string()));
     }
     return ReadStudyResults(folder, runs);
   }
@@ -108,17 +107,17 @@ class PreferCommand {
           FitPreferences(experiment, ParamsOf(experiment), preferences[i], options_.factor));
     }
     if (!fits.empty()) return fits;
-    throw UserError(fmt::format(
-        "{}: no preferences are stated yet; watch the runs (`trainer report {}`), then say what is "
-        "better: `trainer prefer {} --better seed3 --worse seed1`",
-        options_.folder.string(), options_.folder.string(), options_.folder.string()));
+    throw UserError(
+        fmt::format("{}: no preferences are stated yet; watch the runs (`trainer report {}`), then "
+                    "say which is better: `trainer prefer {} --better seed3 --worse seed1`",
+                    options_.folder.string(), options_.folder.string(), options_.folder.string()));
   }
 
   std::vector<fs::path> WriteTask(const std::vector<PreferenceFit>& fits) const {
     if (options_.output.empty()) return {};
     if (fits.size() > 1) {
       throw CallError(
-          "-o writes one task, and there are preferences in several experiments; say in which: "
+          "-o writes one task, but there are preferences in several experiments; choose one with "
           "--experiment NAME");
     }
     const std::vector<fs::path> written = WriteWeights(
@@ -169,28 +168,31 @@ void AddPreferCommand(command_line::Command& program) {
   const auto options = std::make_shared<PreferOptions>();
   command_line::Command& command =
       program.AddCommand("prefer",
-                         "Fits the weights of a task to what you call better, "
-                         "shows what would change, and writes it.");
+                         "Fits the weights of a task to your preferences, shows what would change, "
+                         "and writes it as a new task.");
   command.AddOption("DIR", options->folder, "folder of the runs").Required();
   options->statements.AddTo(command);
-  command.AddOption("--experiment", options->experiment, "look at this one only");
+  command.AddOption("--experiment", options->experiment, "only this experiment");
   command
-      .AddOption("--factor", options->factor,
-                 "by which a weight is expected to change at most, in two cases out of three")
+      .AddOption(
+          "--factor", options->factor,
+          "factor by which a weight is expected to change at most, in two cases out of three")
       .Range(1.01, 1000.)
       .ShowDefault();
   const command_line::Option output =
       command
           .AddOption("-o,--output", options->output, "write the new weights as a task: FILE.task")
           .ValueName("FILE");
-  command.AddOption("--task", options->task, "which it extends; otherwise that of the runs")
+  command
+      .AddOption("--task", options->task,
+                 "task file that the new one extends; by default that of the runs")
       .ValueName("FILE")
       .Needs(output);
-  command.AddFlag("--force", options->is_forced, "write over a task that is there").Needs(output);
+  command.AddFlag("--force", options->is_forced, "overwrite an existing task").Needs(output);
   command.AddFlag("--json", options->json, "print JSON, and ask nothing");
   command.Footer(
-      "What is stated is kept in DIR/preferences.toml. Without a statement, and without -o, it "
-      "asks on a\nterminal which of two groups of behaviors is better.");
+      "Preferences are kept in DIR/preferences.toml. Without a new one, and without -o, it asks on "
+      "a terminal\nwhich of two groups of behaviors is better.");
   command.OnRun([options] {
     PreferCommand(*options).Run();
     return kSuccess;

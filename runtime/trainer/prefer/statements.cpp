@@ -26,7 +26,7 @@ const ExperimentResult& Check(const Preference& preference, const StudyResults& 
   }
   const ExperimentResult& experiment = ExperimentOf(study, preference.better.run);
   if (&experiment != &ExperimentOf(study, preference.worse.run)) {
-    throw CallError(fmt::format("{} and {} are runs of two experiments; compare runs of one",
+    throw CallError(fmt::format("{} and {} are runs of different experiments; compare runs of one",
                                 preference.better.run, preference.worse.run));
   }
   for (const BehaviorName* behavior : {&preference.better, &preference.worse}) {
@@ -45,7 +45,7 @@ void PreferStatements::AddTo(command_line::Command& command) {
   const std::string name = "a run, or RUN:EPISODE; its name may be shortened: `seed3`";
   command_line::Option better_option = command.AddOption("--better", better, name);
   command_line::Option worse_option =
-      command.AddOption("--worse", worse, "than which it is better");
+      command.AddOption("--worse", worse, "the one that it is better than");
   better_option.Needs(worse_option);
   worse_option.Needs(better_option);
   command.AddOption("--order", order, "runs, or RUN:EPISODE, the best first").Count(2, 0);

@@ -146,15 +146,16 @@ std::string Advice(const PreferenceFit& fit) {
   const auto inexplicable = Texts(fit, [](const auto& each) { return !each.can_hold; });
   if (!inexplicable.empty()) {
     return fmt::format(
-        "No weights within their ranges explain all preferences: another term is missing, or a "
+        "No weights within their ranges explain all preferences: a term is missing, or a "
         "range "
         "is too\nnarrow. At best, these do not hold:\n  {}\n",
         fmt::join(inexplicable, "\n  "));
   }
   if (std::ranges::any_of(fit.preferences, [](const auto& each) { return !each.holds.after; })) {
     return fmt::format(
-        "There are weights under which all preferences hold, farther from the present ones than so "
-        "few\npreferences justify: state more, or let weights change more (--factor {:.3g}).\n",
+        "There are weights under which all preferences hold, but farther from the current ones "
+        "than so\nfew preferences justify: state more, or let weights change more (--factor "
+        "{:.3g}).\n",
         std::round(2 * std::exp(fit.model.prior_sd)));
   }
   return "";

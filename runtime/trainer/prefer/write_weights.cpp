@@ -15,10 +15,10 @@ namespace fs = std::filesystem;
 
 // The file of the task, which must be what it was when the runs were trained.
 fs::path BaseOf(const TaskRecord& task, const fs::path& wanted) {
-  constexpr const char* kRemedy = "give the file that holds this version: --task FILE";
+  constexpr const char* kRemedy = "name a file that holds this version: --task FILE";
   const fs::path file = wanted.empty() ? fs::path(task.task_file) : wanted;
   if (!fs::exists(file)) {
-    throw UserError(fmt::format("{}: there is no such file any more, from which {} was built; {}",
+    throw UserError(fmt::format("{}: this file, from which {} was built, no longer exists; {}",
                                 file.string(), VersionText(task), kRemedy));
   }
   const std::string hash = ReadTaskParams(file).task_hash;

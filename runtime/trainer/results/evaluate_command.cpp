@@ -34,7 +34,7 @@ int EvaluateOne(const EvaluateOptions& options) {
   if (!evaluation) evaluation = EvaluateRun(options.folder, options.plan, style, stop);
   if (!evaluation) {
     if (style == ProgressStyle::kText) {
-      text::Print("stopped; nothing is kept of an evaluation that is not whole\n");
+      text::Print("stopped; an incomplete evaluation is not kept\n");
     }
     return kStoppedBySignal + stop.signal();
   }
@@ -76,7 +76,7 @@ std::vector<RunProgress> RunsToEvaluate(const EvaluateOptions& options,
     }
   }
   if (!found.empty()) return found;
-  throw UserError(fmt::format("{}: no run here has a checkpoint that can be read; train them first",
+  throw UserError(fmt::format("{}: no run here has a readable checkpoint; train them first",
                               options.folder.string()));
 }
 
@@ -118,7 +118,7 @@ int EvaluateMany(const EvaluateOptions& options, const std::vector<std::filesyst
   if (style == ProgressStyle::kText) PrintAll(supervisor.runs(), plan);
   if (are_all_finished) return kSuccess;
   if (stop.signal() == 0) return kFailed;
-  if (style == ProgressStyle::kText) text::Print("stopped; the same call does the rest\n");
+  if (style == ProgressStyle::kText) text::Print("stopped; the same command does the rest\n");
   return kStoppedBySignal + stop.signal();
 }
 
@@ -131,13 +131,13 @@ int Evaluate(const EvaluateOptions& options) {
 
 void AddEvaluateCommand(command_line::Command& program) {
   const auto options = std::make_shared<EvaluateOptions>();
-  command_line::Command& command = program.AddCommand(
-      "evaluate",
-      "Lets what a run has learned, or all runs of a folder, act in a profile without learning: "
-      "how much of the return remains.");
-  command.AddOption("DIR", options->folder, "folder of the run, or of many").Required();
+  command_line::Command& command =
+      program.AddCommand("evaluate",
+                         "Runs the learned policy of a run, or of all runs in a folder, in a "
+                         "profile without learning: how much of the return remains.");
+  command.AddOption("DIR", options->folder, "folder of the run, or of many runs").Required();
   AddProfileOption(command, options->plan.profile).Required();
-  command.AddOption("--episodes", options->plan.episodes, "how many episodes of each run")
+  command.AddOption("--episodes", options->plan.episodes, "how many episodes for each run")
       .Range(1, 1'000'000)
       .ShowDefault();
   AddJobsOption(command, options->jobs, "evaluate");

@@ -19,7 +19,7 @@ namespace runtime {
 namespace {
 
 // A run up to its last checkpoint. The checkpoint is read first: all that belongs to it is there by
-// then, also while the run is at work.
+// then, also while the run is being trained.
 struct LearnedRun {
   LearnedRun(const std::filesystem::path& folder, const RunDatabase& database)
       : checkpoint(ReadCheckpoint(folder, database)), record(database.ReadRun()) {
@@ -34,7 +34,7 @@ struct LearnedRun {
     if (checkpoint) return std::move(*checkpoint);
     throw UserError(fmt::format(
         "{0}: this run has no checkpoint yet, and so nothing to evaluate; wait for the first one, "
-        "or go on with it by `trainer resume {0}`",
+        "or continue the run with `trainer resume {0}`",
         folder.string()));
   }
 
@@ -144,10 +144,10 @@ std::optional<PolicyEvaluation> EvaluateRun(const std::filesystem::path& folder,
   planned.episodes_planned = plan.episodes;
   Progress progress(style, planned, stdout, stderr);
   progress.Note(fmt::format(
-      "{}: what {} learned in {}, up to episode {}, acts in {} and learns nothing", folder.string(),
+      "{}: what {} learned in {}, up to episode {}, acts in {} without learning", folder.string(),
       run.record.tasks.front().task, run.record.profile, run.checkpoint.episode, plan.profile));
   Performer performer(folder, run, *database, plan.profile, progress, stop, types);
-  database.reset();  // a run at work is left alone as soon as can be
+  database.reset();  // a run that is being trained is left alone as soon as possible
   const std::vector<EpisodeRecord> episodes = RunEpisodes(performer, plan.episodes, progress, stop);
   if (static_cast<int64_t>(episodes.size()) < plan.episodes) return std::nullopt;
   PolicyEvaluation evaluation = Summary(run, plan.profile, episodes);

@@ -27,7 +27,7 @@ std::optional<PolicyEvaluation> FindEvaluation(const std::filesystem::path& run,
                                                const EvaluationPlan& plan);
 
 // Lets what the run had learned at its last checkpoint act in the plan's profile, without learning
-// on, and writes the evaluation to its folder. The run may be at work: its record is only read.
+// on, and writes the evaluation to its folder. It may be in training: its record is only read.
 // Nothing if a stop was requested. `types`: what the agent's modules can be made of. Throws
 // UserError.
 std::optional<PolicyEvaluation> EvaluateRun(const std::filesystem::path& run,

@@ -59,16 +59,16 @@ void Report(const ReportOptions& options) {
 void AddReportCommand(command_line::Command& program) {
   const auto options = std::make_shared<ReportOptions>();
   command_line::Command& command = program.AddCommand(
-      "report", "Writes the report of a run, or of all runs of a folder, as one HTML file.");
-  command.AddOption("DIR", options->folder, "folder of the run, or of many").Required();
+      "report", "Writes the report of a run, or of all runs in a folder, as one HTML file.");
+  command.AddOption("DIR", options->folder, "folder of the run, or of many runs").Required();
   const command_line::Option output =
       command
-          .AddOption("-o,--output", options->output, "file to write; otherwise report.html in DIR")
+          .AddOption("-o,--output", options->output, "file to write; by default report.html in DIR")
           .ValueName("FILE");
   const command_line::Option document =
       command
           .AddOption("--document", options->document,
-                     "write Markdown with pictures into this folder instead: for a repository")
+                     "write Markdown with pictures, for a repository, into this folder instead")
           .ValueName("DIR")
           .Excludes(output);
   command.AddFlag("--json", options->json, "print the figures as JSON instead")

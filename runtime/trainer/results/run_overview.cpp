@@ -74,7 +74,7 @@ class Lines {
 void AddMeans(const char* name, const std::vector<CurveRecord>& curves,
               const std::vector<double>& means, Lines& lines) {
   for (size_t i = 0; i < curves.size(); ++i) {
-    lines.Add(name, "{}: {:.6g}{} on average of the last {}", curves[i].name, means[i],
+    lines.Add(name, "{}: {:.6g}{} on average over the last {}", curves[i].name, means[i],
               curves[i].unit.empty() ? "" : " " + curves[i].unit, kMeanOver);
   }
 }
@@ -88,7 +88,7 @@ void AddHistory(const RunOverview& overview, Lines& lines) {
     }
   }
   for (const ShadowOverview& shadow : overview.shadows) {
-    lines.Add("shadow", "{}, {}: {:.6g} on average of the last {}", shadow.task.module,
+    lines.Add("shadow", "{}, {}: {:.6g} on average over the last {}", shadow.task.module,
               VersionText(shadow.task), shadow.mean_return, kMeanOver);
   }
   for (const ChangeRecord& change : overview.changes) {
@@ -212,11 +212,10 @@ std::string OverviewText(const RunOverview& overview) {
               DurationText(overview.wall_seconds));
   }
   if (overview.faults > 0)
-    lines.Add("faults", "{} rewards, or steps of learning, were not finite or too large",
+    lines.Add("faults", "{} rewards or learning steps were not finite or too large",
               overview.faults);
   if (overview.violations > 0) {
-    lines.Add("violations", "{} times something that the task requires did not hold",
-              overview.violations);
+    lines.Add("violations", "{} times a requirement of the task did not hold", overview.violations);
   }
   for (const auto& [end, count] : overview.ends) {
     lines.Add("ends", "{} {}: {}", count, end.first, end.second);

@@ -28,7 +28,7 @@ struct RunOverview {
   std::string started_at;
   std::string finished_at;
   int64_t episodes = 0;
-  int64_t checkpoint_episode = 0;  // from which `resume` goes on
+  int64_t checkpoint_episode = 0;  // from which `resume` continues
   ReturnStatistics returns;
   double simulated_seconds = 0;
   double wall_seconds = 0;

@@ -76,8 +76,8 @@ int Show(const ShowOptions& options) {
 void AddShowCommand(command_line::Command& program) {
   const auto options = std::make_shared<ShowOptions>();
   command_line::Command& command = program.AddCommand(
-      "show", "Prints what a run is and how far it got; or how far all runs of a folder are.");
-  command.AddOption("DIR", options->folder, "folder of the run, or of many").Required();
+      "show", "Prints what a run is and how far it got, or the progress of all runs in a folder.");
+  command.AddOption("DIR", options->folder, "folder of the run, or of many runs").Required();
   command.AddFlag("--json", options->json, "print JSON");
   command.OnRun([options] { return Show(*options); });
 }

@@ -43,7 +43,7 @@ std::string WhatIsRecorded(const std::vector<int64_t>& recorded, int64_t episode
   const auto next = std::ranges::lower_bound(recorded, episode);
   if (next != recorded.begin()) named.push_back(*std::prev(next));
   if (next != recorded.end()) named.push_back(*next);
-  return fmt::format("of the {} that it has, {} {} nearest", recorded.size(), List(named),
+  return fmt::format("of the {} recorded episodes, {} {} nearest", recorded.size(), List(named),
                      named.size() == 1 ? "is" : "are");
 }
 
@@ -56,7 +56,7 @@ int64_t ChooseEpisode(const std::filesystem::path& folder, const RunDatabase& da
   if (recorded.empty()) {
     throw UserError(fmt::format(
         "{}: no episode of this run is recorded yet; the first and the last always are, so wait "
-        "for them, or go on with it by `trainer resume {}`",
+        "for them, or continue the run with `trainer resume {}`",
         folder.string(), folder.string()));
   }
   if (wanted == 0) return recorded.back();
@@ -124,12 +124,12 @@ void AddSnapshotsCommand(command_line::Command& program) {
       .ValueName("FILE");
   command
       .AddOption("--episode", options->episode,
-                 "number of a recorded episode; otherwise the last of these")
+                 "number of a recorded episode; by default the last one")
       .Positive();
   command.AddOption("--count", options->strip.count, "number of pictures")
       .ShowDefault()
       .Range(1, 100);
-  command.AddOption("--height", options->strip.height, "of the strip, in pixels")
+  command.AddOption("--height", options->strip.height, "height of the strip, in pixels")
       .ShowDefault()
       .Range(16, 4096);
   command.AddOption("--from", options->strip.from, "time of the first picture, in seconds")

@@ -148,7 +148,7 @@ End RunChild(bool& is_child) {
 
 std::string Reason(const End& end) {
   if (end.was_looping) {
-    return fmt::format("it did not come back within {} s", LoopDetector::kPatience);
+    return fmt::format("it did not return within {} s", LoopDetector::kPatience);
   }
   if (WIFEXITED(end.status)) {
     return fmt::format("it ended the program, with exit status {}", WEXITSTATUS(end.status));
@@ -157,7 +157,7 @@ std::string Reason(const End& end) {
   return fmt::format("crash: {}", strsignal(signal));
 }
 
-// Not somebody's wish, nor the machine's need for memory.
+// Not a user who stops it, nor a machine that is out of memory.
 bool IsCrash(const End& end) {
   if (end.was_looping || WIFEXITED(end.status)) return true;
   const int signal = WTERMSIG(end.status);
@@ -167,12 +167,12 @@ bool IsCrash(const End& end) {
 
 void Say(const std::string& text) { text::Print(stderr, "warning: {}\n", text); }
 
-// Sees to it that the run goes on without what has brought its process down. Returns whether it
+// Makes the run continue without what has brought its process down. Returns whether it
 // can.
 bool RemoveCause(const End& end) {
   const PluginWatch& watch = shared_page->watch;
   if (watch.loading_thread != 0) {
-    Say(fmt::format("{}: a task could not be loaded ({}); going on without it", shared_page->run,
+    Say(fmt::format("{}: a task could not be loaded ({}); continuing without it", shared_page->run,
                     Reason(end)));
     return true;
   }
@@ -181,15 +181,16 @@ bool RemoveCause(const End& end) {
   // first task the run is over: the last change is blamed first.
   const bool is_first_task = watch.running == database.ReadRun().tasks.front().id;
   if ((watch.running == 0 || is_first_task) && QuarantineLastChange(database, Reason(end))) {
-    Say(fmt::format("{}: {}; the last change is taken back, from the last checkpoint on",
-                    shared_page->run, Reason(end)));
+    Say(fmt::format(
+        "{}: {}; the last change is undone, and the run continues from the last checkpoint",
+        shared_page->run, Reason(end)));
     return true;
   }
   if (watch.running == 0) return false;
   QuarantineTask(database, watch.running, Reason(end));
-  Say(fmt::format("{}: the task `{}` has failed ({}); going on without it from the last checkpoint",
-                  shared_page->run, TaskWithId(database.ReadRun(), watch.running).task,
-                  Reason(end)));
+  Say(fmt::format(
+      "{}: the task `{}` has failed ({}); continuing without it from the last checkpoint",
+      shared_page->run, TaskWithId(database.ReadRun(), watch.running).task, Reason(end)));
   return true;
 }
 
@@ -201,8 +202,8 @@ bool CanGoOn(const End& end) {
     return RemoveCause(end);
   } catch (const RecordError& error) {
     throw UserError(
-        fmt::format("{0}: {1}, and that cannot be written down: {2}; then `trainer resume {0}` "
-                    "goes on from the last checkpoint",
+        fmt::format("{0}: {1}, and that cannot be recorded: {2}; then `trainer resume {0}` "
+                    "continues from the last checkpoint",
                     shared_page->run, Reason(end), error.what()));
   }
 }
@@ -219,14 +220,14 @@ void SayWhatIsKept(const std::filesystem::path& run) {
   const std::vector<EpisodeRecord> episodes = database.ReadEpisodes();
   const int64_t kept = database.ReadCheckpointEpisode();
   const int64_t present = (episodes.empty() ? 0 : episodes.back().number) + 1;
-  text::Print(stderr,
-              "stopped at once; kept: {}; lost: {}, which `trainer resume {}` runs again, bit for "
-              "bit\n",
-              EpisodesText(1, kept), EpisodesText(kept + 1, present),
-              run.lexically_proximate(std::filesystem::current_path()).string());
+  text::Print(
+      stderr,
+      "stopped at once; kept: {}; lost: {}, which `trainer resume {}` repeats, bit for bit\n",
+      EpisodesText(1, kept), EpisodesText(kept + 1, present),
+      run.lexically_proximate(std::filesystem::current_path()).string());
 }
 
-// Whether somebody wanted it: a first signal only ends it after the present episode.
+// By a second signal: the first one ends the run after the current episode.
 bool WasStoppedAtOnce(const End& end) {
   if (!WIFSIGNALED(end.status)) return false;
   const int signal = WTERMSIG(end.status);
@@ -237,8 +238,8 @@ int StatusOf(const End& end) {
   if (WIFEXITED(end.status)) {
     if (shared_page->intent != Intent::kNone) return WEXITSTATUS(end.status);
     text::Print(stderr,
-                "trainer: error: the program that trains has ended by itself (exit status {}), as "
-                "no task of taskc does; what was saved is kept\n",
+                "trainer: error: the training process has exited (exit status {}), which no task "
+                "built by taskc makes it do; what was saved is kept\n",
                 WEXITSTATUS(end.status));
     return kFailed;
   }

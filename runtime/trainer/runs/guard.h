@@ -9,7 +9,7 @@ namespace runtime {
 // Runs `train` in a child process and waits for it: returns there and here, with its exit status,
 // or passes its exception on there. Signals go to the child.
 //
-// Where a task crashes in the child, ends it, or does not come back within 10 s of CPU time, the
+// Where a task crashes in the child, ends it, or does not return within 10 s of CPU time, the
 // task goes into quarantine in the run's record and a new child runs `again`. So does one after the
 // same while a plugin was being loaded, and after StartAgain(). Any other end is the end.
 //
@@ -20,8 +20,8 @@ int RunGuarded(const std::function<int()>& train,
 // In the child: the run that is being trained, from the moment on at which it could go on.
 void TellGuard(const std::filesystem::path& run);
 bool IsGuarded();
-// Asks for a new child that goes on from the last checkpoint, once this one has ended; returns the
-// exit status with which it is to do that.
+// Asks for a new child that continues from the last checkpoint, once this one has ended; returns
+// the exit status with which it is to do that.
 int StartAgain();
 
 }  // namespace runtime

@@ -14,10 +14,10 @@ auto FromDatabase(const std::filesystem::path& folder, const char* part, Make ma
   try {
     return make();
   } catch (const Error& error) {
-    throw UserError(fmt::format(
-        "{}: the table `run`: `{}`: {}; put back a copy of the file, use the trainer that made the "
-        "run, or start another run",
-        (folder / "run.db").string(), part, error.what()));
+    throw UserError(
+        fmt::format("{}: the table `run`: `{}`: {}; restore a copy of the file, use the trainer "
+                    "that created the run, or start another run",
+                    (folder / "run.db").string(), part, error.what()));
   }
 }
 

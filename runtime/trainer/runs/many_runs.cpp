@@ -17,7 +17,7 @@
 namespace runtime {
 namespace {
 
-// Shorter names first among those of equal beginnings: seed2 before seed10.
+// Of names that differ in their number only, the shorter one first: seed2 before seed10.
 bool ComesBefore(const std::filesystem::path& a, const std::filesystem::path& b) {
   const std::string first = a.filename().string();
   const std::string second = b.filename().string();
@@ -79,11 +79,10 @@ void WarnOfUnfinishedRuns(const std::filesystem::path& folder) {
   for (const std::filesystem::path& each : FoldersBelow(folder)) {
     // While a trainer makes it, all is well.
     if (!RunDatabase::IsUnfinished(each) || FolderLock::IsTaken(each)) continue;
-    text::Print(
-        stderr,
-        "warning: {0}: no run: the trainer was ended while it made this one; `trainer study` "
-        "or `trainer train TASK --out {0}` makes it, or delete the folder\n",
-        each.string());
+    text::Print(stderr,
+                "warning: {0}: not a run: the trainer was stopped while it created it; `trainer "
+                "study` or `trainer train TASK --out {0}` creates it, or delete the folder\n",
+                each.string());
   }
 }
 
@@ -104,7 +103,7 @@ RunProgress ReadProgressOrFailure(const std::filesystem::path& run,
 void AddJobsOption(command_line::Command& command, int& jobs, const std::string& verb) {
   command
       .AddOption("--jobs", jobs,
-                 fmt::format("how many runs to {} at a time; otherwise one on each core", verb))
+                 fmt::format("how many runs to {} at a time; by default one per core", verb))
       .Range(1, 1024);
 }
 
@@ -125,7 +124,7 @@ int TrainRuns(const std::filesystem::path& folder, const std::vector<std::filesy
   if (are_all_finished) return kSuccess;
   if (stop.signal() == 0) return kFailed;
   if (output.style() == ProgressStyle::kText) {
-    text::Print("stopped; `trainer resume {}` goes on\n", folder.string());
+    text::Print("stopped; `trainer resume {}` continues\n", folder.string());
   }
   return kStoppedBySignal + stop.signal();
 }

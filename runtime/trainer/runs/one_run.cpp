@@ -17,9 +17,10 @@ bool HasNothingToDo(bool has_episodes_left, const SessionOptions& session) {
 
 void WarnOfOtherVersion(const RunRecord& run) {
   if (run.version == TASKC_VERSION) return;
-  text::Print(stderr,
-              "warning: the run was started by trainer {}, this is {}: it may go on differently\n",
-              run.version, TASKC_VERSION);
+  text::Print(
+      stderr,
+      "warning: the run was started by trainer {}, this is {}: it may continue differently\n",
+      run.version, TASKC_VERSION);
 }
 
 }  // namespace
@@ -64,7 +65,7 @@ int ResumeOneRun(const std::filesystem::path& folder, std::optional<int64_t> epi
     // A run that was finished long ago keeps the time at which it was.
     if (run_state != RunState::kFinished) database.SetState(RunState::kFinished);
     if (session.output.style() == ProgressStyle::kText) {
-      text::Print("all {} episodes of this run are done; a larger `--episodes` trains on\n",
+      text::Print("all {} episodes of this run are done; train more with a larger `--episodes`\n",
                   run.episodes_planned);
     }
     return kSuccess;

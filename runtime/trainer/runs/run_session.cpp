@@ -15,18 +15,20 @@
 namespace runtime {
 namespace {
 
-// Where a change that somebody made has brought the graph to a halt, the run goes on without it;
+// Where a change by a client has made the graph fail, the run continues without it;
 // otherwise it ends. Nobody's change is to blame for what the disk does.
 int Fail(const RunParts& run, LiveRun& live, Progress& progress, const UserError& error) {
   const std::string name = run.folder.string();
   const bool is_of_record = dynamic_cast<const RecordError*>(&error) != nullptr;
   if (!is_of_record && live.BlameLastChange(error.what())) {
-    progress.Warn(fmt::format(
-        "warning: {}; the last change is taken back, from the last checkpoint on", error.what()));
+    progress.Warn(
+        fmt::format("warning: {}; the last change is undone, and the run continues from the "
+                    "last checkpoint",
+                    error.what()));
     if (IsGuarded()) return StartAgain();
   }
   throw UserError(fmt::format(
-      "{}; what was saved is kept, and `trainer resume {}` goes on from the last checkpoint",
+      "{}; what was saved is kept, and `trainer resume {}` continues from the last checkpoint",
       error.what(), name));
 }
 
@@ -39,7 +41,7 @@ std::unique_ptr<Server> StartServer(const RunParts& run, const SessionOptions& o
                                     [folder = run.folder] { return ReportPage(folder); });
   } catch (const UserError& error) {
     if (options.port != 0 || options.when_done == LiveRun::WhenDone::kWait) throw;
-    progress.Warn(fmt::format("warning: {}; the run goes on, but `trainer ctl` cannot reach it",
+    progress.Warn(fmt::format("warning: {}; the run continues, but `trainer ctl` cannot reach it",
                               error.what()));
     return nullptr;
   }
@@ -62,7 +64,7 @@ void SessionOptions::AddTo(command_line::Command& command) {
   output.AddTo(command);
   command
       .AddOption("--port", port,
-                 "port on 127.0.0.1 that clients can connect to; otherwise any that is free")
+                 "port on 127.0.0.1 that clients can connect to; by default any free one")
       .Range(1, 65535);
 }
 
@@ -91,7 +93,7 @@ int RunSession(const RunParts& run, const SessionOptions& options) {
   } catch (const UserError& error) {
     return Fail(run, live, progress, error);
   }
-  progress.Note(fmt::format("stopped; `trainer resume {}` goes on", name));
+  progress.Note(fmt::format("stopped; `trainer resume {}` continues", name));
   return stop.signal() == 0 ? kSuccess : kStoppedBySignal + stop.signal();
 }
 

@@ -30,7 +30,7 @@ struct SessionOptions {
   void AddTo(command_line::Command& command);
 };
 
-// Trains until all episodes are done or somebody stops it, from the last checkpoint if there is
+// Trains until all episodes are done or it is stopped, from the last checkpoint if there is
 // one, and answers requests; returns the exit status.
 int RunSession(const RunParts& run, const SessionOptions& options);
 

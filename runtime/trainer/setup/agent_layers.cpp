@@ -82,7 +82,7 @@ Agent ParseSetting(const std::string& setting) {
     return change;
   } catch (const UserError&) {
     throw CallError(fmt::format(
-        "--set {}: the value is none: write a number, true, false, \"text\" or [1, 2]", setting));
+        "--set {}: this is not a value: write a number, true, false, \"text\" or [1, 2]", setting));
   }
 }
 

@@ -17,10 +17,10 @@ namespace {
 const std::string& TaskModuleOf(const ModuleGraph& graph) {
   const std::vector<UniversalTask*> tasks = graph.FindAll<UniversalTask>();
   if (tasks.size() <= 1) return graph.FindOnly<UniversalTask>().name();
-  throw UserError(fmt::format(
-      "the agent has two task modules, `{}` and `{}`: keep one, and load others when it runs, "
-      "with `trainer ctl load`",
-      tasks[0]->name(), tasks[1]->name()));
+  throw UserError(
+      fmt::format("the agent has two task modules, `{}` and `{}`: keep one, and load others while "
+                  "it runs, with `trainer ctl load`",
+                  tasks[0]->name(), tasks[1]->name()));
 }
 
 // Words of `trainer train` for what no other part of the record says, or says otherwise.
@@ -46,17 +46,17 @@ void RunPlan::AddTo(command_line::Command& command) {
       .ShowDefault();
   command
       .AddOption("--seed", seed,
-                 "seed of all chance, of many runs the first one's; equal seeds give equal runs")
+                 "random seed, of many runs that of the first; equal seeds give equal runs")
       .NonNegative()
       .ShowDefault();
   command
       .AddOption("--record-every", record_every,
-                 "record every N-th episode besides the best ones and the last; 0: only these")
+                 "record every N-th episode besides the best ones and the last; 0: only those")
       .NonNegative()
       .ShowDefault();
   command
       .AddOption("--checkpoint-every", checkpoint_seconds,
-                 "seconds between two checkpoints, at least")
+                 "least time between two checkpoints, in seconds")
       .NonNegative()
       .ShowDefault();
 }

@@ -25,7 +25,7 @@ struct RunPlan {
 // every run needs: one environment, one learner, one task that pays it.
 RunRecord RecordOf(const TaskSetup& setup, const RunPlan& plan);
 
-// Makes the folder, and in it the run with all that it needs to go on whatever becomes of the
+// Makes the folder, and in it the run with all that it needs to continue, whatever becomes of the
 // task's and the robot's files. Completes `run`. Throws UserError where there is a run already.
 RunDatabase CreateRun(const std::filesystem::path& folder, const TaskSetup& setup, RunRecord& run);
 

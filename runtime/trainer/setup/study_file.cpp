@@ -27,7 +27,7 @@ class StudyReader {
     }
     const toml::node* list = root.get("experiments");
     if (list == nullptr || !list->is_array_of_tables()) {
-      throw UserError(fmt::format("{}: a study has [[experiments]]", file_.string()));
+      throw UserError(fmt::format("{}: a study needs [[experiments]]", file_.string()));
     }
     for (const toml::node& node : *list->as_array()) {
       experiments.push_back(ReadExperiment(*node.as_table(), common));
@@ -44,8 +44,8 @@ class StudyReader {
     Experiment experiment = common;
     experiment.place = PlaceOf(table.source());
     for (const auto& [key, node] : table) ReadKey(key, node, experiment);
-    if (experiment.task.task.empty()) Fail(table.source(), "an experiment has a `task`");
-    if (experiment.seeds.empty()) Fail(table.source(), "there are no `seeds` for this experiment");
+    if (experiment.task.task.empty()) Fail(table.source(), "an experiment needs a `task`");
+    if (experiment.seeds.empty()) Fail(table.source(), "an experiment needs `seeds`");
     return experiment;
   }
 
@@ -78,7 +78,7 @@ class StudyReader {
 
   std::string Text(const toml::node& node) const {
     if (const auto* text = node.as_string()) return text->get();
-    Fail(node.source(), "a text in quotes is wanted here");
+    Fail(node.source(), "expected a string in quotes");
   }
 
   std::string Name(const toml::node& node) const {
@@ -89,7 +89,7 @@ class StudyReader {
 
   std::vector<std::string> Texts(const toml::node& node) const {
     const toml::array* list = node.as_array();
-    if (list == nullptr) Fail(node.source(), "a list of texts is wanted here");
+    if (list == nullptr) Fail(node.source(), "expected a list of strings");
     std::vector<std::string> texts;
     for (const toml::node& item : *list) texts.push_back(Text(item));
     return texts;
@@ -98,7 +98,7 @@ class StudyReader {
   int64_t Whole(const toml::node& node, int64_t minimum) const {
     const auto* number = node.as_integer();
     if (number != nullptr && number->get() >= minimum) return number->get();
-    Fail(node.source(), fmt::format("a whole number from {} on is wanted here", minimum));
+    Fail(node.source(), fmt::format("expected a whole number, at least {}", minimum));
   }
 
   std::vector<uint64_t> Seeds(const toml::node& node) const {
@@ -119,7 +119,7 @@ class StudyReader {
     const bool is_range = dots != std::string::npos && Parse(text.substr(0, dots), first) &&
                           Parse(text.substr(dots + 2), last);
     if (!is_range || last < first || last - first >= kMostSeeds) {
-      Fail(node.source(), "this is no range of seeds: write \"1..10\"");
+      Fail(node.source(), "this is not a range of seeds: write \"1..10\"");
     }
     std::vector<uint64_t> seeds;
     for (uint64_t seed = first; seed <= last; ++seed) seeds.push_back(seed);

@@ -1,7 +1,6 @@
 #include "runtime/trainer/setup/task_setup.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -51,8 +50,7 @@ std::string RobotName(const TaskOptions& options, const taskc_plugin& plugin) {
   const std::string name = options.robot.empty() ? plugin.robot : options.robot;
   if (name.empty()) {
     throw CallError(fmt::format(
-        "task `{}` is for no robot in particular; name one, for example `--robot humanoid`",
-        plugin.name));
+        "task `{}` names no robot; name one, for example `--robot humanoid`", plugin.name));
   }
   return name;
 }
@@ -75,12 +73,10 @@ command_line::Option AddProfileOption(command_line::Command& command, std::strin
   std::vector<std::string> profiles;
   for (const Profile& each : kProfiles) profiles.emplace_back(each.name);
   return command
-      .AddOption(
-          "--profile", profile,
-          "how to simulate: `paper` faithfully, `fast` with longer steps; each `-tree`: the same "
-          "equations, solved several times as fast")
-      .OneOf(profiles)
-      .ValueName(fmt::format("TEXT:{{{}}}", fmt::join(profiles, ",")));
+      .AddOption("--profile", profile,
+                 "how to simulate: `paper` faithfully, `fast` with longer steps; with `-tree` the "
+                 "same equations are solved several times as fast")
+      .OneOf(profiles);
 }
 
 void TaskOptions::AddTo(command_line::Command& command) {
@@ -88,7 +84,7 @@ void TaskOptions::AddTo(command_line::Command& command) {
   AddProfileOption(command, profile);
   command.AddOption("--agent", agent, "agent file that changes the robot's default agent")
       .ExistingFile();
-  command.AddOption("--robot", robot, "robot, for a task that is for none in particular");
+  command.AddOption("--robot", robot, "the robot, for a task that names none");
   command
       .AddOption("--set", settings, "change a parameter, MODULE.PARAMETER=VALUE; may be repeated")
       .OneAtATime();

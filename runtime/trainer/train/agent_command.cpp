@@ -34,15 +34,15 @@ int ShowAgent(const AgentOptions& options) {
 void AddAgentCommand(command_line::Command& program) {
   const auto options = std::make_shared<AgentOptions>();
   command_line::Command& show =
-      program.AddCommand("agent", "Looks at agents.")
+      program.AddCommand("agent", "Inspects agents.")
           .AddCommand(
               "show",
-              "Prints the whole agent that would learn a task, as an agent file that says for each "
-              "line "
-              "where it comes from; or its modules and connections, as text, JSON or Graphviz.");
+              "Prints the complete agent that would learn a task, as an agent file that says where "
+              "each line comes from; or its modules and connections, as text, JSON or Graphviz.");
   options->task.AddTo(show);
   const command_line::Option format =
-      show.AddOption("--format", options->format, "toml, text or dot")
+      show.AddOption("--format", options->format,
+                     "an agent file, or the modules and connections as text or for Graphviz")
           .OneOf({"toml", "text", "json", "dot"})
           .ValueName("toml|text|dot");
   show.AddFlag("--json", options->json, "print JSON").Excludes(format);

@@ -51,11 +51,11 @@ int Resume(const ResumeOptions& options) {
 void AddResumeCommand(command_line::Command& program) {
   const auto options = std::make_shared<ResumeOptions>();
   command_line::Command& command =
-      program.AddCommand("resume", "Goes on with a run, or all runs of a folder, bit for bit.");
-  command.AddOption("DIR", options->folder, "folder of the run, or of many").Required();
+      program.AddCommand("resume", "Continues a run, or all runs in a folder, bit for bit.");
+  command.AddOption("DIR", options->folder, "folder of the run, or of many runs").Required();
   command
       .AddOption("--episodes", options->episodes,
-                 "how many episodes the run is to have in all; otherwise as planned")
+                 "how many episodes the run is to have in total; by default as planned")
       .Range(1, 1'000'000'000);
   AddJobsOption(command, options->jobs, "train");
   options->session.AddTo(command);

@@ -36,11 +36,12 @@ void AddServeCommand(command_line::Command& program) {
   options->session.when_done = LiveRun::WhenDone::kWait;
   command_line::Command& command = program.AddCommand(
       "serve",
-      "Trains like `train`, or like `resume` in a run's folder, and waits when it is done.");
+      "Trains like `train`, or like `resume` if given a run's folder, then waits for requests.");
   options->task.AddTo(command);
   options->plan.AddTo(command);
   command
-      .AddOption("--out", options->out, "folder of a new run; otherwise runs/TASK-PROFILE-seedSEED")
+      .AddOption("--out", options->out,
+                 "folder of a new run; by default runs/TASK-PROFILE-seedSEED")
       .ValueName("DIR");
   options->session.AddTo(command);
   command.Footer("`trainer ctl` talks to it.");

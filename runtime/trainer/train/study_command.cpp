@@ -85,9 +85,10 @@ int Study(const StudyOptions& options) {
 void AddStudyCommand(command_line::Command& program) {
   const auto options = std::make_shared<StudyOptions>();
   command_line::Command& command = program.AddCommand(
-      "study", "Trains many tasks with many seeds; called again, it goes on and adds what is new.");
+      "study",
+      "Trains many tasks with many seeds; started again, it continues and adds what is new.");
   command.AddOption("FILE", options->file, "the study, a TOML file").Required();
-  command.AddOption("--out", options->out, "folder of the runs; otherwise runs/FILE")
+  command.AddOption("--out", options->out, "folder of the runs; by default runs/FILE")
       .ValueName("DIR");
   AddJobsOption(command, options->jobs, "train");
   options->output.AddTo(command);

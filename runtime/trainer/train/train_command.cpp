@@ -61,17 +61,17 @@ int Train(const TrainOptions& options) {
 void AddTrainCommand(command_line::Command& program) {
   const auto options = std::make_shared<TrainOptions>();
   command_line::Command& command =
-      program.AddCommand("train", "Starts a run, or many: trains a robot in a task.");
+      program.AddCommand("train", "Starts one run or many: trains a robot on a task.");
   options->task.AddTo(command);
   options->plan.AddTo(command);
-  command.AddOption("--runs", options->runs, "how many runs to train, each with a seed of its own")
+  command.AddOption("--runs", options->runs, "how many runs to train, each with its own seed")
       .Range(1, 10'000)
       .ShowDefault();
   AddJobsOption(command, options->jobs, "train");
   command
       .AddOption("--out", options->out,
-                 "folder of the run; otherwise runs/TASK-PROFILE-seedSEED. Of many runs the "
-                 "folder of their folders; otherwise runs/TASK-PROFILE")
+                 "folder of the run, by default runs/TASK-PROFILE-seedSEED; of many runs, the "
+                 "folder of their folders, by default runs/TASK-PROFILE")
       .ValueName("DIR");
   options->session.AddTo(command);
   command.OnRun([options] { return Train(*options); });

@@ -106,7 +106,7 @@ bool RunDatabase::IsUnfinished(const std::filesystem::path& folder) {
 void RunDatabase::CheckIsFree(const std::filesystem::path& folder) {
   if (!Exists(folder)) return;
   throw UserError(
-      fmt::format("{}: this folder holds a run already; go on with it by `trainer resume {}`, or "
+      fmt::format("{}: this folder holds a run already; continue it with `trainer resume {}`, or "
                   "name another folder with --out",
                   folder.string(), folder.string()));
 }

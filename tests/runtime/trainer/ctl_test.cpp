@@ -216,7 +216,7 @@ TEST_F(CtlTest, WatchNeedsATrainer) {
   server_.reset();
   const ProgramResult result = Ctl({"watch", TaskFile("leaning")});
   EXPECT_EQ(result.exit_status, 1);
-  EXPECT_THAT(result.errors, HasSubstr("no trainer is at work on this run"));
+  EXPECT_THAT(result.errors, HasSubstr("no trainer is running for this run"));
 }
 
 TEST_F(CtlTest, WatchNeedsAFile) {

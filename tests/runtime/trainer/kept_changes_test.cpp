@@ -87,7 +87,7 @@ TEST_F(KeptChangesTest, NobodyIsToBlameForAFullDisk) {
   const ProgramResult failed = trainer_->Wait();
   EXPECT_EQ(failed.exit_status, 1);
   EXPECT_THAT(failed.errors, AllOf(HasSubstr("run.db: cannot save episode"),
-                                   HasSubstr("trainer resume"), Not(HasSubstr("taken back"))));
+                                   HasSubstr("trainer resume"), Not(HasSubstr("undone"))));
   EXPECT_THAT(Changes(), ElementsAre(HasSubstr(":0 set")));
   ExpectTheSameFromTheRecord(6);
 }

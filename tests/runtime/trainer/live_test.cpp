@@ -303,7 +303,7 @@ TEST_F(LiveTest, AShadowThatDoesNotComeBackIsTakenOutOfTheRun) {
   Serve(100, {"--checkpoint-every", "0"});
   Ask({"load", Plugin("loops")});
   Ctl({"resume"});
-  ASSERT_TRUE(trainer_->WaitForError("`loops` has failed (it did not come back"));
+  ASSERT_TRUE(trainer_->WaitForError("`loops` has failed (it did not return"));
   WaitForState("running");
   EXPECT_THAT(Ask({"list"})["tasks"], SizeIs(1));
   EXPECT_EQ(Stop().exit_status, 0);
@@ -322,7 +322,7 @@ TEST_F(LiveTest, AConnectionThatCannotWorkIsTakenBack) {
   Serve(100, {"--checkpoint-every", "0"});
   Ask({"connect", "features.features", "environment.joint_targets"});
   Ctl({"resume"});
-  ASSERT_TRUE(trainer_->WaitForError("the last change is taken back"));
+  ASSERT_TRUE(trainer_->WaitForError("the last change is undone"));
   WaitForState("running");
   EXPECT_EQ(Stop().exit_status, 0);
   EXPECT_THAT(Changes(), Contains(HasSubstr("quarantine")));
@@ -332,7 +332,7 @@ TEST_F(LiveTest, AConnectionThatCallsItselfIsTakenBack) {
   Serve(100, {"--checkpoint-every", "0"});
   Ask({"connect", "task.reward", "task.on_end_of_time_step"});
   Ctl({"resume"});
-  ASSERT_TRUE(trainer_->WaitForError("the last change is taken back"));
+  ASSERT_TRUE(trainer_->WaitForError("the last change is undone"));
   WaitForState("running");
   EXPECT_EQ(Stop().exit_status, 0);
   EXPECT_THAT(Changes(), Contains(HasSubstr("quarantine")));

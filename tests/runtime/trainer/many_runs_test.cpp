@@ -138,7 +138,7 @@ TEST_F(ManyRunsTest, ARunThatWasNeverFinishedBeingMadeIsNotInTheWayOfTheOthers) 
     std::filesystem::remove_all(half);
     std::filesystem::create_directory(half);
     std::ofstream(half / name).close();
-    const auto warning = HasSubstr("warning: " + half.string() + ": no run: ");
+    const auto warning = HasSubstr("warning: " + half.string() + ": not a run: ");
     const ProgramResult shown = Trainer({"show", RunFolder("many")});
     EXPECT_EQ(shown.exit_status, 0);
     EXPECT_THAT(shown.output, HasSubstr("\n2 finished   "));

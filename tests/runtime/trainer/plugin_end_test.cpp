@@ -47,7 +47,7 @@ TEST_F(PluginEndTest, NorDoesOneThatIsNeverLoadedWhileTheRunLearns) {
   Serve(1'000'000, {"--checkpoint-every", "0"});
   Ask({"resume"});
   Ctl({"load", Plugin("loops_on_load")});
-  ASSERT_TRUE(trainer_->WaitForError("a task could not be loaded (it did not come back"));
+  ASSERT_TRUE(trainer_->WaitForError("a task could not be loaded (it did not return"));
   ExpectTheFirstTask();
   EXPECT_EQ(Stop().exit_status, 0);
 }
@@ -57,7 +57,7 @@ TEST_F(PluginEndTest, AFirstTaskThatExitsIsAFailure) {
   const ProgramResult result =
       Trainer({"train", Plugin("exits_on_load"), "--robot", "humanoid", "--out", RunFolder("run")});
   EXPECT_EQ(result.exit_status, 1);
-  EXPECT_THAT(result.errors, HasSubstr("has ended by itself (exit status 0)"));
+  EXPECT_THAT(result.errors, HasSubstr("the training process has exited (exit status 0)"));
 }
 
 }  // namespace

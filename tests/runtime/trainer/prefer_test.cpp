@@ -112,7 +112,7 @@ TEST_F(PreferTest, AFileThatHasChangedIsNotExtended) {
   EXPECT_THAT(result.errors, AllOf(HasSubstr("other.task has changed"), HasSubstr("--task FILE")));
   EXPECT_FALSE(std::filesystem::exists(File("careless.task")));
   EXPECT_THAT(Prefer({"-o", File("careless.task"), "--task", File("gone.task")}).errors,
-              HasSubstr("there is no such file any more"));
+              HasSubstr("no longer exists"));
 }
 
 TEST_F(PreferTest, TheAgentOfTheTaskGoesWithIt) {

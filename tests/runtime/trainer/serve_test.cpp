@@ -181,7 +181,8 @@ TEST_F(ServeTest, ARunGoesOnWhereNobodyCanBeServed) {
   std::ofstream(folder() / "run" / "control.sock") << "in the way";
   const ProgramResult trained = Trainer({"resume", RunFolder("run"), "--episodes", "2", "--quiet"});
   EXPECT_EQ(trained.exit_status, 0) << trained.errors;
-  EXPECT_THAT(trained.errors, AllOf(HasSubstr("move this file away"), HasSubstr("goes on")));
+  EXPECT_THAT(trained.errors,
+              AllOf(HasSubstr("move this file away"), HasSubstr("the run continues")));
   const ProgramResult served = Trainer({"serve", RunFolder("run"), "--quiet"});
   EXPECT_EQ(served.exit_status, 1);
   EXPECT_THAT(served.errors, HasSubstr("move this file away"));

@@ -115,7 +115,7 @@ class SmallStudyTest : public TrainerTest {
     return RunDatabase::OpenToRead(RunFolder(run)).ReadCheckpoint().value().state;
   }
 
-  // Starts the study, asks for its report while it is at work, and stops it by Ctrl-C.
+  // Starts the study, asks for its report while it is running, and stops it by Ctrl-C.
   void StartAndInterrupt() const {
     std::vector<std::string> words = Study("study");
     words.insert(words.begin(), TRAINER);

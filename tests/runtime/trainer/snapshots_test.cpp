@@ -64,9 +64,11 @@ TEST_F(SnapshotsTest, NamesTheEpisodesThatAreRecorded) {
 TEST_F(SnapshotsTest, NamesTheNearestOfManyEpisodes) {
   WriteRun(60, 4);
   EXPECT_THAT(Snapshots({"--episode", "21"}).errors,
-              HasSubstr("not recorded; of the 15 that it has, 20 and 24 are nearest\n"));
-  EXPECT_THAT(Snapshots({"--episode", "1"}).errors, HasSubstr("15 that it has, 4 is nearest\n"));
-  EXPECT_THAT(Snapshots({"--episode", "99"}).errors, HasSubstr("15 that it has, 60 is nearest\n"));
+              HasSubstr("not recorded; of the 15 recorded episodes, 20 and 24 are nearest\n"));
+  EXPECT_THAT(Snapshots({"--episode", "1"}).errors,
+              HasSubstr("15 recorded episodes, 4 is nearest\n"));
+  EXPECT_THAT(Snapshots({"--episode", "99"}).errors,
+              HasSubstr("15 recorded episodes, 60 is nearest\n"));
 }
 
 TEST_F(SnapshotsTest, SaysWhereNothingIsRecorded) {

@@ -72,13 +72,13 @@ TEST_F(StudyTest, RunsOfAnotherAgentAreNotMixedIn) {
 
 TEST_F(StudyTest, MistakesAreReportedWithTheirPlace) {
   const std::pair<std::string, std::string> mistakes[] = {
-      {"episodes = 0\n[[experiments]]\n", "study.toml:1:12: a whole number from 1 on"},
-      {"seeds = '3..1'\n[[experiments]]\n", "study.toml:1:9: this is no range of seeds"},
-      {"[[experiments]]\nseeds = [1]\n", "study.toml:1:1: an experiment has a `task`"},
-      {"[[experiments]]\ntask = 'x.task'\n", "there are no `seeds`"},
+      {"episodes = 0\n[[experiments]]\n", "study.toml:1:12: expected a whole number, at least 1"},
+      {"seeds = '3..1'\n[[experiments]]\n", "study.toml:1:9: this is not a range of seeds"},
+      {"[[experiments]]\nseeds = [1]\n", "study.toml:1:1: an experiment needs a `task`"},
+      {"[[experiments]]\ntask = 'x.task'\n", "an experiment needs `seeds`"},
       {"[[experiments]]\ntask = 'x.task'\nsed = [1]\n",
        "study.toml:3:1: an experiment has no `sed`"},
-      {"seeds = [1]\n", "a study has [[experiments]]"},
+      {"seeds = [1]\n", "a study needs [[experiments]]"},
       {"seeds = [\n", "study.toml:"},
       {"[[experiments]]\nname = '../x'\n", "study.toml:2:8: this cannot name a folder"},
   };

@@ -75,13 +75,13 @@ TEST_F(OnTerminalTest, ManyRunsAreOneTableAtEveryWidth) {
         std::ranges::count_if(lines, [](const auto& line) { return line.starts_with("run  "); });
     EXPECT_EQ(heads, 1) << Joined(lines);
     const std::string told = Joined(lines);
-    EXPECT_THAT(told, HasSubstr("stopping after the present episodes"));
+    EXPECT_THAT(told, HasSubstr("stopping after the current episodes"));
     EXPECT_THAT(told, Not(HasSubstr("seed3: stopping")));
     EXPECT_THAT(told, HasSubstr("stopped; `trainer resume "));
   }
 }
 
-// Its episodes are so long that the second signal finds one at work.
+// Its episodes are so long that the second signal finds one running.
 TEST_F(OnTerminalTest, ASecondCtrlCSaysWhatIsKept) {
   const std::vector<std::string> words = {TRAINER,     "train", TaskFile("patient"),
                                           "--profile", "paper", "--episodes",

@@ -41,7 +41,7 @@ TEST(FindTrainer, NamesThemAllWhereThereAreSeveral) {
   const ListeningRun second(root.path() / "many" / "seed2");
   const ListeningRun first(root.path() / "many" / "seed1");
   EXPECT_THAT(ErrorOf([&] { FindTrainer(root.path()); }),
-              AllOf(HasSubstr("several trainers are at work"),
+              AllOf(HasSubstr("several trainers are running"),
                     HasSubstr("seed1\n  --run " + (root.path() / "many" / "seed2").string())));
 }
 
@@ -52,13 +52,13 @@ TEST(FindTrainer, KnowsWhichAnswer) {
   ControlSocket left(folder, root.path());
   left.TakeListener();
   const std::string error = ErrorOf([&] { FindTrainer(root.path()); });
-  EXPECT_THAT(error, AllOf(HasSubstr("no trainer is at work"), HasSubstr("--run DIR")));
+  EXPECT_THAT(error, AllOf(HasSubstr("no trainer is running"), HasSubstr("--run DIR")));
   const ListeningRun living(root.path() / "living");
   EXPECT_EQ(FindTrainer(root.path()), root.path() / "living");
 }
 
 TEST(FindTrainer, NeedsNoFolder) {
-  EXPECT_THAT(ErrorOf([] { FindTrainer("/nowhere/at/all"); }), HasSubstr("no trainer is at work"));
+  EXPECT_THAT(ErrorOf([] { FindTrainer("/nowhere/at/all"); }), HasSubstr("no trainer is running"));
 }
 
 }  // namespace

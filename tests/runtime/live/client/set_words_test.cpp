@@ -58,7 +58,7 @@ TEST(SetWords, WhatIsNeitherIsExplained) {
   EXPECT_THAT(error({"task.gain", "=", "0.1", "-", "over", "200", "episodes"}),
               HasSubstr("only in quotes"));
   EXPECT_THAT(error({"a.b", "1", "to", "x", "over", "2", "episodes"}),
-              HasSubstr("`x` is no number"));
+              HasSubstr("`x` is not a number"));
   EXPECT_THAT(error({"a.b", "1", "to", "2", "over", "99999999999999999999", "episodes"}),
               HasSubstr("too many"));
 }

@@ -46,7 +46,7 @@ TEST(CommandTable, ArgumentsAreChecked) {
   EXPECT_EQ(ErrorOf("status", nlohmann::json::array()),
             "the arguments of `status` must be a JSON object");
   EXPECT_EQ(ErrorOf("swap", {{"name", "task"}}),
-            "`swap` needs the argument `file`: a .task file, or a .so of taskc");
+            "`swap` needs the argument `file`: a .task file, or a .so built by taskc");
   EXPECT_EQ(ErrorOf("swap", {{"name", "task"}, {"file", 3}}),
             "the argument `file` of `swap` must be a text");
   EXPECT_EQ(ErrorOf("step", {{"count", 1.5}}),

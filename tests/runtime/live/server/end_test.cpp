@@ -33,7 +33,7 @@ TEST_F(EndTest, LeavesNothingBehind) {
   EXPECT_THAT(ErrorOf([&] {
                 Ask(folder(), {"status", json::object()});
               }),
-              HasSubstr("no trainer is at work on this run; `trainer resume"));
+              HasSubstr("no trainer is running for this run; `trainer resume"));
 }
 
 TEST_F(EndTest, IsPromptWhileClientsAreConnected) {
