@@ -5,12 +5,27 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <optional>
 
 #include "base/command_line/wrong_call.h"
 
 namespace command_line {
+namespace {
+
+// Instead of CLI11's own, whose messages end in the 300 digits of the largest number. `shown`: in
+// the help.
+CLI::Validator NumberThat(bool (*fits)(double), const char* shown, const char* expected) {
+  const auto check = [fits, expected](std::string& word) -> std::string {
+    double number = 0;
+    const bool is_number = CLI::detail::lexical_cast(word, number) && std::isfinite(number);
+    return is_number && fits(number) ? "" : fmt::format("expected {}, not `{}`", expected, word);
+  };
+  return CLI::Validator(check, shown);
+}
+
+}  // namespace
 
 Option& Option::Required() {
   option_->required();
@@ -43,12 +58,14 @@ Option& Option::Range(double low, double high) {
 }
 
 Option& Option::NonNegative() {
-  option_->check(CLI::NonNegativeNumber);
+  const auto fits = [](double number) { return number >= 0; };
+  option_->check(NumberThat(fits, "NONNEGATIVE", "a number of 0 or more"));
   return *this;
 }
 
 Option& Option::Positive() {
-  option_->check(CLI::PositiveNumber);
+  const auto fits = [](double number) { return number > 0; };
+  option_->check(NumberThat(fits, "POSITIVE", "a positive number"));
   return *this;
 }
 

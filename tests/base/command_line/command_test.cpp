@@ -101,6 +101,8 @@ TEST_F(CommandTest, SaysWhatIsWrong) {
             "`robots train` has no option `--run`; did you mean `--runs`?");
   EXPECT_EQ(Error({"train", "walk.task", "--runs", "101"}),
             "--runs: Value 101 not in range 1 to 100");
+  EXPECT_EQ(Error({"train", "walk.task", "--episodes", "-1"}),
+            "--episodes: expected a number of 0 or more, not `-1`");
   EXPECT_EQ(Error({"train", "walk.task", "--format", "xml"}), "--format: xml not in {text,json}");
   EXPECT_EQ(Error({"train", "walk.task", "--format", "text", "--json"}),
             "--json excludes --format");
