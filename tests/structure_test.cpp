@@ -83,27 +83,28 @@ const std::map<std::string, Folders> kMayInclude = {
     {"runtime/analysis/preference", {"runtime/base", "runtime/training/run"}},
     {"runtime/trainer", {"base/command_line", "base/text", "runtime/base"}},
     {"runtime/trainer/setup",
-     {"plugins/robot", "runtime/base", "runtime/core/agent", "runtime/core/module",
-      "runtime/core/task", "runtime/trainer", "runtime/training/run",
+     {"base/command_line", "plugins/robot", "runtime/base", "runtime/core/agent",
+      "runtime/core/module", "runtime/core/task", "runtime/trainer", "runtime/training/run",
       "runtime/training/simulation"}},
     {"runtime/trainer/runs",
-     {"base/text", "plugins/robot", "runtime/analysis/report", "runtime/base", "runtime/core/agent",
-      "runtime/core/module", "runtime/core/task", "runtime/live/control", "runtime/live/server",
-      "runtime/live/workers", "runtime/trainer", "runtime/trainer/setup", "runtime/training/run"}},
+     {"base/command_line", "base/text", "plugins/robot", "runtime/analysis/report", "runtime/base",
+      "runtime/core/agent", "runtime/core/module", "runtime/core/task", "runtime/live/control",
+      "runtime/live/server", "runtime/live/workers", "runtime/trainer", "runtime/trainer/setup",
+      "runtime/training/run"}},
     {"runtime/trainer/train",
      {"base/text", "runtime/core/agent", "runtime/core/module", "runtime/trainer",
       "runtime/trainer/runs", "runtime/trainer/setup", "runtime/training/run"}},
     {"runtime/trainer/ctl",
-     {"base/text", "base/watch", "runtime/base", "runtime/live/client", "runtime/live/control",
-      "runtime/live/server", "runtime/trainer", "runtime/training/run"}},
+     {"base/command_line", "base/text", "base/watch", "runtime/base", "runtime/live/client",
+      "runtime/live/control", "runtime/live/server", "runtime/trainer", "runtime/training/run"}},
     {"runtime/trainer/results",
      {"base/text", "runtime/analysis/behavior", "runtime/analysis/picture",
       "runtime/analysis/report", "runtime/analysis/study", "runtime/base", "runtime/live/control",
       "runtime/live/workers", "runtime/trainer", "runtime/trainer/runs", "runtime/trainer/setup",
       "runtime/training/run"}},
     {"runtime/trainer/prefer",
-     {"base/text", "runtime/analysis/preference", "runtime/analysis/study", "runtime/base",
-      "runtime/trainer", "runtime/trainer/runs"}},
+     {"base/command_line", "base/text", "runtime/analysis/preference", "runtime/analysis/study",
+      "runtime/base", "runtime/trainer", "runtime/trainer/runs"}},
 };
 
 bool IsSource(const std::filesystem::path& file) {
@@ -164,6 +165,20 @@ TEST(Structure, NoOneElsesEscapeSequenceReachesATerminal) {
       std::ifstream in(entry.path());
       for (std::string line; std::getline(in, line);) {
         EXPECT_FALSE(std::regex_search(line, kRaw)) << name << ": " << line;
+      }
+    }
+  }
+}
+
+// Each file that includes CLI11 takes seconds longer to compile.
+TEST(Structure, OnlyOneFolderIncludesCli11) {
+  for (const char* top : {"base", "plugins", "compiler", "runtime", "tests"}) {
+    for (const auto& entry :
+         std::filesystem::recursive_directory_iterator(std::filesystem::path(SOURCE_DIR) / top)) {
+      if (!IsSource(entry.path()) || FolderOf(entry.path()) == "base/command_line") continue;
+      std::ifstream in(entry.path());
+      for (std::string line; std::getline(in, line);) {
+        EXPECT_FALSE(line.starts_with("#include <CLI/")) << entry.path();
       }
     }
   }

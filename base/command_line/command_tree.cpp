@@ -1,5 +1,6 @@
 #include "base/command_line/command_tree.h"
 
+#include <CLI/CLI.hpp>
 #include <sstream>
 
 namespace command_line {
@@ -67,9 +68,9 @@ void AddCommand(const CLI::App& app, const std::string& path, const ArgumentWord
 
 }  // namespace
 
-std::vector<CompletedCommand> CommandsOf(const CLI::App& app, const ArgumentWords& words) {
+std::vector<CompletedCommand> CommandsOf(const Command& program, const ArgumentWords& words) {
   std::vector<CompletedCommand> commands;
-  AddCommand(app, "", words, commands);
+  AddCommand(program.app(), "", words, commands);
   return commands;
 }
 

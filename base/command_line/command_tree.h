@@ -2,10 +2,11 @@
 // declarations: what the shells' completions are written from.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <map>
 #include <string>
 #include <vector>
+
+#include "base/command_line/command.h"
 
 namespace command_line {
 
@@ -33,7 +34,7 @@ struct CompletedCommand {
 // Words for what the declarations cannot say, by the names of arguments: {"CODE", {"E0101"}}.
 using ArgumentWords = std::map<std::string, std::vector<std::string>>;
 
-// `app`: that of the whole program. It comes first, and each command before those below it.
-std::vector<CompletedCommand> CommandsOf(const CLI::App& app, const ArgumentWords& words);
+// The program comes first, and each command before those below it.
+std::vector<CompletedCommand> CommandsOf(const Command& program, const ArgumentWords& words);
 
 }  // namespace command_line

@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <vector>
 
-#include "base/command_line/choice.h"
-
 namespace command_line {
 namespace {
 
@@ -264,19 +262,10 @@ void AddShell(Command& command, std::string& shell) {
   command.AddOption("SHELL", shell, "for which shell").OneOf({"bash", "zsh", "fish"}).Required();
 }
 
-void AddShell(CLI::App& app, std::string& shell) {
-  AddChoice(app, "SHELL", shell, {"bash", "zsh", "fish"}, "for which shell")->required();
-}
-
 std::string Completion(const std::string& shell, const Command& program,
                        const ArgumentWords& words) {
-  return Completion(shell, program.app(), words);
-}
-
-std::string Completion(const std::string& shell, const CLI::App& program,
-                       const ArgumentWords& words) {
   const Commands commands = CommandsOf(program, words);
-  const std::string& name = program.get_name();
+  const std::string& name = program.name();
   if (shell == "bash") return ToBash(name, commands);
   return shell == "zsh" ? ToZsh(name, commands) : ToFish(name, commands);
 }
