@@ -131,8 +131,8 @@ void Command::Group(const std::string& heading) { app_->group(heading); }
 
 void Command::Footer(const std::string& text) { app_->footer(text); }
 
-void Command::Version(const std::string& text, const std::string& description) {
-  app_->set_version_flag("--version", text, description);
+void Command::Version(const std::string& text) {
+  app_->set_version_flag("--version", text, "print the version and exit");
 }
 
 template <class Value>

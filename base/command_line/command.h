@@ -93,7 +93,7 @@ class Command {
   // Text below the help.
   void Footer(const std::string& text);
   // Adds `--version`, which prints `text`.
-  void Version(const std::string& text, const std::string& description);
+  void Version(const std::string& text);
 
   // `names`: "-o,--output", or "FILE" for an argument without a name. `value` holds the default,
   // and must outlive the command. Values: std::string, std::filesystem::path, int, int64_t,

@@ -20,10 +20,10 @@ constexpr const char* kFooter =
     "`taskc VERB --help` describes a verb and its options.\n"
     "Environment: CXX, the C++ compiler; TASKC_CACHE, the folder of built plugins;\n"
     "TASKC_ROBOT_PATH, folders with robots; NO_COLOR, to turn colors off.\n"
-    "Exit status: 0 success, 1 the task has errors, 2 wrong call, 3 internal error.";
+    "Exit status: 0 success, 1 the task has errors, 2 the command line is wrong, "
+    "3 internal error.";
 
 constexpr const char* kVersion = "taskc " TASKC_VERSION;
-constexpr const char* kVersionTitle = "Display program version information and exit";
 
 // "Examples:" and the verb's, indented.
 std::string Examples(const Verb& verb) {
@@ -62,7 +62,7 @@ ExitStatus RunGuarded(const Action& action, Session& session) {
 
 void Declare(const Verb& verb, Command& program, Session& session) {
   Command& command = program.AddCommand(verb.name, verb.title);
-  command.Version(kVersion, kVersionTitle);
+  command.Version(kVersion);
   command.Footer(Examples(verb));
   command.OnRun([action = verb.declare(command, session), &session] {
     const ExitStatus status = RunGuarded(action, session);
@@ -77,7 +77,7 @@ ExitStatus RunCommandLine(int argc, char** argv) {
   Session session;
   Command program("taskc", kDescription);
   program.Footer(kFooter);
-  program.Version(kVersion, kVersionTitle);
+  program.Version(kVersion);
   for (const Verb& verb : kVerbs) Declare(verb, program, session);
   try {
     const auto run = program.Parse(argc, argv);

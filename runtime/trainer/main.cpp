@@ -11,7 +11,7 @@ namespace runtime {
 namespace {
 
 void AddVersion(command_line::Command& command) {
-  command.Version("trainer " TASKC_VERSION, "print the version and exit");
+  command.Version("trainer " TASKC_VERSION);
 }
 
 void Declare(command_line::Command& program) {

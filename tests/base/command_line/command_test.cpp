@@ -28,7 +28,7 @@ struct Options {
 class CommandTest : public testing::Test {
  protected:
   CommandTest() {
-    program_.Version("robots 1.0", "print the version");
+    program_.Version("robots 1.0");
     program_.Footer("Exit status: 0 done.");
     Command& train = program_.AddCommand("train", "Trains a robot.");
     train.AddOption("TASK", options_.task, "a .task file").Required();
