@@ -10,7 +10,7 @@ namespace runtime {
 void AddCompletionCommand(command_line::Command& program) {
   const auto shell = std::make_shared<std::string>();
   command_line::Command& command = program.AddCommand(
-      "completion", "Prints what a shell needs to complete trainer's command line.");
+      "completion", "Prints a script that completes trainer's command line in a shell.");
   command_line::AddShell(command, *shell);
   command.Footer(
       "Examples:\n"

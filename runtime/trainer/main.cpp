@@ -10,13 +10,11 @@
 namespace runtime {
 namespace {
 
-void AddVersion(command_line::Command& command) {
-  command.Version("trainer " TASKC_VERSION);
-}
+constexpr const char* kVersion = "trainer " TASKC_VERSION;
 
 void Declare(command_line::Command& program) {
   program.Footer(
-      "Exit status: 0 done, 1 the task or the run failed, 2 the command line is wrong, 128 + n "
+      "Exit status: 0 success, 1 the task or the run failed, 2 the command line is wrong, 128 + n "
       "stopped by signal n.");
   AddTrainCommand(program);
   AddResumeCommand(program);
@@ -30,8 +28,8 @@ void Declare(command_line::Command& program) {
   AddPreferCommand(program);
   AddAgentCommand(program);
   AddCompletionCommand(program);
-  AddVersion(program);
-  for (const auto& command : program.commands()) AddVersion(*command);
+  program.Version(kVersion);
+  for (const auto& command : program.commands()) command->Version(kVersion);
 }
 
 int RunTrainer(int argc, char** argv) {

@@ -35,7 +35,7 @@ constexpr const char* kExamples =
     "  trainer ctl watch crawling.task --now         # swaps whenever the file is saved\n"
     "  trainer ctl events --json | jq .return\n"
     "Without --run it is the one run under runs/ that is being trained.\n"
-    "Exit status: 0 done, 1 refused or no trainer is running, 2 the command line is wrong.";
+    "Exit status: 0 success, 1 refused or no trainer is running, 2 the command line is wrong.";
 
 using Options = std::shared_ptr<CtlOptions>;  // of the whole line
 

@@ -169,7 +169,7 @@ void AddPreferCommand(command_line::Command& program) {
   command_line::Command& command =
       program.AddCommand("prefer",
                          "Fits the weights of a task to your preferences, shows what would change, "
-                         "and writes it as a new task.");
+                         "and writes a new task.");
   command.AddOption("DIR", options->folder, "folder of the runs").Required();
   options->statements.AddTo(command);
   command.AddOption("--experiment", options->experiment, "only this experiment");

@@ -150,8 +150,8 @@ TEST_F(LiveTest, WatchTellsThatItsTaskIsAShadowAndThatTheTrainerHasEnded) {
   EXPECT_EQ(result.exit_status, 1);
   EXPECT_THAT(result.errors, HasSubstr("the trainer has ended"));
   EXPECT_THAT(result.output,
-              AllOf(HasSubstr("mine.task takes effect: now, as a shadow: the learner is paid by "
-                              "another task until `task` is promoted ("),
+              AllOf(HasSubstr("mine.task takes effect: now, as a shadow: another task pays "
+                              "the learner until `task` is promoted ("),
                     HasSubstr("mine.task is there already: nothing to swap, as a shadow: ")));
 }
 

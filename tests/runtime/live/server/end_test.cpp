@@ -83,7 +83,7 @@ TEST_F(EndTest, AClientIsToldWhereTheTrainerEndsBeforeItReplies) {
   });
   handler_.TakeSave();
   server_.reset();
-  EXPECT_THAT(error.get(), HasSubstr("before it had answered"));
+  EXPECT_THAT(error.get(), HasSubstr("before it answered"));
 }
 
 TEST_F(EndTest, ASocketOfAKilledTrainerIsReplaced) {
