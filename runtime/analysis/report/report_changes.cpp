@@ -60,7 +60,7 @@ json Changes(const std::vector<ChangeRecord>& records) {
     changes.push_back({{"episode", change.episode},
                        {"step", change.step},
                        {"at", change.at},
-                       {"kind", change.kind},
+                       {"kind", KindOf(change.change)},
                        {"text", change.text}});
   }
   return changes;

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <set>
 
 #include "runtime/base/suggestion.h"
@@ -13,15 +12,6 @@
 
 namespace runtime {
 namespace {
-
-// Whether a change puts another task, or other params, in the place of those of `module`.
-bool ConcernsTask(const ChangeRecord& change, const std::string& module) {
-  if (change.kind == "swap" || change.kind == "rollback" || change.kind == "promote") return true;
-  if (change.kind != "set") return false;
-  const nlohmann::json data = nlohmann::json::parse(change.data, nullptr, false);
-  const std::string name = data.is_object() ? data.value("name", "") : "";
-  return name.starts_with(module + ".");
-}
 
 Eigen::VectorXd SumsAtTheEnd(const RunResult& run) {
   if (!run.run->is_finished()) {
@@ -135,7 +125,7 @@ std::optional<std::string> WhyIncomparable(const StudyRun& run) {
   if (run.changes == 0) return std::nullopt;
   const std::string& module = run.record.tasks.front().module;
   for (const ChangeRecord& change : RunDatabase::OpenToRead(run.folder).ReadChanges()) {
-    if (!ConcernsTask(change, module)) continue;
+    if (!ChangesReward(change.change, module)) continue;
     return fmt::format("its task was changed while it learned ({})", change.text);
   }
   return std::nullopt;

@@ -6,17 +6,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "runtime/base/overloaded.h"
 #include "runtime/base/suggestion.h"
 
 namespace runtime {
 namespace {
-
-template <class... Cases>
-struct Overloaded : Cases... {
-  using Cases::operator()...;
-};
-template <class... Cases>
-Overloaded(Cases...) -> Overloaded<Cases...>;
 
 std::string RealToText(double value) {
   std::string text = fmt::format("{}", value);  // the shortest that reads back to the same bits

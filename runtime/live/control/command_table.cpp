@@ -8,7 +8,7 @@
 
 #include "runtime/base/suggestion.h"
 #include "runtime/base/user_error.h"
-#include "runtime/live/control/parameter_json.h"
+#include "runtime/training/run/value_json.h"
 
 namespace runtime {
 namespace {

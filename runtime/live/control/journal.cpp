@@ -3,38 +3,32 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
+
+#include "runtime/base/overloaded.h"
 
 namespace runtime {
 namespace {
-
-constexpr const char* kQuarantine = "quarantine";
 
 int64_t LastEpisode(const RunDatabase& database) {
   const std::vector<EpisodeRecord> episodes = database.ReadEpisodes();
   return episodes.empty() ? 0 : episodes.back().number;
 }
 
-// `what`: "task" or "change" with its id, and "why".
-ChangeRecord AddQuarantine(RunDatabase& database, const RunPosition& position, nlohmann::json what,
-                           const std::string& text) {
-  what["command"] = kQuarantine;
-  ChangeRecord quarantine;
-  quarantine.episode = position.episode;
-  quarantine.step = position.step;
-  quarantine.kind = kQuarantine;
-  quarantine.text = text;
-  quarantine.data = what.dump();
-  database.AddChange(quarantine);
-  return quarantine;
+ChangeRecord Record(const RunPosition& position, Change change, std::string text) {
+  ChangeRecord record;
+  record.episode = position.episode;
+  record.step = position.step;
+  record.change = std::move(change);
+  record.text = std::move(text);
+  return record;
 }
 
 }  // namespace
 
 Journal::Journal(RunDatabase& database) : database_(database) {
   for (ChangeRecord& change : database.ReadChanges()) {
-    if (change.kind == kQuarantine) {
-      NoteQuarantine(change);
+    if (const auto* quarantine = std::get_if<PutInQuarantine>(&change.change)) {
+      NoteQuarantine(*quarantine);
     } else {
       due_.push_back(std::move(change));
     }
@@ -42,16 +36,15 @@ Journal::Journal(RunDatabase& database) : database_(database) {
   std::ranges::stable_sort(due_, {}, PositionOf);
 }
 
-void Journal::NoteQuarantine(const ChangeRecord& quarantine) {
-  const auto data = nlohmann::json::parse(quarantine.data);
-  if (data.contains("task")) bad_tasks_.insert(data.at("task").get<int64_t>());
-  if (data.contains("change")) bad_changes_.insert(data.at("change").get<int64_t>());
+void Journal::NoteQuarantine(const PutInQuarantine& quarantine) {
+  if (quarantine.task) bad_tasks_.insert(*quarantine.task);
+  if (quarantine.change) bad_changes_.insert(*quarantine.change);
 }
 
 bool Journal::IsInQuarantine(const ChangeRecord& change) const {
   if (bad_changes_.contains(change.id)) return true;
-  if (bad_tasks_.empty()) return false;
-  return bad_tasks_.contains(nlohmann::json::parse(change.data).value("task", int64_t{0}));
+  const std::optional<TaskOfModule> brought = TaskBroughtBy(change.change);
+  return brought && bad_tasks_.contains(brought->task);
 }
 
 std::optional<ChangeRecord> Journal::TakeDue(const RunPosition& position) {
@@ -77,40 +70,42 @@ std::optional<ChangeRecord> Journal::TakeDueNow(const RunPosition& position) {
   return change;
 }
 
-ChangeRecord Journal::AddDone(const RunPosition& position, const std::string& kind,
-                              const std::string& text, const std::string& data) {
-  ChangeRecord change;
-  change.episode = position.episode;
-  change.step = position.step;
-  change.kind = kind;
-  change.text = text;
-  change.data = data;
-  change.id = database_.AddChange(change);
-  return change;
+ChangeRecord Journal::AddDone(const RunPosition& position, Change change, std::string text) {
+  ChangeRecord record = Record(position, std::move(change), std::move(text));
+  record.id = database_.AddChange(record);
+  return record;
 }
 
-void Journal::AddDue(const RunPosition& position, const std::string& kind, const std::string& text,
-                     const std::string& data) {
-  ChangeRecord change = AddDone(position, kind, text, data);
-  due_.insert(std::ranges::upper_bound(due_, position, {}, PositionOf), std::move(change));
+void Journal::AddDue(const RunPosition& position, Change change, std::string text) {
+  ChangeRecord record = AddDone(position, std::move(change), std::move(text));
+  due_.insert(std::ranges::upper_bound(due_, position, {}, PositionOf), std::move(record));
 }
 
 void Journal::Remove(const ChangeRecord& change) { database_.RemoveChange(change.id); }
 
 void Journal::Quarantine(const RunPosition& position, const ChangeRecord& change,
                          const std::string& why) {
-  NoteQuarantine(AddQuarantine(database_, position, {{"change", change.id}, {"why", why}},
-                               fmt::format("taken back: {} ({})", change.text, why)));
+  const PutInQuarantine quarantine{.task = {}, .change = change.id, .why = why};
+  AddDone(position, quarantine, fmt::format("taken back: {} ({})", change.text, why));
+  NoteQuarantine(quarantine);
 }
 
 bool CanBeBlamed(const ChangeRecord& change) {
-  return change.kind != kQuarantine && change.kind != "unload" && change.kind != "module_remove";
+  return std::visit(
+      Overloaded{
+          [](const OneOf<UnloadShadow, RemoveModule, PutInQuarantine> auto&) { return false; },
+          [](const OneOf<SwapTask, LoadShadow, RollBackTask, PromoteTask, SetParameter,
+                         ScheduleParameter, ConnectPorts, DisconnectPorts, AddModule,
+                         UnknownChange> auto&) { return true; },
+      },
+      change.change);
 }
 
 void QuarantineTask(RunDatabase& database, int64_t task, const std::string& why) {
   const std::string name = TaskWithId(database.ReadRun(), task).task;
-  AddQuarantine(database, {LastEpisode(database) + 1, 0}, {{"task", task}, {"why", why}},
-                fmt::format("never again: {} ({})", name, why));
+  database.AddChange(Record({LastEpisode(database) + 1, 0},
+                            PutInQuarantine{.task = task, .change = {}, .why = why},
+                            fmt::format("never again: {} ({})", name, why)));
 }
 
 bool QuarantineLastChange(RunDatabase& database, const std::string& why) {

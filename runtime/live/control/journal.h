@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "runtime/training/run/change.h"
 #include "runtime/training/run/run_database.h"
 #include "runtime/training/run/run_records.h"
 
@@ -48,11 +49,9 @@ class Journal {
   const std::deque<ChangeRecord>& due() const { return due_; }
 
   // Writes down a change that is about to take effect.
-  ChangeRecord AddDone(const RunPosition& position, const std::string& kind,
-                       const std::string& text, const std::string& data);
+  ChangeRecord AddDone(const RunPosition& position, Change change, std::string text);
   // Writes down a change that is taken when it is due, after all others of its position.
-  void AddDue(const RunPosition& position, const std::string& kind, const std::string& text,
-              const std::string& data);
+  void AddDue(const RunPosition& position, Change change, std::string text);
   // The last one that was added could not be done.
   void Remove(const ChangeRecord& change);
   // A change that did harm is never done again.
@@ -68,7 +67,7 @@ class Journal {
   static RunPosition PositionOf(const ChangeRecord& change) {
     return {change.episode, change.step};
   }
-  void NoteQuarantine(const ChangeRecord& quarantine);
+  void NoteQuarantine(const PutInQuarantine& quarantine);
 
   RunDatabase& database_;
   std::deque<ChangeRecord> due_;  // by position, then id

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "runtime/base/overloaded.h"
+#include "runtime/training/run/change_text.h"
 #include "runtime/training/run/progress.h"
 #include "runtime/training/run/record_error.h"
 
@@ -14,6 +16,21 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr std::chrono::milliseconds kBetweenLooks{100};  // for a signal, during a pause
+
+// The module that comes or goes with a change.
+std::optional<std::string> ComingOrGoing(const Change& change) {
+  using Result = std::optional<std::string>;
+  return std::visit(
+      Overloaded{
+          [](const OneOf<LoadShadow, UnloadShadow, AddModule, RemoveModule> auto& each) -> Result {
+            return each.module;
+          },
+          [](const OneOf<SwapTask, RollBackTask, PromoteTask, SetParameter, ScheduleParameter,
+                         ConnectPorts, DisconnectPorts, PutInQuarantine, UnknownChange> auto&)
+              -> Result { return std::nullopt; },
+      },
+      change);
+}
 
 }  // namespace
 
@@ -86,9 +103,7 @@ std::set<std::string> LiveRun::BeforeRestore(int64_t episode) {
 
 // A checkpoint may have another opinion of whether its module is there.
 void LiveRun::NoteNotAgain(const ChangeRecord& change) {
-  for (const char* kind : {"load", "module_add", "unload", "module_remove"}) {
-    if (change.kind == kind) not_again_.insert(Change(Json::parse(change.data)).text("name"));
-  }
+  if (auto module = ComingOrGoing(change.change)) not_again_.insert(*std::move(module));
 }
 
 // Schedules go on with every episode: which of them ended, and when, depends on what was changed
@@ -153,8 +168,7 @@ std::optional<std::string> LiveRun::TryAgain(const ChangeRecord& record) {
 }
 
 void LiveRun::Do(const ChangeRecord& record) {
-  maker_.Do(Change(Json::parse(record.data)),
-            RunPosition{record.episode, record.step}.next_whole_episode());
+  maker_.Do(record.change, RunPosition{record.episode, record.step}.next_whole_episode());
   NoteDone(record);
 }
 
@@ -165,19 +179,17 @@ void LiveRun::NoteDone(const ChangeRecord& record) {
            {"id", record.id},
            {"episode", record.episode},
            {"step", record.step},
-           {"kind", record.kind},
+           {"kind", KindOf(record.change)},
            {"text", record.text}});
 }
 
 std::string LiveRun::Make(const Change& change, bool now) {
-  const auto text = [&] { return change.Description(run_.record); };
   if (!now && position_.step != 0) {
     const RunPosition next_start = {position_.episode + 1, 0};
-    journal_.AddDue(next_start, change.kind(), text(), change.data().dump());
+    journal_.AddDue(next_start, change, TextOf(change, run_.record));
     return fmt::format("episode {}", next_start.episode);
   }
-  const ChangeRecord record =
-      journal_.AddDone(position_, change.kind(), text(), change.data().dump());
+  const ChangeRecord record = journal_.AddDone(position_, change, TextOf(change, run_.record));
   try {
     maker_.Do(change, position_.next_whole_episode());
   } catch (...) {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "runtime/live/control/change.h"
+#include "runtime/live/control/change_maker.h"
 #include "runtime/live/control/journal.h"
 #include "runtime/live/control/live_graph.h"
 #include "runtime/live/control/request.h"
@@ -90,13 +90,14 @@ class LiveRun : public RequestHandler, public TrainingHooks {
   nlohmann::json StatusJson() const;
 
   nlohmann::json LoadOrSwap(const QueuedRequest& request);
-  // The reply to `data`, a swap or rollback, which is not done where it would change nothing.
-  nlohmann::json Exchange(nlohmann::json data, bool now);
+  // The reply to a change that brings another task into a module that is there. Where `forget` is
+  // false, it is not done where it would change nothing.
+  nlohmann::json Exchange(const Change& change, bool forget, bool now);
   // What the module will have where a change takes effect, `now` or as the next episode starts.
   int64_t TaskToCome(const std::string& module, bool now) const;
   nlohmann::json Rollback(const nlohmann::json& arguments);
   nlohmann::json Promote(const nlohmann::json& arguments);
-  nlohmann::json SetParameter(const nlohmann::json& arguments);
+  nlohmann::json Set(const nlohmann::json& arguments);
   nlohmann::json GoOn(const nlohmann::json& arguments);
   nlohmann::json StepOn(const nlohmann::json& arguments);
   void CheckIsGood(const TaskRecord& task) const;

@@ -11,21 +11,20 @@
 #include "runtime/live/control/versions.h"
 #include "runtime/training/run/run_files.h"
 #include "runtime/training/run/task_record.h"
+#include "runtime/training/run/value_json.h"
 
 namespace runtime {
 namespace {
 
 using Json = nlohmann::json;
 
+constexpr const char* kOfSchedule[] = {"from", "to", "episodes"};
+
 // JSON has no infinity: null before the first episode.
 Json FiniteOrNull(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
-void CheckSchedule(const Json& arguments, const Parameter& parameter, const std::string& name) {
-  for (const char* key : {"from", "to", "episodes"}) {
-    if (arguments.contains(key)) continue;
-    throw UserError(fmt::format(
-        "`set {}` needs a `value`, or `from`, `to` and `episodes` for a schedule", name));
-  }
+void CheckSchedule(const ScheduleParameter& schedule, const Parameter& parameter) {
+  const std::string& name = schedule.parameter;
   if (!std::holds_alternative<double*>(parameter.target) &&
       !std::holds_alternative<int64_t*>(parameter.target) &&
       !std::holds_alternative<int*>(parameter.target)) {
@@ -35,20 +34,59 @@ void CheckSchedule(const Json& arguments, const Parameter& parameter, const std:
     throw UserError(fmt::format("`{}` has no effect after the start of a run", name));
   }
   constexpr double kExact = 9007199254740992;  // up to here every whole number is a double
-  for (const char* key : {"from", "to"}) {
-    const auto value = arguments.at(key).get<double>();
-    parameter.CheckRange(name, value);
-    const bool is_exact = std::abs(value) <= kExact;
+  for (const WrittenNumber& number : {schedule.from, schedule.to}) {
+    parameter.CheckRange(name, AsReal(number));
+    const bool is_exact = std::abs(AsReal(number)) <= kExact;
     if (is_exact || std::holds_alternative<double*>(parameter.target)) continue;
     throw UserError(fmt::format("a schedule of `{}` has no number as large as {}", name,
-                                arguments.at(key).dump()));
+                                ToJson(number).dump()));
   }
   constexpr int64_t kMost = 1'000'000'000;
-  const auto episodes = arguments.at("episodes").get<int64_t>();
-  if (episodes < 1 || episodes > kMost) {
-    throw UserError(
-        fmt::format("`episodes` must lie in 1 .. {}, and {} does not", kMost, episodes));
+  if (schedule.episodes >= 1 && schedule.episodes <= kMost) return;
+  throw UserError(
+      fmt::format("`episodes` must lie in 1 .. {}, and {} does not", kMost, schedule.episodes));
+}
+
+ScheduleParameter ReadSchedule(const Json& arguments, const std::string& name) {
+  for (const char* key : kOfSchedule) {
+    if (arguments.contains(key)) continue;
+    throw UserError(fmt::format(
+        "`set {}` needs a `value`, or `from`, `to` and `episodes` for a schedule", name));
   }
+  return {.parameter = name,
+          .from = NumberFromJson(arguments.at("from")).value(),
+          .to = NumberFromJson(arguments.at("to")).value(),
+          .episodes = arguments.at("episodes").get<int64_t>()};
+}
+
+SetParameter ReadValue(const Json& arguments, const Parameter& parameter, const std::string& name) {
+  for (const char* key : kOfSchedule) {
+    if (!arguments.contains(key)) continue;
+    throw UserError(
+        fmt::format("`set {}`: a `value` has no `{}`, which is of a schedule", name, key));
+  }
+  return {.parameter = name,
+          .value = FitTo(parameter, ValueFromJson(arguments.at("value"), name), name)};
+}
+
+AddModule ReadModule(const Json& arguments) {
+  AddModule add{.type = arguments.at("type").get<std::string>(),
+                .module = arguments.at("name").get<std::string>(),
+                .parameters = {}};
+  const Json parameters = arguments.value("parameters", Json::object());
+  for (const auto& [name, value] : parameters.items()) {
+    add.parameters.emplace_back(name, ValueFromJson(value, name));
+  }
+  return add;
+}
+
+Change PlainChange(const std::string& command, const Json& arguments) {
+  const auto text = [&](const char* key) { return arguments.at(key).get<std::string>(); };
+  if (command == UnloadShadow::kKind) return UnloadShadow{text("name")};
+  if (command == ConnectPorts::kKind) return ConnectPorts{text("first"), text("second")};
+  if (command == DisconnectPorts::kKind) return DisconnectPorts{text("first"), text("second")};
+  if (command == AddModule::kKind) return ReadModule(arguments);
+  return RemoveModule{text("name")};
 }
 
 }  // namespace
@@ -61,10 +99,8 @@ Json LiveRun::Answer(const QueuedRequest& request) {
   if (command == "load" || command == "swap") return LoadOrSwap(request);
   if (command == "rollback") return Rollback(arguments);
   if (command == "promote") return Promote(arguments);
-  if (command == "set") return SetParameter(arguments);
-  Json data = arguments;
-  data["command"] = command;
-  return {{"takes_effect", Make(Change(std::move(data)), true)}};
+  if (command == "set") return Set(arguments);
+  return {{"takes_effect", Make(PlainChange(command, arguments), true)}};
 }
 
 std::optional<Json> LiveRun::Look(const Request& request) const {
@@ -178,14 +214,14 @@ Json LiveRun::LoadOrSwap(const QueuedRequest& request) {
   Json reply;
   if (command == "swap") {
     graph_.CheckSwap(name, plugin);
-    Json data = {{"command", command}, {"name", name}, {"task", RecordTask(std::move(task)).id}};
-    if (arguments.value("forget", false)) data["forget"] = true;
-    reply = Exchange(std::move(data), arguments.value("now", false));
+    const bool forget = arguments.value("forget", false);
+    const SwapTask swap{.module = name, .task = RecordTask(std::move(task)).id, .forget = forget};
+    reply = Exchange(swap, forget, arguments.value("now", false));
   } else {
     graph_.CheckLoad(name, plugin);
     const TaskRecord& loaded = RecordTask(std::move(task));
     reply = TaskJson(name, loaded);
-    Make(Change({{"command", command}, {"name", name}, {"task", loaded.id}}), true);
+    Make(LoadShadow{.module = name, .task = loaded.id}, true);
     // It sleeps until then.
     reply["takes_effect"] = fmt::format("episode {}", position_.next_whole_episode());
   }
@@ -199,20 +235,19 @@ int64_t LiveRun::TaskToCome(const std::string& module, bool now) const {
   const RunPosition next_start = {position_.episode + 1, 0};
   for (const ChangeRecord& due : journal_.due()) {
     if (RunPosition{due.episode, due.step} > next_start) break;
-    const Change change(Json::parse(due.data));
-    const bool is_of_module = change.task() != 0 && change.text("name") == module;
-    if (is_of_module && !journal_.IsInQuarantine(due)) task = change.task();
+    const std::optional<TaskOfModule> brought = TaskBroughtBy(due.change);
+    const bool is_of_module = brought && brought->module == module;
+    if (is_of_module && !journal_.IsInQuarantine(due)) task = brought->task;
   }
   return task;
 }
 
 // A file that is saved unchanged would take the place of the version that `rollback` goes back to.
-Json LiveRun::Exchange(Json data, bool now) {
-  const Change change(std::move(data));
-  const std::string name = change.text("name");
-  const bool changes = change.flag("forget") || TaskToCome(name, now) != change.task();
-  Json reply = TaskJson(name, TaskWithId(run_.record, change.task()));
-  reply["role"] = RoleName(graph_.FindTask(name));
+Json LiveRun::Exchange(const Change& change, bool forget, bool now) {
+  const auto [module, task] = *TaskBroughtBy(change);
+  const bool changes = forget || TaskToCome(module, now) != task;
+  Json reply = TaskJson(module, TaskWithId(run_.record, task));
+  reply["role"] = RoleName(graph_.FindTask(module));
   reply["takes_effect"] = changes ? Make(change, now) : "already";
   return reply;
 }
@@ -231,45 +266,36 @@ Json LiveRun::Rollback(const Json& arguments) {
   } else {
     task = graph_.FindTask(name).FindPrevious().id();
   }
-  return Exchange({{"command", "rollback"}, {"name", name}, {"task", task}},
-                  arguments.value("now", false));
+  return Exchange(RollBackTask{.module = name, .task = task}, false, arguments.value("now", false));
 }
 
 Json LiveRun::Promote(const Json& arguments) {
   const std::string name = arguments.at("name").get<std::string>();
   const bool now = arguments.value("now", false);
   graph_.CheckPromote(name, now && position_.step != 0);
-  Json data = {{"command", "promote"}, {"name", name}};
-  if (arguments.value("forget", false)) data["forget"] = true;
+  const PromoteTask promote{.module = name, .forget = arguments.value("forget", false)};
   Json reply = TaskJson(name, TaskWithId(run_.record, graph_.FindTask(name).instance().id()));
-  reply["takes_effect"] = Make(Change(std::move(data)), now);
+  reply["takes_effect"] = Make(promote, now);
   return reply;
 }
 
-Json LiveRun::SetParameter(const Json& arguments) {
+Json LiveRun::Set(const Json& arguments) {
   const std::string name = arguments.at("name").get<std::string>();
   const Parameter& parameter = graph_.FindParameter(name);
-  Json data = {{"command", "set"}, {"name", name}};
   if (arguments.contains("value")) {
-    for (const char* key : {"from", "to", "episodes"}) {
-      if (!arguments.contains(key)) continue;
-      throw UserError(
-          fmt::format("`set {}`: a `value` has no `{}`, which is of a schedule", name, key));
-    }
-    data["value"] = ToJson(ValueFromJson(arguments.at("value"), parameter, name));
-    const std::string takes_effect = Make(Change(std::move(data)), true);
+    const std::string takes_effect = Make(ReadValue(arguments, parameter, name), true);
     Json reply = ParametersJson(graph_, name);
     reply["takes_effect"] = takes_effect;
     return reply;
   }
-  CheckSchedule(arguments, parameter, name);
-  for (const char* key : {"from", "to", "episodes"}) data[key] = arguments.at(key);
+  const ScheduleParameter schedule = ReadSchedule(arguments, name);
+  CheckSchedule(schedule, parameter);
   return {{"name", name},
-          {"from", data["from"]},
-          {"to", data["to"]},
-          {"episodes", data["episodes"]},
+          {"from", ToJson(schedule.from)},
+          {"to", ToJson(schedule.to)},
+          {"episodes", schedule.episodes},
           {"first_episode", position_.next_whole_episode()},
-          {"takes_effect", Make(Change(data), true)}};
+          {"takes_effect", Make(schedule, true)}};
 }
 
 }  // namespace runtime

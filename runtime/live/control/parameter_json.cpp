@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <utility>
+
+#include "runtime/training/run/value_json.h"
 
 namespace runtime {
 namespace {
@@ -41,41 +44,22 @@ double NumberWithUnit(const std::string& text, const std::string& unit, const st
   return number;
 }
 
-std::vector<double> ListFromJson(const nlohmann::json& json, const std::string& name) {
-  std::vector<double> list;
-  for (const nlohmann::json& element : json) {
-    if (!element.is_number()) {
-      throw UserError(
-          fmt::format("`{}`: a list holds numbers only, and {} is not one", name, element.dump()));
-    }
-    list.push_back(element.get<double>());
-  }
-  return list;
-}
-
 }  // namespace
 
-bool IsInt64(const nlohmann::json& json) {
-  if (json.is_number_unsigned()) return std::in_range<int64_t>(json.get<uint64_t>());
-  return json.is_number_integer();
+ParameterValue ValueFromJson(const nlohmann::json& json, const std::string& name) {
+  std::optional<ParameterValue> value = ValueFromJson(json);
+  if (value) return *std::move(value);
+  if (!json.is_array()) throw UserError(fmt::format("`{}` cannot be {}", name, json.dump()));
+  const auto wrong = std::ranges::find_if_not(json, &nlohmann::json::is_number);
+  throw UserError(
+      fmt::format("`{}`: a list holds numbers only, and {} is not one", name, wrong->dump()));
 }
 
-nlohmann::json ToJson(const ParameterValue& value) {
-  return std::visit([](const auto& each) -> nlohmann::json { return each; }, value);
-}
-
-ParameterValue ValueFromJson(const nlohmann::json& json, const Parameter& parameter,
-                             const std::string& name) {
-  if (json.is_boolean()) return json.get<bool>();
-  if (IsInt64(json)) return json.get<int64_t>();
-  if (json.is_number()) return NumberFor(parameter, json.get<double>());
-  if (json.is_array()) return ListFromJson(json, name);
-  if (!json.is_string()) {
-    throw UserError(fmt::format("`{}` cannot be {}", name, json.dump()));
-  }
-  const auto text = json.get<std::string>();
-  if (!IsNumber(parameter)) return text;
-  return NumberFor(parameter, NumberWithUnit(text, parameter.unit, name));
+ParameterValue FitTo(const Parameter& parameter, ParameterValue value, const std::string& name) {
+  if (const double* real = std::get_if<double>(&value)) return NumberFor(parameter, *real);
+  const std::string* text = std::get_if<std::string>(&value);
+  if (text == nullptr || !IsNumber(parameter)) return value;
+  return NumberFor(parameter, NumberWithUnit(*text, parameter.unit, name));
 }
 
 nlohmann::json ParameterJson(const Module& module, const Parameter& parameter) {

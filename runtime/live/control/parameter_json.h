@@ -8,15 +8,13 @@
 
 namespace runtime {
 
-// Whether it is a whole number that int64_t holds. Beyond it, nlohmann::json wraps around.
-bool IsInt64(const nlohmann::json& json);
+// Throws UserError, which calls the parameter `name`, for what no parameter can be.
+ParameterValue ValueFromJson(const nlohmann::json& json, const std::string& name);
 
-nlohmann::json ToJson(const ParameterValue& value);
-
-// A number may be a text that ends with the parameter's unit: "20 s". Throws UserError for another
-// unit and for what no parameter can be; whether type and range fit is found out by Module::Set().
-ParameterValue ValueFromJson(const nlohmann::json& json, const Parameter& parameter,
-                             const std::string& name);
+// The value as a client means it who knows the parameter: a number may be a text that ends with its
+// unit, "20 s", and a whole one be written as 3.0. Throws UserError for another unit; whether type
+// and range fit is found out by Module::Set().
+ParameterValue FitTo(const Parameter& parameter, ParameterValue value, const std::string& name);
 
 // {"name", "value", "unit", "minimum", "maximum", "doc"}; no limit where there is none.
 nlohmann::json ParameterJson(const Module& module, const Parameter& parameter);

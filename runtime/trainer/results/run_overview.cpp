@@ -145,7 +145,7 @@ Json Changes(const RunOverview& overview) {
     json.push_back({{"episode", change.episode},
                     {"step", change.step},
                     {"at", change.at},
-                    {"kind", change.kind},
+                    {"kind", KindOf(change.change)},
                     {"text", change.text}});
   }
   return json;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "runtime/training/run/change_json.h"
 #include "runtime/training/run/iso_time.h"
 #include "runtime/training/run/record_error.h"
 #include "runtime/training/run/run_database_impl.h"
@@ -284,8 +285,9 @@ int64_t RunDatabase::AddChange(const ChangeRecord& change) {
   SqliteStatement row(*impl_->database, "INSERT INTO change VALUES (NULL, ?, ?, ?, ?, ?, ?)",
                       "note a change");
   const std::string at = change.at.empty() ? IsoTimeNow() : change.at;
-  row.Bind(change.episode, change.step, std::string_view(at), std::string_view(change.kind),
-           std::string_view(change.text), std::string_view(change.data))
+  const std::string data = ChangeData(change.change);
+  row.Bind(change.episode, change.step, std::string_view(at), KindOf(change.change),
+           std::string_view(change.text), std::string_view(data))
       .Run();
   return sqlite3_last_insert_rowid(impl_->database->handle());
 }

@@ -7,7 +7,7 @@
 
 #include "runtime/base/user_error.h"
 #include "runtime/training/run/body_json.h"
-#include "runtime/training/run/change_data.h"
+#include "runtime/training/run/change_json.h"
 #include "runtime/training/run/read_episodes.h"
 #include "runtime/training/run/read_learner.h"
 #include "runtime/training/run/read_tasks.h"
@@ -31,6 +31,17 @@ class Moment {
  private:
   SqliteDatabase& database_;
 };
+
+// Of a row of the table `change`.
+Change ChangeIn(TableReader& row, int64_t task_count) {
+  const std::string kind = row.Name(4);
+  const std::string data = row.Text(6);
+  try {
+    return ReadChange(kind, data, task_count);
+  } catch (const UserError& error) {
+    row.FailAt(6, error.what());
+  }
+}
 
 // The table `run`.
 class RunValues {
@@ -135,10 +146,7 @@ std::vector<ChangeRecord> RunDatabase::ReadChanges() const {
     const int64_t after = changes.empty() ? 0 : changes.back().id;
     changes.push_back({row.Whole(0, after + 1), row.Whole(1, 1),
                        row.Whole(2, 0, std::numeric_limits<int64_t>::max()), row.Text(3),
-                       row.Name(4), row.Text(5), row.Text(6)});
-    const std::string wrong =
-        WhatIsWrongWithChange(changes.back().kind, changes.back().data, task_count);
-    if (!wrong.empty()) row.FailAt(6, wrong);
+                       ChangeIn(row, task_count), row.Text(5)});
   }
   return changes;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "runtime/core/module/values.h"
+#include "runtime/training/run/change.h"
 
 namespace runtime {
 
@@ -112,9 +113,8 @@ struct ChangeRecord {
   int64_t episode = 0;  // in which it took effect; the next one, for a change between two episodes
   int64_t step = 0;     // time steps done in that episode before it
   std::string at;       // ISO 8601; "" for one that is about to be added: the time at which it is
-  std::string kind;     // "swap"
-  std::string text;     // for a person: "swap task: crawling.task (a1b2c3d4)"
-  std::string data;     // the request with all that is needed to repeat it, JSON
+  Change change;        // with all that is needed to repeat it
+  std::string text;     // for a person: "swap task: crawling (a1b2c3d4)"
 };
 
 struct Recording {

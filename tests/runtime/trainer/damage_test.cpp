@@ -54,8 +54,7 @@ class DamagedRunTest : public TrainerTest {
 TEST_F(DamagedRunTest, NoCommandFallsOverIt) {
   Train("sound", 3, {"--quiet"});
   RunDatabase::Open(Sound()).AddChange(
-      {0, 4, 0, "", "set", "task.limit = 0.25",
-       R"({"command": "set", "name": "task.limit", "value": 0.25})"});
+      {0, 4, 0, "", SetParameter{"task.limit", 0.25}, "task.limit = 0.25"});
   LiftConstraints(Sound() / "run.db");
   const std::vector<Damage> damages = AllDamages(Sound() / "run.db");
   constexpr size_t kStep = 7;  // some of them, of every column: the rest costs minutes

@@ -129,7 +129,7 @@ class LiveTest : public TrainerTest {
     std::vector<std::string> texts;
     for (const ChangeRecord& change : RunDatabase::OpenToRead(RunFolder("run")).ReadChanges()) {
       texts.push_back(std::to_string(change.episode) + ":" + std::to_string(change.step) + " " +
-                      change.kind);
+                      std::string(KindOf(change.change)));
     }
     return texts;
   }

@@ -20,10 +20,9 @@ class ShowTest : public TrainerTest {
   void WriteTunedRun() const {
     RunDatabase database = RunDatabase::Create(RunFolder("run"), SampleRun());
     database.AddTask(SampleVersion());
-    database.AddChange({0, 2, 0, "2026-01-02T03:04:05Z", "swap", "swap task: b.task",
-                        R"({"command": "swap", "name": "task", "task": 1})"});
-    database.AddChange({0, 2, 40, "2026-01-02T03:04:06Z", "set", "set task.gain = 2",
-                        R"({"command": "set", "name": "task.gain", "value": 2})"});
+    database.AddChange({0, 2, 0, "2026-01-02T03:04:05Z", SwapTask{"task", 1}, "swap task: b.task"});
+    database.AddChange({0, 2, 40, "2026-01-02T03:04:06Z", SetParameter{"task.gain", int64_t{2}},
+                        "set task.gain = 2"});
     EpisodeRecord second = SampleEpisode(2);
     second.shadows = {second.active};
     second.active = SampleShadow();

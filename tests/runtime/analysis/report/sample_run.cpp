@@ -170,16 +170,14 @@ void WriteTunedRun(const std::filesystem::path& folder) {
   const int64_t shadow = database.AddTask(CarefulTask("careful"));
   const int64_t active = database.AddTask(CarefulTask("task"));
   for (const ChangeRecord& change :
-       {ChangeRecord{0, 101, 0, "2026-01-02T03:04:05Z", "load",
-                     "load careful: careful.task (c0ffee5b)",
-                     R"({"command": "load", "name": "careful", "task": 2})"},
-        ChangeRecord{0, 180, 1250, "2026-01-02T03:09:10Z", "set", "set learner.temperature = 0.5",
-                     R"({"command": "set", "name": "learner.temperature", "value": 0.5})"},
-        ChangeRecord{0, 251, 0, "2026-01-02T03:14:15Z", "swap",
-                     "swap task: examples/live/careful-with-a-longer-name.task (c0ffee5b)",
-                     R"({"command": "swap", "name": "task", "task": 3})"},
-        ChangeRecord{0, 251, 0, "2026-01-02T03:14:16Z", "set", "set task.weight = 2",
-                     R"({"command": "set", "name": "task.weight", "value": 2})"}}) {
+       {ChangeRecord{0, 101, 0, "2026-01-02T03:04:05Z", LoadShadow{"careful", 2},
+                     "load careful: careful.task (c0ffee5b)"},
+        ChangeRecord{0, 180, 1250, "2026-01-02T03:09:10Z", SetParameter{"learner.temperature", 0.5},
+                     "set learner.temperature = 0.5"},
+        ChangeRecord{0, 251, 0, "2026-01-02T03:14:15Z", SwapTask{"task", 3},
+                     "swap task: examples/live/careful-with-a-longer-name.task (c0ffee5b)"},
+        ChangeRecord{0, 251, 0, "2026-01-02T03:14:16Z", SetParameter{"task.weight", int64_t{2}},
+                     "set task.weight = 2"}}) {
     database.AddChange(change);
   }
   std::mt19937 random(2);

@@ -76,10 +76,8 @@ TEST_F(ReadStudyRunsTest, ARunThatWasChangedIsNoted) {
   Write("a", SampleRunRecord());
   Write("b", SampleRunRecord());
   RunDatabase database = RunDatabase::Open(folder() / "b");
-  database.AddChange({0, 1, 0, "", "set", "set task.weight = 2",
-                      R"({"command": "set", "name": "task.weight", "value": 2})"});
-  database.AddChange({0, 2, 0, "", "set", "set task.weight = 3",
-                      R"({"command": "set", "name": "task.weight", "value": 3})"});
+  database.AddChange({0, 1, 0, "", SetParameter{"task.weight", int64_t{2}}, "set task.weight = 2"});
+  database.AddChange({0, 2, 0, "", SetParameter{"task.weight", int64_t{3}}, "set task.weight = 3"});
   const Study study = Read();
   EXPECT_EQ(study.experiments[0].runs[1].changes, 2u);
   EXPECT_THAT(study.notes, ElementsAre("b was changed while it learned, 2 times; its own report "

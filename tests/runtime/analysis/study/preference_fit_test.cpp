@@ -160,11 +160,9 @@ TEST_F(PreferenceFitTest, ATaskWithoutWeightsIsAnError) {
 
 TEST_F(PreferenceFitTest, RunsWhoseTaskWasChangedDoNotCount) {
   RunDatabase::Open(runs_[2]).AddChange(
-      {0, 3, 0, "", "set", "task.fall_penalty = 8",
-       R"({"command": "set", "name": "task.fall_penalty", "value": 8})"});
+      {0, 3, 0, "", SetParameter{"task.fall_penalty", int64_t{8}}, "task.fall_penalty = 8"});
   RunDatabase::Open(runs_[1]).AddChange(
-      {0, 3, 0, "", "set", "learner.temperature = 8",
-       R"({"command": "set", "name": "learner.temperature", "value": 8})"});
+      {0, 3, 0, "", SetParameter{"learner.temperature", int64_t{8}}, "learner.temperature = 8"});
   const PreferenceFit fit = Fit({Over("seed2", "seed1"), Over("seed1", "seed3")});
   ASSERT_THAT(fit.preferences, SizeIs(1));
   EXPECT_EQ(fit.preferences[0].preference.worse.run, "crawling/seed1");

@@ -2,8 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include <nlohmann/json.hpp>
-
+#include "runtime/training/run/change_json.h"
 #include "tests/runtime/training/run/sample_run.h"
 #include "tests/runtime/training/run/temporary_folder.h"
 
@@ -14,7 +13,7 @@ using testing::ElementsAre;
 using testing::SizeIs;
 
 constexpr RunPosition kEnd{1'000'000, 0};
-constexpr const char* kSet = R"({"command": "set", "name": "task.limit", "value": 1})";
+const Change kSet = SetParameter{"task.limit", int64_t{1}};
 
 class JournalTest : public testing::Test {
  protected:
@@ -24,9 +23,8 @@ class JournalTest : public testing::Test {
     return texts;
   }
   void Add(Journal& journal, const RunPosition& position, const std::string& text,
-           const std::string& data = kSet) {
-    const std::string kind = nlohmann::json::parse(data).at("command");
-    journal.AddDue(position, kind, text, data);
+           const Change& change = kSet) {
+    journal.AddDue(position, change, text);
   }
 
   TemporaryFolder folder_;
@@ -56,7 +54,7 @@ TEST_F(JournalTest, TheyComeByPositionAndThenInTheOrderInWhichTheyWereMade) {
 
 TEST_F(JournalTest, WhatIsDoneAlreadyIsOnlyWrittenDown) {
   Add(journal_, {2, 0}, "later");
-  const ChangeRecord added = journal_.AddDone({1, 4}, "set", "now", kSet);
+  const ChangeRecord added = journal_.AddDone({1, 4}, kSet, "now");
   EXPECT_EQ(added.id, 2);
   EXPECT_EQ(added.episode, 1);
   EXPECT_EQ(added.step, 4);
@@ -77,7 +75,7 @@ TEST_F(JournalTest, WhatTakesEffectLaterStandsWhereItDoes) {
     EXPECT_EQ(std::pair(change->episode, change->step), std::pair(4L, 0L));
   }
   EXPECT_EQ(journal_.TakeDueNow({4, 2}), std::nullopt);
-  journal_.AddDone({4, 2}, "set", "d", kSet);
+  journal_.AddDone({4, 2}, kSet, "d");
   EXPECT_EQ(journal_.TakeDueNow({4, 3})->id, 4);  // where it stood
   Journal again(database_);
   EXPECT_FALSE(again.has_due({3, 700}));
@@ -86,9 +84,9 @@ TEST_F(JournalTest, WhatTakesEffectLaterStandsWhereItDoes) {
 }
 
 TEST_F(JournalTest, WhatCouldNotBeDoneIsTakenOutOfIt) {
-  journal_.AddDone({1, 1}, "set", "good", kSet);
-  journal_.Remove(journal_.AddDone({1, 2}, "set", "bad", kSet));
-  journal_.AddDone({1, 3}, "set", "better", kSet);
+  journal_.AddDone({1, 1}, kSet, "good");
+  journal_.Remove(journal_.AddDone({1, 2}, kSet, "bad"));
+  journal_.AddDone({1, 3}, kSet, "better");
   Journal again(database_);
   EXPECT_THAT(TakeAll(again, kEnd), ElementsAre("good", "better"));
 }
@@ -112,7 +110,8 @@ TEST_F(JournalTest, AChangeInQuarantineIsNeverDoneAgain) {
   Journal again(database_);
   EXPECT_THAT(TakeAll(again, kEnd), ElementsAre("good"));
   const ChangeRecord written = database_.ReadChanges().back();
-  EXPECT_EQ(written.kind, "quarantine");
+  EXPECT_EQ(ChangeData(written.change),
+            R"({"change":1,"command":"quarantine","why":"it broke the net"})");
   EXPECT_EQ(written.text, "taken back: bad (it broke the net)");
   EXPECT_EQ(written.episode, 4);
   EXPECT_EQ(written.step, 9);
@@ -122,15 +121,17 @@ TEST_F(JournalTest, NorIsAnyThatBringsATaskInQuarantine) {
   RunDatabase& database = database_;
   ASSERT_EQ(database.AddTask(SampleVersion()), 2);
   database.AddEpisode(SampleEpisode(1), {}, {});
-  Add(journal_, {1, 3}, "swap to 2", R"({"command": "swap", "name": "task", "task": 2})");
-  Add(journal_, {1, 4}, "back to 1", R"({"command": "rollback", "name": "task", "task": 1})");
+  Add(journal_, {1, 3}, "swap to 2", SwapTask{"task", 2});
+  Add(journal_, {1, 4}, "back to 1", RollBackTask{"task", 1});
   Add(journal_, {1, 5}, "set", kSet);
-  Add(journal_, {1, 6}, "back to 2", R"({"command": "rollback", "name": "task", "task": 2})");
+  Add(journal_, {1, 6}, "back to 2", RollBackTask{"task", 2});
   QuarantineTask(database, 2, "crash: Segmentation fault");
   Journal again(database);
   EXPECT_THAT(again.bad_tasks(), ElementsAre(2));
   EXPECT_THAT(TakeAll(again, kEnd), ElementsAre("back to 1", "set"));
   const ChangeRecord written = database.ReadChanges().back();
+  EXPECT_EQ(ChangeData(written.change),
+            R"({"command":"quarantine","task":2,"why":"crash: Segmentation fault"})");
   EXPECT_EQ(written.text, "never again: crawling (crash: Segmentation fault)");
   EXPECT_EQ(written.episode, 2);
   EXPECT_EQ(written.step, 0);

@@ -140,7 +140,7 @@ class Trainer {
     std::vector<std::string> texts;
     for (const ChangeRecord& change : database_.ReadChanges()) {
       texts.push_back(std::to_string(change.episode) + ":" + std::to_string(change.step) + " " +
-                      change.kind + " " + change.text);
+                      std::string(KindOf(change.change)) + " " + change.text);
     }
     return texts;
   }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "runtime/training/run/value_json.h"
 #include "tests/runtime/live/control/small_agent.h"
 #include "tests/runtime/training/run/error_of.h"
 
@@ -14,7 +15,8 @@ class ParameterJsonTest : public testing::Test {
  protected:
   // What becomes of `parameter` where a client writes `value`.
   ParameterValue Read(const char* parameter, const json& value) {
-    return ValueFromJson(value, mind_.FindParameter(parameter), std::string("mind.") + parameter);
+    const std::string name = std::string("mind.") + parameter;
+    return FitTo(mind_.FindParameter(parameter), ValueFromJson(value, name), name);
   }
   std::string Refusal(const char* parameter, const json& value) {
     return ErrorOf([&] { mind_.Set(parameter, Read(parameter, value)); });

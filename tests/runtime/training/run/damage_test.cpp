@@ -24,10 +24,10 @@ class DamageTest : public testing::Test {
     shadowed.shadows = {SampleShadow()};
     database.AddEpisode(SampleEpisode(1), Recording{3, 0.02, true, "poses"}, {});
     database.AddEpisode(shadowed, Recording{3, 0.02, false, "poses"}, Checkpoint{2, "state"});
-    database.AddChange({0, 1, 20, "2026-01-02T03:04:05Z", "set", "set task.gain = 2",
-                        R"({"command": "set", "name": "task.gain", "value": 2})"});
-    database.AddChange({0, 2, 0, "2026-01-02T03:04:05Z", "load", "load careful: crawling",
-                        R"({"command": "load", "name": "careful", "task": 2})"});
+    database.AddChange({0, 1, 20, "2026-01-02T03:04:05Z", SetParameter{"task.gain", int64_t{2}},
+                        "set task.gain = 2"});
+    database.AddChange(
+        {0, 2, 0, "2026-01-02T03:04:05Z", LoadShadow{"careful", 2}, "load careful: crawling"});
   }
 
   // All that can be read, each without the others: one that fails must not hide the next.
@@ -108,7 +108,7 @@ TEST_F(DamageTest, NoticesWhatOnlySeveralTablesTell) {
         "UPDATE evaluation SET is_active = 1", "DELETE FROM term WHERE id = 1",
         "DELETE FROM episode WHERE number = 1", "UPDATE task SET id = 9 WHERE id = 2",
         "UPDATE recording SET episode = 7 WHERE episode = 2",
-        "UPDATE change SET data = replace(data, '\"task\": 2', '\"task\": 3')",
+        "UPDATE change SET data = replace(data, '\"task\":2', '\"task\":3')",
         "UPDATE change SET kind = 'swap'", "DELETE FROM source WHERE task = 2",
         "UPDATE checkpoint SET episode = 1", "UPDATE checkpoint SET episode = 4000000000"}) {
     EXPECT_THAT(ErrorsAfter(damage), Not(testing::IsEmpty())) << damage;

@@ -12,6 +12,7 @@
 #include <limits>
 #include <thread>
 
+#include "runtime/training/run/change_json.h"
 #include "runtime/training/run/sqlite.h"
 #include "tests/runtime/training/run/error_of.h"
 #include "tests/runtime/training/run/sample_run.h"
@@ -131,18 +132,11 @@ TEST_F(RunDatabaseTest, GivesBackChangesAndKeepsThemWhenEpisodesAreDeleted) {
                          1,
                          250,
                          "2026-01-02T03:04:05Z",
-                         "set",
-                         "set task.gain = 2",
-                         R"({"command": "set", "name": "task.gain", "value": 2})"};
-  const ChangeRecord swap{0,
-                          2,
-                          0,
-                          "2026-01-02T03:04:06Z",
-                          "swap",
-                          "swap task: a \"b\"",
-                          R"({"command": "swap", "name": "task", "task": 1})"};
-  const ChangeRecord unload{
-      0, 3, 0, "", "unload", "unload careful", R"({"command": "unload", "name": "careful"})"};
+                         SetParameter{"task.gain", int64_t{2}},
+                         "set task.gain = 2"};
+  const ChangeRecord swap{
+      0, 2, 0, "2026-01-02T03:04:06Z", SwapTask{"task", 1}, "swap task: a \"b\""};
+  const ChangeRecord unload{0, 3, 0, "", UnloadShadow{"careful"}, "unload careful"};
   EXPECT_EQ(database.AddChange(set), 1);
   EXPECT_EQ(database.AddChange(swap), 2);
   EXPECT_EQ(database.AddChange(unload), 3);
@@ -153,10 +147,10 @@ TEST_F(RunDatabaseTest, GivesBackChangesAndKeepsThemWhenEpisodesAreDeleted) {
   EXPECT_EQ(read[0].episode, 1);
   EXPECT_EQ(read[0].step, 250);
   EXPECT_EQ(read[0].at, set.at);
-  EXPECT_EQ(read[0].kind, "set");
+  EXPECT_EQ(ChangeData(read[0].change), ChangeData(set.change));
   EXPECT_EQ(read[1].id, 2);
   EXPECT_EQ(read[1].text, swap.text);
-  EXPECT_EQ(read[1].data, swap.data);
+  EXPECT_EQ(ChangeData(read[1].change), ChangeData(swap.change));
   EXPECT_THAT(read[2].at, testing::MatchesRegex("20..-..-..T..:..:..Z"));
 }
 

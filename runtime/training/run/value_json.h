@@ -1,0 +1,23 @@
+// Values of parameters as JSON: in a run's record, and where clients write and read them.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+
+#include "runtime/core/module/module.h"
+#include "runtime/training/run/change.h"
+
+namespace runtime {
+
+// Whether it is a whole number that int64_t holds. Beyond it, nlohmann::json wraps around.
+bool IsInt64(const nlohmann::json& json);
+
+nlohmann::json ToJson(const ParameterValue& value);
+nlohmann::json ToJson(const WrittenNumber& number);
+
+// Nothing where no parameter can have it, such as null. Numbers that no int64_t holds are reals.
+std::optional<ParameterValue> ValueFromJson(const nlohmann::json& json);
+// Nothing where it is no number.
+std::optional<WrittenNumber> NumberFromJson(const nlohmann::json& json);
+
+}  // namespace runtime
