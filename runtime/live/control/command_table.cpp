@@ -3,11 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <initializer_list>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "runtime/base/suggestion.h"
 #include "runtime/base/user_error.h"
+#include "runtime/live/control/live_run.h"
 #include "runtime/training/run/value_json.h"
 
 namespace runtime {
@@ -17,77 +20,35 @@ using enum ArgumentType;
 
 constexpr bool kRequired = true;
 constexpr bool kOptional = false;
-constexpr bool kChanges = true;
-constexpr bool kLooks = false;
 
+// What several commands take.
 constexpr ArgumentSpec kTaskModule = {"name", kText, kRequired, "name of the task module"};
-constexpr ArgumentSpec kTaskFile = {"file", kText, kRequired,
-                                    "a .task file, or a .so built by taskc"};
+constexpr ArgumentSpec kFileOfTask = {"file", kTaskFile, kRequired,
+                                      "a .task file, or a .so built by taskc"};
 constexpr ArgumentSpec kNow = {"now", kFlag, kOptional,
                                "between two time steps; by default when the next episode starts"};
 constexpr ArgumentSpec kForget = {"forget", kFlag, kOptional,
                                   "forget what was learned and start over"};
+constexpr ArgumentSpec kFirstPort = {"first", kText, kRequired, "a port: `task.reward`"};
+constexpr ArgumentSpec kSecondPort = {"second", kText, kRequired,
+                                      "a port that fits it: `learner.reward`"};
 
-constexpr ArgumentSpec kLoad[] = {
-    kTaskFile, {"name", kText, kOptional, "name of the new task module; by default the task's"}};
-constexpr ArgumentSpec kSwap[] = {kTaskModule, kTaskFile, kNow, kForget};
-constexpr ArgumentSpec kUnload[] = {kTaskModule};
-constexpr ArgumentSpec kRollback[] = {kTaskModule,
-                                      {"version", kText, kOptional,
-                                       "a version that the module has had: its number, or the "
-                                       "beginning of its hash; by default the previous one"},
-                                      kNow};
-constexpr ArgumentSpec kPromote[] = {kTaskModule, kNow, kForget};
-constexpr ArgumentSpec kGet[] = {
-    {"name", kText, kRequired, "`task.weight`, or `task` for all parameters of a module"}};
-constexpr ArgumentSpec kSet[] = {
-    {"name", kText, kRequired, "`task.weight`"},
-    {"value", kValue, kOptional, "the new value; a string may have a unit: \"20 s\""},
-    {"from", kNumber, kOptional, "of a schedule: the value in the next episode"},
-    {"to", kNumber, kOptional, "of a schedule: the value in its last episode"},
-    {"episodes", kWhole, kOptional, "of a schedule: how many episodes it takes"}};
-constexpr ArgumentSpec kConnect[] = {
-    {"first", kText, kRequired, "a port: `task.reward`"},
-    {"second", kText, kRequired, "a port that fits it: `learner.reward`"}};
-constexpr ArgumentSpec kModuleAdd[] = {
-    {"type", kText, kRequired, "type of the module"},
-    {"name", kText, kRequired, "name of the new module"},
-    {"parameters", kObject, kOptional, "values of its parameters"}};
-constexpr ArgumentSpec kModuleRemove[] = {{"name", kText, kRequired, "name of the module"}};
-constexpr ArgumentSpec kResume[] = {
-    {"episodes", kWhole, kOptional, "how many episodes the run is to have in total"}};
-constexpr ArgumentSpec kStep[] = {
-    {"count", kWhole, kOptional, "how many; by default 1"},
-    {"unit", kText, kOptional, "`step` (a time step) or `episode`; by default `step`"}};
-constexpr ArgumentSpec kGraph[] = {
-    {"format", kText, kOptional, "`text`, `json` or `dot`; by default `text`"}};
+using ArgumentList = std::initializer_list<ArgumentSpec>;
 
-constexpr CommandSpec kCommands[] = {
-    {"status", "what the run is doing", kLooks, {}},
-    {"list", "the task modules with their parameters, and all other modules", kLooks, {}},
-    {"get", "a parameter, or all parameters of a module", kLooks, kGet},
-    {"graph", "the modules and how their ports are connected", kLooks, kGraph},
-    {"load", "evaluates another task beside the active one, as its shadow", kChanges, kLoad},
-    {"swap", "replaces the task of a task module", kChanges, kSwap},
-    {"rollback", "returns to the task before the last swap, or to any earlier one", kChanges,
-     kRollback},
-    {"unload", "removes a shadow", kChanges, kUnload},
-    {"promote", "makes a shadow the active task, and the active one a shadow", kChanges, kPromote},
-    {"set", "changes a parameter, at once or gradually over episodes", kChanges, kSet},
-    {"connect", "connects two ports", kChanges, kConnect},
-    {"disconnect", "disconnects two ports", kChanges, kConnect},
-    {"module_add", "adds a module", kChanges, kModuleAdd},
-    {"module_remove", "removes a module", kChanges, kModuleRemove},
-    {"pause", "pauses after the current time step", kChanges, {}},
-    {"resume", "continues after a pause", kChanges, kResume},
-    {"step", "runs a few time steps or episodes, then pauses", kChanges, kStep},
-    {"save", "writes a checkpoint when the current episode is over", kChanges, {}},
-    {"stop", "ends the trainer after the current episode", kChanges, {}},
-};
+// kArgumentsOfSwap, and so on.
+#define LOOK(handler, name, doc, ...) constexpr ArgumentList kArgumentsOf##handler = {__VA_ARGS__};
+#define CHANGE LOOK
+#define CHANGE_LATER LOOK
+#include "runtime/live/control/command_table.def"
+
+constexpr std::span<const ArgumentSpec> SpanOf(ArgumentList list) {
+  return {list.begin(), list.size()};
+}
 
 bool Fits(const nlohmann::json& value, ArgumentType type) {
   switch (type) {
     case kText:
+    case kTaskFile:
       return value.is_string();
     case kWhole:
       return IsInt64(value);
@@ -106,6 +67,7 @@ bool Fits(const nlohmann::json& value, ArgumentType type) {
 const char* Wanted(ArgumentType type) {
   switch (type) {
     case kText:
+    case kTaskFile:
       return "a text";
     case kWhole:
       return "a whole number";
@@ -123,13 +85,27 @@ const char* Wanted(ArgumentType type) {
 
 }  // namespace
 
-std::span<const CommandSpec> Commands() { return kCommands; }
+const ArgumentSpec* CommandSpec::task_file() const {
+  const auto found = std::ranges::find(arguments, kTaskFile, &ArgumentSpec::type);
+  return found == arguments.end() ? nullptr : &*found;
+}
+
+std::span<const CommandSpec> Commands() {
+  static constexpr CommandSpec kCommands[] = {
+#define LOOK(handler, name, doc, ...) {name, doc, SpanOf(kArgumentsOf##handler), &LiveRun::handler},
+#define CHANGE LOOK
+#define CHANGE_LATER LOOK
+#include "runtime/live/control/command_table.def"
+  };
+  return kCommands;
+}
 
 const CommandSpec& FindCommand(std::string_view name) {
-  const auto found = std::ranges::find(kCommands, name, &CommandSpec::name);
-  if (found != std::end(kCommands)) return *found;
+  const std::span<const CommandSpec> commands = Commands();
+  const auto found = std::ranges::find(commands, name, &CommandSpec::name);
+  if (found != commands.end()) return *found;
   std::vector<std::string> names;
-  for (const CommandSpec& command : kCommands) names.emplace_back(command.name);
+  for (const CommandSpec& command : commands) names.emplace_back(command.name);
   throw UserError(fmt::format("there is no command `{}`{}", name, Suggestion(name, names)));
 }
 

@@ -1,15 +1,18 @@
-// All that a running trainer can be asked for: the one list that the server, its client and the
-// documentation are made from.
+// What a running trainer can be asked for: the rows of command_table.def.
 #pragma once
 
-#include <nlohmann/json.hpp>
-#include <optional>
+#include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string_view>
+#include <variant>
 
 namespace runtime {
 
-enum class ArgumentType { kText, kWhole, kNumber, kFlag, kValue, kObject };
+class LiveRun;
+struct QueuedRequest;
+
+// kTaskFile: a text, the file of a task, which is built and loaded before the handler is called.
+enum class ArgumentType { kText, kTaskFile, kWhole, kNumber, kFlag, kValue, kObject };
 
 struct ArgumentSpec {
   const char* name;
@@ -18,11 +21,22 @@ struct ArgumentSpec {
   const char* doc;
 };
 
+// The kinds of handlers, as command_table.def says.
+using LookHandler = nlohmann::json (LiveRun::*)(const nlohmann::json& arguments) const;
+using ChangeHandler = nlohmann::json (LiveRun::*)(const QueuedRequest& request);
+using LateHandler = void (LiveRun::*)(const QueuedRequest& request);
+using CommandHandler = std::variant<LookHandler, ChangeHandler, LateHandler>;
+
 struct CommandSpec {
   const char* name;  // "module_add"; `trainer ctl module add`
   const char* doc;
-  bool changes;  // whether it has an effect on the run; the others only look
   std::span<const ArgumentSpec> arguments;
+  CommandHandler handler;
+
+  // Whether it has an effect on the run; the others only look.
+  bool changes() const { return !std::holds_alternative<LookHandler>(handler); }
+  // Null where it takes no file of a task.
+  const ArgumentSpec* task_file() const;
 };
 
 std::span<const CommandSpec> Commands();

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "runtime/base/overloaded.h"
-#include "runtime/training/run/change_text.h"
 #include "runtime/training/run/progress.h"
 #include "runtime/training/run/record_error.h"
 
@@ -72,22 +71,6 @@ void LiveRun::SetState(State state) {
 void LiveRun::OnWarning(const std::string& text) {
   Publish({{"event", "warning"}, {"text", text}});
 }
-
-// ---- requests, on any thread
-
-void LiveRun::Handle(Request request, ReplyHandler reply) {
-  if (request.command != "load" && request.command != "swap") {
-    return queue_.Push({std::move(request), std::move(reply), {}});
-  }
-  const std::filesystem::path file = request.arguments.at("file").get<std::string>();
-  loader_.Load(file,
-               [this, request = std::move(request), reply = std::move(reply)](LoadedTask task) {
-                 if (task.plugin == nullptr) return reply({false, {}, std::move(task.messages)});
-                 queue_.Push({request, reply, std::move(task)});
-               });
-}
-
-// ---- the thread that trains
 
 std::set<std::string> LiveRun::BeforeRestore(int64_t episode) {
   for (const EpisodeRecord& each : run_.database.ReadEpisodes()) {
@@ -181,41 +164,6 @@ void LiveRun::NoteDone(const ChangeRecord& record) {
            {"step", record.step},
            {"kind", KindOf(record.change)},
            {"text", record.text}});
-}
-
-std::string LiveRun::Make(const Change& change, bool now) {
-  if (!now && position_.step != 0) {
-    const RunPosition next_start = {position_.episode + 1, 0};
-    journal_.AddDue(next_start, change, TextOf(change, run_.record));
-    return fmt::format("episode {}", next_start.episode);
-  }
-  const ChangeRecord record = journal_.AddDone(position_, change, TextOf(change, run_.record));
-  try {
-    maker_.Do(change, position_.next_whole_episode());
-  } catch (...) {
-    journal_.Remove(record);
-    throw;
-  }
-  NoteDone(record);
-  return "now";
-}
-
-void LiveRun::ServeQueue() {
-  if (!queue_.has_requests()) return;
-  for (const QueuedRequest& request : queue_.TakeAll()) Serve(request);
-}
-
-void LiveRun::Serve(const QueuedRequest& request) {
-  // Where all episodes are done, the last of them is in the checkpoint.
-  if (request.request.command == "save" && state_ != State::kFinished) {
-    waiting_for_checkpoint_.push_back(request.reply);
-    return;
-  }
-  try {
-    request.reply({true, Answer(request), ""});
-  } catch (const std::exception& error) {
-    request.reply({false, {}, error.what()});
-  }
 }
 
 void LiveRun::AfterEpisode(const EpisodeRecord& episode, const ReturnStatistics& statistics,

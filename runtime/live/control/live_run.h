@@ -5,10 +5,12 @@
 #include <filesystem>
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "runtime/live/control/change_maker.h"
+#include "runtime/live/control/command_table.h"
 #include "runtime/live/control/journal.h"
 #include "runtime/live/control/live_graph.h"
 #include "runtime/live/control/request.h"
@@ -83,29 +85,29 @@ class LiveRun : public RequestHandler, public TrainingHooks {
   void NoteDone(const ChangeRecord& record);
   void ServeQueue();
   void Serve(const QueuedRequest& request);
-  // Returns the reply's value. Throws UserError.
-  nlohmann::json Answer(const QueuedRequest& request);
-  std::optional<nlohmann::json> Look(const Request& request) const;
-  std::optional<nlohmann::json> Steer(const QueuedRequest& request);
-  nlohmann::json StatusJson() const;
 
-  nlohmann::json LoadOrSwap(const QueuedRequest& request);
-  // The reply to a change that brings another task into a module that is there. Where `forget` is
-  // false, it is not done where it would change nothing.
-  nlohmann::json Exchange(const Change& change, bool forget, bool now);
-  // What the module will have where a change takes effect, `now` or as the next episode starts.
-  int64_t TaskToCome(const std::string& module, bool now) const;
-  nlohmann::json Rollback(const nlohmann::json& arguments);
-  nlohmann::json Promote(const nlohmann::json& arguments);
-  nlohmann::json Set(const nlohmann::json& arguments);
-  nlohmann::json GoOn(const nlohmann::json& arguments);
-  nlohmann::json StepOn(const nlohmann::json& arguments);
+  // Handlers of all commands.
+#define LOOK(handler, ...) nlohmann::json handler(const nlohmann::json& arguments) const;
+#define CHANGE(handler, ...) nlohmann::json handler(const QueuedRequest& request);
+#define CHANGE_LATER(handler, ...) void handler(const QueuedRequest& request);
+#include "runtime/live/control/command_table.def"
+  friend std::span<const CommandSpec> Commands();
+
+  nlohmann::json StatusJson() const;
+  void CheckEpisodesAreLeft() const;
   void CheckIsGood(const TaskRecord& task) const;
   // The record of a task, which may be an older one of the same version.
   const TaskRecord& RecordTask(TaskRecord task);
+  // What the module will have where a change takes effect, `now` or as the next episode starts.
+  int64_t TaskToCome(const std::string& module, bool now) const;
+  // The reply to a change that brings another task into a module that is there. Unless something is
+  // to be forgotten as well, it is not done where it would change nothing.
+  nlohmann::json Exchange(const Change& change, bool forget, bool now);
   // Writes a change down, and does it then if it is to take effect here. Returns "now" or
   // "episode 13". Throws UserError where it cannot be written or done; then it is neither.
   std::string Make(const Change& change, bool now);
+  // Does it here; returns the reply's value.
+  nlohmann::json MakeNow(const Change& change);
   void CountDown();
 
   RunParts run_;

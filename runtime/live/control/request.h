@@ -8,7 +8,7 @@
 namespace runtime {
 
 struct Request {
-  std::string command;       // one of kCommands (command_table.h)
+  std::string command;       // one of Commands() (command_table.h)
   nlohmann::json arguments;  // an object, checked by CheckArguments()
 };
 

@@ -7,6 +7,7 @@
 #include <mutex>
 #include <vector>
 
+#include "runtime/live/control/command_table.h"
 #include "runtime/live/control/request.h"
 #include "runtime/live/control/task_loader.h"
 
@@ -14,9 +15,10 @@ namespace runtime {
 
 // A request with all that had to be prepared for it.
 struct QueuedRequest {
-  Request request;
+  const CommandSpec* command = nullptr;
+  nlohmann::json arguments;
   ReplyHandler reply;
-  LoadedTask task;  // of `load` and `swap`
+  LoadedTask task;  // where the command takes the file of one
 };
 
 class RequestQueue {

@@ -77,9 +77,9 @@ const CommandSpec& CommandAt(std::string_view path) {
 Request ReadRequest(const HttpRequest& call) {
   const CommandSpec& command = CommandAt(PathOf(call.target));
   const bool is_get = call.method == "GET";
-  if (call.method != "POST" && (!is_get || command.changes)) {
+  if (call.method != "POST" && (!is_get || command.changes())) {
     throw HttpError(
-        405, fmt::format("`{}` takes POST{}", command.name, command.changes ? "" : " or GET"));
+        405, fmt::format("`{}` takes POST{}", command.name, command.changes() ? "" : " or GET"));
   }
   Request request = {command.name,
                      is_get ? QueryArguments(call.target) : ParseArguments(call.body)};

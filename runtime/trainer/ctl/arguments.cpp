@@ -48,9 +48,10 @@ void AddArgument(Command& command, const ArgumentSpec& spec, json& arguments) {
           "--" + name, [set] { set(true); }, spec.doc);
       break;
     case ArgumentType::kText:
-      AddValue<std::string>(command, spec, [set, name](const std::string& word) {
-        set(name == "file" ? Absolute(word) : word);
-      });
+      AddValue<std::string>(command, spec, set);
+      break;
+    case ArgumentType::kTaskFile:
+      AddValue<std::string>(command, spec, [set](const std::string& word) { set(Absolute(word)); });
       break;
     case ArgumentType::kWhole:
       AddValue<int64_t>(command, spec, set);

@@ -60,7 +60,7 @@ Command& AddSubcommand(Command& ctl, const CommandSpec& spec) {
   const size_t underscore = name.find('_');
   if (underscore == std::string::npos) {
     Command& command = ctl.AddCommand(name, spec.doc);
-    command.Group(spec.changes ? kChangingGroup : kLookingGroup);
+    command.Group(spec.changes() ? kChangingGroup : kLookingGroup);
     return command;
   }
   const std::string first = name.substr(0, underscore);

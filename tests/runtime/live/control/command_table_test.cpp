@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
 #include <set>
 #include <string>
 
@@ -19,15 +20,26 @@ std::string ErrorOf(const char* command, const nlohmann::json& arguments) {
   return "";
 }
 
-TEST(CommandTable, NamesAreUnique) {
+// That each has a handler, compiler and linker know.
+TEST(CommandTable, EachRowIsComplete) {
   std::set<std::string> names;
   for (const CommandSpec& command : Commands()) {
     EXPECT_TRUE(names.insert(command.name).second) << command.name;
+    EXPECT_STRNE(command.doc, "") << command.name;
     std::set<std::string> arguments;
     for (const ArgumentSpec& argument : command.arguments) {
       EXPECT_TRUE(arguments.insert(argument.name).second) << command.name << " " << argument.name;
+      EXPECT_STRNE(argument.doc, "") << command.name << " " << argument.name;
     }
   }
+}
+
+TEST(CommandTable, WhatIsDoneWithARequestFollowsFromItsRow) {
+  EXPECT_FALSE(FindCommand("get").changes());
+  EXPECT_TRUE(FindCommand("pause").changes());
+  EXPECT_TRUE(FindCommand("save").changes());
+  EXPECT_STREQ(FindCommand("swap").task_file()->name, "file");
+  EXPECT_EQ(FindCommand("set").task_file(), nullptr);
 }
 
 TEST(CommandTable, AMisspeltCommandIsToldTheNearest) {

@@ -4,6 +4,7 @@
 
 #include <map>
 #include <thread>
+#include <utility>
 
 namespace runtime {
 namespace {
@@ -12,20 +13,19 @@ using std::chrono::milliseconds;
 using testing::IsEmpty;
 using testing::SizeIs;
 
-void Ignore(Reply) {}
-
-Request Numbered(int sender, int number) {
-  return {"status", {{"sender", sender}, {"number", number}}};
+QueuedRequest Numbered(
+    int sender, int number, ReplyHandler reply = [](Reply) {}) {
+  return {&FindCommand("status"), {{"sender", sender}, {"number", number}}, std::move(reply), {}};
 }
 
 TEST(RequestQueue, KeepsTheOrder) {
   RequestQueue queue;
   EXPECT_FALSE(queue.has_requests());
-  for (int i = 0; i < 3; ++i) queue.Push({Numbered(0, i), Ignore, {}});
+  for (int i = 0; i < 3; ++i) queue.Push(Numbered(0, i));
   EXPECT_TRUE(queue.has_requests());
   const std::vector<QueuedRequest> taken = queue.TakeAll();
   ASSERT_THAT(taken, SizeIs(3));
-  for (int i = 0; i < 3; ++i) EXPECT_EQ(taken[i].request.arguments["number"], i);
+  for (int i = 0; i < 3; ++i) EXPECT_EQ(taken[i].arguments["number"], i);
   EXPECT_FALSE(queue.has_requests());
   EXPECT_THAT(queue.TakeAll(), IsEmpty());
 }
@@ -37,11 +37,11 @@ TEST(RequestQueue, CloseRefusesWhatWaitsAndWhatComes) {
     EXPECT_FALSE(reply.ok);
     errors.push_back(reply.error);
   };
-  queue.Push({Numbered(0, 0), note, {}});
+  queue.Push(Numbered(0, 0, note));
   EXPECT_THAT(errors, IsEmpty());
   queue.Close();
   EXPECT_THAT(errors, SizeIs(1));
-  queue.Push({Numbered(0, 1), note, {}});
+  queue.Push(Numbered(0, 1, note));
   EXPECT_THAT(errors, testing::ElementsAre("the trainer has ended", "the trainer has ended"));
   EXPECT_FALSE(queue.has_requests());
   queue.Close();
@@ -53,7 +53,7 @@ TEST(RequestQueue, WaitsUntilThereIsARequest) {
   queue.WaitFor(milliseconds(1));
   std::thread sender([&] {
     std::this_thread::sleep_for(milliseconds(20));
-    queue.Push({Numbered(0, 0), Ignore, {}});
+    queue.Push(Numbered(0, 0));
   });
   queue.WaitFor(milliseconds(60'000));
   EXPECT_THAT(queue.TakeAll(), SizeIs(1));
@@ -70,7 +70,7 @@ TEST(RequestQueue, SeveralThreadsMaySend) {
   for (int sender = 0; sender < kSenders; ++sender) {
     senders.emplace_back([&, sender] {
       for (int i = 0; i < kEach; ++i) {
-        queue.Push({Numbered(sender, i), [&](Reply) { ++refused; }, {}});
+        queue.Push(Numbered(sender, i, [&](Reply) { ++refused; }));
       }
     });
   }
@@ -80,7 +80,7 @@ TEST(RequestQueue, SeveralThreadsMaySend) {
     queue.WaitFor(milliseconds(100));
     for (const QueuedRequest& each : queue.TakeAll()) {
       ++taken;
-      EXPECT_EQ(each.request.arguments["number"], next[each.request.arguments["sender"]]++);
+      EXPECT_EQ(each.arguments["number"], next[each.arguments["sender"]]++);
     }
   }
   queue.Close();

@@ -15,6 +15,7 @@ class ApiTest : public ServerTest {};
 json ExampleOf(ArgumentType type) {
   switch (type) {
     case ArgumentType::kText:
+    case ArgumentType::kTaskFile:
       return "task";
     case ArgumentType::kWhole:
       return 3;
@@ -81,8 +82,8 @@ TEST_F(ApiTest, WhatOnlyLooksTakesGetAsWell) {
                 "=a%2Eb+c";
     }
     const RawResponse response = Answer("GET", target, Credentials());
-    ASSERT_EQ(response.status, command.changes ? 405 : 200) << command.name;
-    if (command.changes) continue;
+    ASSERT_EQ(response.status, command.changes() ? 405 : 200) << command.name;
+    if (command.changes()) continue;
     const json answer = json::parse(response.body);
     for (const auto& [name, value] : answer["value"]["arguments"].items()) {
       EXPECT_EQ(value, "a.b c") << name;

@@ -14,6 +14,7 @@ namespace {
 const char* TypeText(ArgumentType type) {
   switch (type) {
     case ArgumentType::kText:
+    case ArgumentType::kTaskFile:
       return "text";
     case ArgumentType::kWhole:
       return "whole number";
@@ -34,7 +35,7 @@ std::string CommandRows() {
   std::string rows;
   for (const CommandSpec& command : Commands()) {
     rows += fmt::format("| **{}** | | {} | {} |\n", command.name,
-                        command.changes ? "POST" : "POST, GET", command.doc);
+                        command.changes() ? "POST" : "POST, GET", command.doc);
     for (const ArgumentSpec& argument : command.arguments) {
       rows += fmt::format("| | `{}` | {}{} | {} |\n", argument.name, TypeText(argument.type),
                           argument.is_required ? "" : ", optional", argument.doc);
