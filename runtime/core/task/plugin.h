@@ -29,6 +29,9 @@ class Plugin {
   // As messages call it.
   const std::filesystem::path& name() const { return name_; }
   const taskc_plugin& table() const { return *table_; }
+  // A file with the bytes that were loaded, whatever has become of the original. It goes with this
+  // object.
+  std::filesystem::path copy() const { return copy_path_; }
 
  private:
   void Load();

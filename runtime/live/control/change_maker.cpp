@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "runtime/base/overloaded.h"
 #include "runtime/core/task/plugin_watch.h"
 #include "runtime/live/control/parameter_json.h"
 #include "runtime/training/run/record_error.h"
@@ -14,22 +13,14 @@ ChangeMaker::ChangeMaker(LiveGraph& graph, Schedules& schedules, const RunRecord
                          std::filesystem::path folder)
     : graph_(graph), schedules_(schedules), run_(run), folder_(std::move(folder)) {}
 
-void ChangeMaker::Do(const Change& change, int64_t episode) {
-  std::visit(Overloaded{
-                 [&](const ScheduleParameter& each) {
-                   graph_.FindParameter(each.parameter);  // throws where it is gone
-                   schedules_.Set(each.parameter,
-                                  {AsReal(each.from), AsReal(each.to), episode, each.episodes});
-                 },
-                 [](const PutInQuarantine&) {},  // concerns the journal alone
-                 [&](const auto& each) { Do(each); },
-             },
-             change);
+void ChangeMaker::Do(const Change& change, const Circumstances& circumstances) {
+  std::visit([&](const auto& each) { Apply(each, circumstances); }, change);
 }
 
-std::unique_ptr<TaskInstance> ChangeMaker::MakeInstance(int64_t task) const {
-  const TaskRecord& record = TaskWithId(run_, task);
-  return std::make_unique<TaskInstance>(LoadKept(record), task);
+std::unique_ptr<TaskInstance> ChangeMaker::MakeInstance(int64_t task,
+                                                        std::shared_ptr<const Plugin> loaded) {
+  if (loaded == nullptr) loaded = LoadKept(TaskWithId(run_, task));
+  return std::make_unique<TaskInstance>(std::move(loaded), task);
 }
 
 // It could be loaded when it was kept.
@@ -45,33 +36,33 @@ std::shared_ptr<const Plugin> ChangeMaker::LoadKept(const TaskRecord& task) cons
 
 // The task that is there already stays, with its previous one: only what was learned from it may be
 // forgotten.
-void ChangeMaker::Do(const SwapTask& change) {
+void ChangeMaker::Apply(const SwapTask& change, const Circumstances& circumstances) {
   const UniversalTask& task = graph_.FindTask(change.module);
   const bool is_there = task.instance().id() == change.task;
   if (is_there && !change.forget) return;
-  if (!is_there) graph_.Swap(task.name(), MakeInstance(change.task));
+  if (!is_there) graph_.Swap(task.name(), MakeInstance(change.task, circumstances.plugin));
   SettleLearner(task, change.forget);
 }
 
-void ChangeMaker::Do(const LoadShadow& change) {
-  graph_.Load(change.module, MakeInstance(change.task));
+void ChangeMaker::Apply(const LoadShadow& change, const Circumstances& circumstances) {
+  graph_.Load(change.module, MakeInstance(change.task, circumstances.plugin));
 }
 
 // Back to the very task that was the previous one then: where a swap is left out, there may be
 // nothing to do, or only another swap brings it.
-void ChangeMaker::Do(const RollBackTask& change) {
+void ChangeMaker::Apply(const RollBackTask& change, const Circumstances& circumstances) {
   const UniversalTask& task = graph_.FindTask(change.module);
   if (task.instance().id() == change.task) return;
   const bool is_previous = task.previous() != nullptr && task.previous()->id() == change.task;
   if (is_previous) {
     graph_.Rollback(task.name());
   } else {
-    graph_.Swap(task.name(), MakeInstance(change.task));
+    graph_.Swap(task.name(), MakeInstance(change.task, circumstances.plugin));
   }
   SettleLearner(task, false);
 }
 
-void ChangeMaker::Do(const PromoteTask& change) {
+void ChangeMaker::Apply(const PromoteTask& change, const Circumstances&) {
   graph_.Promote(change.module);
   SettleLearner(graph_.FindTask(change.module), change.forget);
 }
@@ -82,27 +73,39 @@ void ChangeMaker::SettleLearner(const UniversalTask& task, bool forget) {
   if (forget) graph_.learner().Forget();
 }
 
-void ChangeMaker::Do(const UnloadShadow& change) { graph_.Unload(change.module); }
+void ChangeMaker::Apply(const UnloadShadow& change, const Circumstances&) {
+  graph_.Unload(change.module);
+}
 
-void ChangeMaker::Do(const SetParameter& change) {
+void ChangeMaker::Apply(const SetParameter& change, const Circumstances&) {
   const Parameter& parameter = graph_.FindParameter(change.parameter);
   graph_.Set(change.parameter, FitTo(parameter, change.value, change.parameter));
   schedules_.Remove(change.parameter);
 }
 
-void ChangeMaker::Do(const ConnectPorts& change) { graph_.Connect(change.first, change.second); }
+void ChangeMaker::Apply(const ScheduleParameter& change, const Circumstances& circumstances) {
+  graph_.FindParameter(change.parameter);  // throws where it is gone
+  schedules_.Set(change.parameter,
+                 {AsReal(change.from), AsReal(change.to), circumstances.episode, change.episodes});
+}
 
-void ChangeMaker::Do(const DisconnectPorts& change) {
+void ChangeMaker::Apply(const ConnectPorts& change, const Circumstances&) {
+  graph_.Connect(change.first, change.second);
+}
+
+void ChangeMaker::Apply(const DisconnectPorts& change, const Circumstances&) {
   graph_.Disconnect(change.first, change.second);
 }
 
-void ChangeMaker::Do(const AddModule& change) {
+void ChangeMaker::Apply(const AddModule& change, const Circumstances&) {
   graph_.AddModule(change.type, change.module, change.parameters);
 }
 
-void ChangeMaker::Do(const RemoveModule& change) { graph_.RemoveModule(change.module); }
+void ChangeMaker::Apply(const RemoveModule& change, const Circumstances&) {
+  graph_.RemoveModule(change.module);
+}
 
-void ChangeMaker::Do(const UnknownChange& change) {
+void ChangeMaker::Apply(const UnknownChange& change, const Circumstances&) {
   throw UserError(fmt::format("this version of the trainer knows no change `{}`", change.kind));
 }
 

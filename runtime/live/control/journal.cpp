@@ -30,10 +30,10 @@ Journal::Journal(RunDatabase& database) : database_(database) {
     if (const auto* quarantine = std::get_if<PutInQuarantine>(&change.change)) {
       NoteQuarantine(*quarantine);
     } else {
-      due_.push_back(std::move(change));
+      due_.push_back({std::move(change), nullptr});
     }
   }
-  std::ranges::stable_sort(due_, {}, PositionOf);
+  std::ranges::stable_sort(due_, {}, &DueChange::position);
 }
 
 void Journal::NoteQuarantine(const PutInQuarantine& quarantine) {
@@ -47,27 +47,28 @@ bool Journal::IsInQuarantine(const ChangeRecord& change) const {
   return brought && bad_tasks_.contains(brought->task);
 }
 
-std::optional<ChangeRecord> Journal::TakeDue(const RunPosition& position) {
+std::optional<DueChange> Journal::TakeDue(const RunPosition& position) {
   while (has_due(position)) {
-    ChangeRecord change = std::move(due_.front());
+    DueChange due = std::move(due_.front());
     due_.pop_front();
-    if (!IsInQuarantine(change)) return change;
-    passed_over_.push_back(std::move(change));
+    if (!IsInQuarantine(due.record)) return due;
+    passed_over_.push_back(std::move(due.record));
   }
   return std::nullopt;
 }
 
-std::optional<ChangeRecord> Journal::TakeDueNow(const RunPosition& position) {
-  std::optional<ChangeRecord> change = TakeDue(position);
-  if (!change) return change;
+std::optional<DueChange> Journal::TakeDueNow(const RunPosition& position) {
+  std::optional<DueChange> due = TakeDue(position);
+  if (!due) return due;
   // What comes after one that was moved to the end of this position stays after it.
-  const bool is_late = PositionOf(*change) < position;
-  if (!is_late && moved_to_ != position) return change;
-  change->id = database_.MoveChange(change->id, position.episode, position.step);
-  change->episode = position.episode;
-  change->step = position.step;
+  const bool is_late = due->position() < position;
+  if (!is_late && moved_to_ != position) return due;
+  ChangeRecord& change = due->record;
+  change.id = database_.MoveChange(change.id, position.episode, position.step);
+  change.episode = position.episode;
+  change.step = position.step;
   moved_to_ = position;
-  return change;
+  return due;
 }
 
 ChangeRecord Journal::AddDone(const RunPosition& position, Change change, std::string text) {
@@ -76,9 +77,10 @@ ChangeRecord Journal::AddDone(const RunPosition& position, Change change, std::s
   return record;
 }
 
-void Journal::AddDue(const RunPosition& position, Change change, std::string text) {
-  ChangeRecord record = AddDone(position, std::move(change), std::move(text));
-  due_.insert(std::ranges::upper_bound(due_, position, {}, PositionOf), std::move(record));
+void Journal::AddDue(const RunPosition& position, Change change, std::string text,
+                     std::shared_ptr<const Plugin> plugin) {
+  DueChange due{AddDone(position, std::move(change), std::move(text)), std::move(plugin)};
+  due_.insert(std::ranges::upper_bound(due_, position, {}, &DueChange::position), std::move(due));
 }
 
 void Journal::Remove(const ChangeRecord& change) { database_.RemoveChange(change.id); }

@@ -3,11 +3,13 @@
 
 #include <cstdint>
 #include <deque>
+#include <memory>
 #include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
+#include "runtime/core/task/plugin.h"
 #include "runtime/training/run/change.h"
 #include "runtime/training/run/run_database.h"
 #include "runtime/training/run/run_records.h"
@@ -24,6 +26,16 @@ struct RunPosition {
   int64_t next_whole_episode() const { return step == 0 ? episode : episode + 1; }
 };
 
+// A change that is still to be done.
+struct DueChange {
+  ChangeRecord record;
+  // Of the task that it brings, where it is loaded already. A change that was read from the record
+  // has none.
+  std::shared_ptr<const Plugin> plugin;
+
+  RunPosition position() const { return {record.episode, record.step}; }
+};
+
 // A change stands in the run's record before it takes effect, with the position at which it does.
 // So a run that goes on from a checkpoint meets the same changes at the same places, and one that
 // has an effect only in the next episode is not lost with the program. By position and then id, the
@@ -35,23 +47,24 @@ class Journal {
 
   // Of the changes up to `position` that were not taken yet, the first. Changes that are in
   // quarantine are passed over. What was taken is in the run's record only.
-  std::optional<ChangeRecord> TakeDue(const RunPosition& position);
+  std::optional<DueChange> TakeDue(const RunPosition& position);
   // The same for a change that takes effect at `position` now. That is later than it stands in the
   // record where an episode was to be repeated and, because of what was changed meanwhile, has
   // ended before: then the change stands there from now on, with another id.
-  std::optional<ChangeRecord> TakeDueNow(const RunPosition& position);
+  std::optional<DueChange> TakeDueNow(const RunPosition& position);
   // Whether there may be one: as cheap as can be.
   bool has_due(const RunPosition& position) const {
-    return !due_.empty() && PositionOf(due_.front()) <= position;
+    return !due_.empty() && due_.front().position() <= position;
   }
 
   // What is still to be done, in its order.
-  const std::deque<ChangeRecord>& due() const { return due_; }
+  const std::deque<DueChange>& due() const { return due_; }
 
   // Writes down a change that is about to take effect.
   ChangeRecord AddDone(const RunPosition& position, Change change, std::string text);
   // Writes down a change that is taken when it is due, after all others of its position.
-  void AddDue(const RunPosition& position, Change change, std::string text);
+  void AddDue(const RunPosition& position, Change change, std::string text,
+              std::shared_ptr<const Plugin> plugin);
   // The last one that was added could not be done.
   void Remove(const ChangeRecord& change);
   // A change that did harm is never done again.
@@ -64,14 +77,11 @@ class Journal {
   const std::vector<ChangeRecord>& passed_over() const { return passed_over_; }
 
  private:
-  static RunPosition PositionOf(const ChangeRecord& change) {
-    return {change.episode, change.step};
-  }
   void NoteQuarantine(const PutInQuarantine& quarantine);
 
   RunDatabase& database_;
-  std::deque<ChangeRecord> due_;  // by position, then id
-  RunPosition moved_to_;          // where a change was moved to last
+  std::deque<DueChange> due_;  // by position, then id
+  RunPosition moved_to_;       // where a change was moved to last
   std::vector<ChangeRecord> passed_over_;
   std::set<int64_t> bad_tasks_;
   std::set<int64_t> bad_changes_;

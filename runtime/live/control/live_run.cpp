@@ -99,8 +99,8 @@ void LiveRun::RepeatEpisode(const EpisodeRecord& episode) {
 
 void LiveRun::RepeatPast(const RunPosition& position) {
   position_ = position;
-  while (const std::optional<ChangeRecord> change = journal_.TakeDue(position_)) {
-    if (TryAgain(*change)) NoteNotAgain(*change);
+  while (const std::optional<DueChange> due = journal_.TakeDue(position_)) {
+    if (TryAgain(*due)) NoteNotAgain(due->record);
   }
 }
 
@@ -129,30 +129,31 @@ void LiveRun::CountDown() {
 }
 
 void LiveRun::DoDueChanges() {
-  while (const std::optional<ChangeRecord> change = journal_.TakeDueNow(position_)) {
+  while (const std::optional<DueChange> due = journal_.TakeDueNow(position_)) {
     // What the run has gone on without now, it goes on without whenever it is repeated.
-    if (const auto why = TryAgain(*change)) journal_.Quarantine(position_, *change, *why);
+    if (const auto why = TryAgain(*due)) journal_.Quarantine(position_, due->record, *why);
   }
 }
 
-std::optional<std::string> LiveRun::TryAgain(const ChangeRecord& record) {
+std::optional<std::string> LiveRun::TryAgain(const DueChange& due) {
   try {
-    Do(record);
+    Do(due);
     return std::nullopt;
   } catch (const RecordError&) {
     throw;  // would be done if its plugin were there: the run must not go on without it
   } catch (const std::exception& error) {
     const std::string text =
-        fmt::format("warning: {}: not done again: {}", record.text, error.what());
+        fmt::format("warning: {}: not done again: {}", due.record.text, error.what());
     progress_.Warn(text);
     OnWarning(text);
     return error.what();
   }
 }
 
-void LiveRun::Do(const ChangeRecord& record) {
-  maker_.Do(record.change, RunPosition{record.episode, record.step}.next_whole_episode());
-  NoteDone(record);
+void LiveRun::Do(const DueChange& due) {
+  maker_.Do(due.record.change,
+            {.episode = due.position().next_whole_episode(), .plugin = due.plugin});
+  NoteDone(due.record);
 }
 
 void LiveRun::NoteDone(const ChangeRecord& record) {

@@ -80,8 +80,8 @@ class LiveRun : public RequestHandler, public TrainingHooks {
   // Does what is due here.
   void DoDueChanges();
   // Where it cannot be done, says so and returns why.
-  std::optional<std::string> TryAgain(const ChangeRecord& record);
-  void Do(const ChangeRecord& record);
+  std::optional<std::string> TryAgain(const DueChange& due);
+  void Do(const DueChange& due);
   void NoteDone(const ChangeRecord& record);
   void ServeQueue();
   void Serve(const QueuedRequest& request);
@@ -102,10 +102,12 @@ class LiveRun : public RequestHandler, public TrainingHooks {
   int64_t TaskToCome(const std::string& module, bool now) const;
   // The reply to a change that brings another task into a module that is there. Unless something is
   // to be forgotten as well, it is not done where it would change nothing.
-  nlohmann::json Exchange(const Change& change, bool forget, bool now);
-  // Writes a change down, and does it then if it is to take effect here. Returns "now" or
-  // "episode 13". Throws UserError where it cannot be written or done; then it is neither.
-  std::string Make(const Change& change, bool now);
+  nlohmann::json Exchange(const Change& change, std::shared_ptr<const Plugin> plugin, bool forget,
+                          bool now);
+  // Writes a change down, and does it then if it is to take effect here. `plugin`: of the task that
+  // it brings, where it is loaded already. Returns "now" or "episode 13". Throws UserError where it
+  // cannot be written or done; then it is neither.
+  std::string Make(const Change& change, bool now, std::shared_ptr<const Plugin> plugin = nullptr);
   // Does it here; returns the reply's value.
   nlohmann::json MakeNow(const Change& change);
   void CountDown();

@@ -32,6 +32,11 @@ TaskRecord Describe(const LoadedTask& loaded, const std::string& module) {
   return task;
 }
 
+// Null where the record has another file of the same version: what it has is what must run.
+std::shared_ptr<const Plugin> PluginFor(const TaskRecord& recorded, const LoadedTask& loaded) {
+  return recorded.plugin == loaded.kept ? loaded.plugin : nullptr;
+}
+
 void AddMessages(const LoadedTask& loaded, Json& reply) {
   if (!loaded.messages.empty()) reply["messages"] = loaded.messages;
 }
@@ -84,15 +89,15 @@ SetParameter ReadValue(const Json& arguments, const Parameter& parameter, const 
 
 }  // namespace
 
-std::string LiveRun::Make(const Change& change, bool now) {
+std::string LiveRun::Make(const Change& change, bool now, std::shared_ptr<const Plugin> plugin) {
   if (!now && position_.step != 0) {
     const RunPosition next_start = {position_.episode + 1, 0};
-    journal_.AddDue(next_start, change, TextOf(change, run_.record));
+    journal_.AddDue(next_start, change, TextOf(change, run_.record), std::move(plugin));
     return fmt::format("episode {}", next_start.episode);
   }
   const ChangeRecord record = journal_.AddDone(position_, change, TextOf(change, run_.record));
   try {
-    maker_.Do(change, position_.next_whole_episode());
+    maker_.Do(change, {.episode = position_.next_whole_episode(), .plugin = std::move(plugin)});
   } catch (...) {
     journal_.Remove(record);
     throw;
@@ -127,7 +132,7 @@ Json LiveRun::Load(const QueuedRequest& request) {
   graph_.CheckLoad(name, plugin);
   const TaskRecord& recorded = RecordTask(std::move(task));
   Json reply = TaskJson(name, recorded);
-  Make(LoadShadow{.module = name, .task = recorded.id}, true);
+  Make(LoadShadow{.module = name, .task = recorded.id}, true, PluginFor(recorded, request.task));
   // It sleeps until then.
   reply["takes_effect"] = fmt::format("episode {}", position_.next_whole_episode());
   AddMessages(request.task, reply);
@@ -140,8 +145,10 @@ Json LiveRun::Swap(const QueuedRequest& request) {
   TaskRecord task = Describe(request.task, name);
   CheckIsGood(task);
   graph_.CheckSwap(name, *request.task.plugin);
-  const SwapTask swap{.module = name, .task = RecordTask(std::move(task)).id, .forget = forget};
-  Json reply = Exchange(swap, forget, Flag(request.arguments, "now"));
+  const TaskRecord& recorded = RecordTask(std::move(task));
+  const SwapTask swap{.module = name, .task = recorded.id, .forget = forget};
+  Json reply =
+      Exchange(swap, PluginFor(recorded, request.task), forget, Flag(request.arguments, "now"));
   AddMessages(request.task, reply);
   return reply;
 }
@@ -150,41 +157,42 @@ int64_t LiveRun::TaskToCome(const std::string& module, bool now) const {
   int64_t task = graph_.FindTask(module).instance().id();
   if (now || position_.step == 0) return task;
   const RunPosition next_start = {position_.episode + 1, 0};
-  for (const ChangeRecord& due : journal_.due()) {
-    if (RunPosition{due.episode, due.step} > next_start) break;
-    const std::optional<TaskOfModule> brought = TaskBroughtBy(due.change);
+  for (const DueChange& due : journal_.due()) {
+    if (due.position() > next_start) break;
+    const std::optional<TaskOfModule> brought = TaskBroughtBy(due.record.change);
     const bool is_of_module = brought && brought->module == module;
-    if (is_of_module && !journal_.IsInQuarantine(due)) task = brought->task;
+    if (is_of_module && !journal_.IsInQuarantine(due.record)) task = brought->task;
   }
   return task;
 }
 
 // A file that is saved unchanged would take the place of the version that `rollback` goes back to.
-Json LiveRun::Exchange(const Change& change, bool forget, bool now) {
+Json LiveRun::Exchange(const Change& change, std::shared_ptr<const Plugin> plugin, bool forget,
+                       bool now) {
   const auto [module, task] = *TaskBroughtBy(change);
   const bool changes = forget || TaskToCome(module, now) != task;
   Json reply = TaskJson(module, TaskWithId(run_.record, task));
   reply["role"] = RoleName(graph_.FindTask(module));
-  reply["takes_effect"] = changes ? Make(change, now) : "already";
+  reply["takes_effect"] = changes ? Make(change, now, std::move(plugin)) : "already";
   return reply;
 }
 
 Json LiveRun::Rollback(const QueuedRequest& request) {
   const std::string name = Text(request.arguments, "name");
-  int64_t task = 0;
+  const UniversalTask& module = graph_.FindTask(name);
+  RollBackTask rollback{.module = name};
+  std::shared_ptr<const Plugin> plugin;
   if (request.arguments.contains("version")) {
-    const UniversalTask& module = graph_.FindTask(name);
-    const TaskRecord& version =
-        FindVersion(run_.record, module.name(), Text(request.arguments, "version"));
+    const TaskRecord& version = FindVersion(run_.record, name, Text(request.arguments, "version"));
     CheckIsGood(version);
-    const Plugin plugin(FindKeptPlugin(run_.folder, version.plugin), version.task_file);
-    graph_.CheckSwap(name, plugin);
-    task = version.id;
+    plugin = maker_.LoadKept(version);
+    graph_.CheckSwap(name, *plugin);
+    rollback.task = version.id;
   } else {
-    task = graph_.FindTask(name).FindPrevious().id();
+    plugin = module.FindPrevious().plugin();
+    rollback.task = module.FindPrevious().id();
   }
-  const RollBackTask rollback{.module = name, .task = task};
-  return Exchange(rollback, false, Flag(request.arguments, "now"));
+  return Exchange(rollback, std::move(plugin), false, Flag(request.arguments, "now"));
 }
 
 Json LiveRun::Unload(const QueuedRequest& request) {

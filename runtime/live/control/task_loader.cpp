@@ -86,12 +86,13 @@ LoadedTask TaskLoader::Load(const std::filesystem::path& file) {
   }
 }
 
-// Loaded before it is kept, so that nothing is kept that cannot be loaded.
+// Loaded before it is kept, so that nothing is kept that cannot be loaded; and kept as it was
+// loaded, even where the file has changed meanwhile: what runs is what the record has.
 LoadedTask TaskLoader::Keep(const std::filesystem::path& plugin,
                             const std::filesystem::path& name) {
   LoadedTask task;
   task.plugin = LoadWatched(plugin, name);
-  task.kept = KeepPlugin(plugin, run_folder_);
+  task.kept = KeepPlugin(task.plugin->copy(), run_folder_);
   return task;
 }
 

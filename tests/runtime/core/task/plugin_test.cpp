@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <fstream>
+#include <sstream>
 
 #include "base/seal/seal.h"
 #include "tests/runtime/core/task/test_plugins.h"
@@ -66,6 +67,17 @@ TEST_F(PluginTest, LoadedOneSurvivesThatItsFileIsOverwrittenInPlace) {
   frame.memory = memory;
   plugin.table().initialize(&frame);
   EXPECT_EQ(memory[1], 100);
+}
+
+TEST_F(PluginTest, WhatWasLoadedCanBeReadWhateverBecomesOfItsFile) {
+  const auto bytes = [](const std::filesystem::path& file) {
+    std::ostringstream text;
+    text << std::ifstream(file, std::ios::binary).rdbuf();
+    return text.str();
+  };
+  const Plugin plugin(CopyOf("walking", "task.so"));
+  CopyOf("strolling", "task.so");
+  EXPECT_TRUE(bytes(plugin.copy()) == bytes(PluginFile("walking")));
 }
 
 TEST_F(PluginTest, CanBeLoadedAndUnloadedManyTimes) {

@@ -23,7 +23,9 @@ class ChangeMakerTest : public testing::Test {
       run_.tasks.push_back(std::move(task));
     }
   }
-  void Do(const Change& change, int64_t episode = 1) { maker_.Do(change, episode); }
+  void Do(const Change& change, int64_t episode = 1) {
+    maker_.Do(change, {.episode = episode, .plugin = nullptr});
+  }
   std::string Refusal(const Change& change) {
     return ErrorOf([&] { Do(change); });
   }
@@ -57,6 +59,20 @@ TEST_F(ChangeMakerTest, ASwapToTheSameTaskKeepsThePreviousOne) {
   for (int i = 0; i < 2; ++i) Do(SwapTask{"task", 2});
   Do(SwapTask{"task", 2, true});
   EXPECT_EQ(live_.active_task().previous()->id(), 1);
+}
+
+TEST_F(ChangeMakerTest, APluginThatIsLoadedAlreadyIsNotLoadedAgain) {
+  const auto plugin = std::make_shared<const Plugin>(PluginFile("other"));
+  const ChangeMaker::Circumstances loaded{.episode = 1, .plugin = plugin};
+  maker_.Do(SwapTask{"task", 2}, loaded);
+  EXPECT_EQ(live_.active_task().instance().plugin(), plugin);
+  maker_.Do(LoadShadow{"shadow", 2}, loaded);
+  EXPECT_EQ(live_.FindTask("shadow").instance().plugin(), plugin);
+  Do(RollBackTask{"task", 1});
+  Do(SwapTask{"task", 1, true});
+  Do(UnloadShadow{"shadow"});
+  maker_.Do(RollBackTask{"task", 2}, loaded);
+  EXPECT_EQ(live_.active_task().instance().plugin(), plugin);
 }
 
 TEST_F(ChangeMakerTest, AValueEndsTheScheduleOfItsParameter) {

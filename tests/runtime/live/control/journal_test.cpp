@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "runtime/training/run/change_json.h"
+#include "tests/runtime/live/control/small_agent.h"
 #include "tests/runtime/training/run/sample_run.h"
 #include "tests/runtime/training/run/temporary_folder.h"
 
@@ -19,12 +20,12 @@ class JournalTest : public testing::Test {
  protected:
   static std::vector<std::string> TakeAll(Journal& journal, const RunPosition& position) {
     std::vector<std::string> texts;
-    while (const auto change = journal.TakeDue(position)) texts.push_back(change->text);
+    while (const auto change = journal.TakeDue(position)) texts.push_back(change->record.text);
     return texts;
   }
   void Add(Journal& journal, const RunPosition& position, const std::string& text,
            const Change& change = kSet) {
-    journal.AddDue(position, change, text);
+    journal.AddDue(position, change, text, nullptr);
   }
 
   TemporaryFolder folder_;
@@ -69,18 +70,26 @@ TEST_F(JournalTest, WhatTakesEffectLaterStandsWhereItDoes) {
   Add(journal_, {4, 0}, "c");
   Add(journal_, {4, 3}, "e");
   for (const char* text : {"a", "b", "c"}) {
-    const std::optional<ChangeRecord> change = journal_.TakeDueNow({4, 0});
+    const std::optional<DueChange> change = journal_.TakeDueNow({4, 0});
     ASSERT_TRUE(change.has_value());
-    EXPECT_EQ(change->text, text);
-    EXPECT_EQ(std::pair(change->episode, change->step), std::pair(4L, 0L));
+    EXPECT_EQ(change->record.text, text);
+    EXPECT_EQ(change->position(), (RunPosition{4, 0}));
   }
   EXPECT_EQ(journal_.TakeDueNow({4, 2}), std::nullopt);
   journal_.AddDone({4, 2}, kSet, "d");
-  EXPECT_EQ(journal_.TakeDueNow({4, 3})->id, 4);  // where it stood
+  EXPECT_EQ(journal_.TakeDueNow({4, 3})->record.id, 4);  // where it stood
   Journal again(database_);
   EXPECT_FALSE(again.has_due({3, 700}));
   EXPECT_THAT(TakeAll(again, {4, 0}), ElementsAre("a", "b", "c"));
   EXPECT_THAT(TakeAll(again, kEnd), ElementsAre("d", "e"));
+}
+
+TEST_F(JournalTest, APluginWaitsWithItsChange) {
+  const auto plugin = std::make_shared<const Plugin>(PluginFile("other"));
+  journal_.AddDue({3, 0}, SwapTask{"task", 1}, "swap", plugin);
+  EXPECT_EQ(journal_.TakeDueNow({3, 0})->plugin, plugin);
+  EXPECT_EQ(plugin.use_count(), 1);
+  EXPECT_EQ(Journal(database_).TakeDue({3, 0})->plugin, nullptr);
 }
 
 TEST_F(JournalTest, WhatCouldNotBeDoneIsTakenOutOfIt) {

@@ -81,43 +81,6 @@ TEST_F(LiveRunTest, RequestsThatStillWaitWhenItEndsAreRefused) {
   }
 }
 
-json ExampleOf(const ArgumentSpec& argument) {
-  switch (argument.type) {
-    case ArgumentType::kText:
-      return "task";
-    case ArgumentType::kTaskFile:
-      return PluginFile("other").string();
-    case ArgumentType::kWhole:
-      return 3;
-    case ArgumentType::kNumber:
-    case ArgumentType::kValue:
-      return 0.5;
-    case ArgumentType::kFlag:
-      return true;
-    case ArgumentType::kObject:
-      return {{"count", 2}};
-  }
-  return nullptr;
-}
-
-TEST_F(LiveRunTest, EveryCommandIsAnswered) {
-  Trainer& run = Begin(100);
-  std::vector<std::pair<std::string, std::future<Reply>>> replies;
-  for (const CommandSpec& command : Commands()) {
-    json arguments = json::object();
-    for (const ArgumentSpec& argument : command.arguments) {
-      arguments[argument.name] = ExampleOf(argument);
-    }
-    replies.emplace_back(command.name, run.Send(command.name, arguments));
-  }
-  trainer_.reset();
-  for (auto& [command, future] : replies) {
-    ASSERT_EQ(future.wait_for(std::chrono::seconds(0)), std::future_status::ready) << command;
-    const Reply reply = future.get();
-    EXPECT_EQ(reply.ok, reply.error.empty()) << command << ": " << reply.error;
-  }
-}
-
 TEST_F(LiveRunTest, WhatIsRefusedIsNeitherDoneNorWrittenDown) {
   Trainer& run = Begin(100);
   run.Run(1, "episode");
