@@ -17,8 +17,8 @@ void ChangeMaker::Do(const Change& change, const Circumstances& circumstances) {
   std::visit([&](const auto& each) { Apply(each, circumstances); }, change);
 }
 
-std::unique_ptr<TaskInstance> ChangeMaker::MakeInstance(int64_t task,
-                                                        std::shared_ptr<const Plugin> loaded) {
+std::unique_ptr<TaskInstance> ChangeMaker::MakeInstance(
+    int64_t task, std::shared_ptr<const Plugin> loaded) const {
   if (loaded == nullptr) loaded = LoadKept(TaskWithId(run_, task));
   return std::make_unique<TaskInstance>(std::move(loaded), task);
 }

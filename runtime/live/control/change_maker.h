@@ -49,7 +49,8 @@ class ChangeMaker {
   void Apply(const PutInQuarantine&, const Circumstances&) {}  // concerns the journal alone
   void Apply(const UnknownChange& change, const Circumstances&);
 
-  std::unique_ptr<TaskInstance> MakeInstance(int64_t task, std::shared_ptr<const Plugin> loaded);
+  std::unique_ptr<TaskInstance> MakeInstance(int64_t task,
+                                             std::shared_ptr<const Plugin> loaded) const;
   // What was learned from other rewards.
   void SettleLearner(const UniversalTask& task, bool forget);
 
