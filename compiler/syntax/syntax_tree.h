@@ -216,7 +216,7 @@ struct SensorDeclaration {  // `sensor pole.angle: real [rad] in -180 deg .. 180
   std::optional<Expression> maximum;
 };
 
-struct ParamDeclaration {  // `param gain: real [1/s] = 4.0 in 0 .. 20`
+struct ParamDeclaration {  // `param weight: real [1/s] = 4.0 in 0 .. 20`
   std::string doc;
   Identifier name;
   TypeExpression type;

@@ -20,7 +20,7 @@ TEST(Explain, ShowsTheSectionOfACode) {
   EXPECT_EQ(outcome.status, 0);
   EXPECT_EQ(outcome.out,
             "E0103: a text is not closed\n\n"
-            "A text begins and ends with `\"` in the same line. A quotation mark inside is written "
+            "A text begins and ends with `\"` on the same line. A quotation mark inside is written "
             "`\\\"`.\n\n"
             "    truncate_episode \"time is up\n\n"
             "    truncate_episode \"time is up\"\n");
