@@ -36,7 +36,7 @@ class Humanoid {
   Humanoid() {
     graph_.Start();
     environment().StartEpisode();
-    for (int step = 0; step < 20; ++step) environment().StepControl();
+    for (int step = 0; step < 20; ++step) environment().RunTimeStep();
   }
 
   RobotEnvironment& environment() { return graph_.FindOnly<RobotEnvironment>(); }

@@ -114,9 +114,9 @@ class Episode {
     environment_.StartEpisode();
   }
 
-  void StepControl() {
+  void RunTimeStep() {
     const double start = Now(CLOCK_THREAD_CPUTIME_ID);
-    environment_.StepControl();
+    environment_.RunTimeStep();
     for (const SensorOut* sensor : sensors_) benchmark::DoNotOptimize((*sensor)().data);
     seconds_ += Now(CLOCK_THREAD_CPUTIME_ID) - start;
   }
@@ -137,13 +137,12 @@ void TimeStep(benchmark::State& state, Situation situation) {
     episodes.push_back(std::make_unique<Episode>(profile.name, situation));
   }
   for (auto _ : state) {
-    for (const auto& episode : episodes) episode->StepControl();
+    for (const auto& episode : episodes) episode->RunTimeStep();
   }
   for (size_t i = 0; i < kProfiles.size(); ++i) {
     const std::string name(kProfiles[i].name);
     const double seconds = episodes[i]->seconds() / static_cast<double>(state.iterations());
-    state.counters[name + "_us"] =
-        1e6 * seconds / kProfiles[i].PhysicsStepsPerTimeStep(time_step);
+    state.counters[name + "_us"] = 1e6 * seconds / kProfiles[i].PhysicsStepsPerTimeStep(time_step);
     state.counters[name + "_x"] = time_step / seconds;
   }
 }
@@ -156,7 +155,7 @@ BENCHMARK_CAPTURE(TimeStep, crawling, kCrawling)->Unit(benchmark::kMicrosecond)-
 void OwnWork(benchmark::State& state) {
   Episode episode("paper", kCrawling);
   spans = {};
-  for (auto _ : state) episode.StepControl();
+  for (auto _ : state) episode.RunTimeStep();
   state.counters["own_share"] = spans.own_share();
   state.counters["own_us"] = 1e6 * spans.own / static_cast<double>(spans.own_count);
 }

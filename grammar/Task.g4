@@ -9,7 +9,7 @@
 //     become NAME elsewhere: nothing is lost as a name;
 //   - brackets are checked and, where they are wrong, repaired: one mistake gives one message.
 // The names of events, reductions, scopes and outcomes are ordinary words here, listed in
-// compiler/syntax/words.h: a misspelt one gets a message of its own, and none is lost as a name.
+// compiler/syntax/words.h: a misspelled one gets a message of its own, and none is lost as a name.
 // Precedence, from loose to tight: or, and, not, comparison, sum, product, minus, postfix.
 grammar Task;
 

@@ -16,7 +16,7 @@ struct Reading {
 };
 
 // The first `limit` bytes of a file, links followed. Only regular files are read: the reader of a
-// named pipe waits for a writer, perhaps for ever, and a device may have no end.
+// named pipe waits for a writer, perhaps forever, and a device may have no end.
 Reading Read(const std::filesystem::path& file, size_t limit = std::numeric_limits<size_t>::max());
 
 }  // namespace file

@@ -18,7 +18,7 @@ namespace compiler {
 // Powers of the base dimensions. Angles count as a dimension, so that degrees, radians and plain
 // numbers cannot be mixed up.
 struct Unit {
-  int8_t metre = 0;
+  int8_t meter = 0;
   int8_t kilogram = 0;
   int8_t second = 0;
   int8_t radian = 0;

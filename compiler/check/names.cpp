@@ -148,7 +148,7 @@ std::optional<CheckedExpression> ResolveBuiltIn(const Identifier& name, const Pl
 
 // A sensor of several names that `path` begins with, were it not for a few wrong letters. False:
 // there is none.
-bool ReportMisspeltSensor(const std::vector<Identifier>& path, const TaskScope& scope) {
+bool ReportMisspelledSensor(const std::vector<Identifier>& path, const TaskScope& scope) {
   std::string nearest;
   size_t length = 0;
   size_t smallest = std::string::npos;
@@ -306,7 +306,7 @@ std::optional<ResolvedPath> ResolvePath(const std::vector<Identifier>& path, con
     NoteSensor(name, span, sensor, scope);
     return ResolvedPath{{span, sensor.type, sensor.unit, SensorRead{index}}, length};
   }
-  if (ReportSensorOfRobot(path, scope) || ReportMisspeltSensor(path, scope)) return std::nullopt;
+  if (ReportSensorOfRobot(path, scope) || ReportMisspelledSensor(path, scope)) return std::nullopt;
   if (scope.sensors.IsRoot(root.text)) {
     ReportUnknownSensor(path, scope);
   } else if (!ReportMisplacedName(root, scope)) {

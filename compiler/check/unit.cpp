@@ -48,12 +48,12 @@ std::optional<int8_t> Power(int power) {
 
 // left * right^times
 std::optional<Unit> Combine(const Unit& left, const Unit& right, int times) {
-  const auto metre = Power(left.metre + times * right.metre);
+  const auto meter = Power(left.meter + times * right.meter);
   const auto kilogram = Power(left.kilogram + times * right.kilogram);
   const auto second = Power(left.second + times * right.second);
   const auto radian = Power(left.radian + times * right.radian);
-  if (!metre || !kilogram || !second || !radian) return std::nullopt;
-  return Unit{*metre, *kilogram, *second, *radian};
+  if (!meter || !kilogram || !second || !radian) return std::nullopt;
+  return Unit{*meter, *kilogram, *second, *radian};
 }
 
 struct Factor {
@@ -167,10 +167,10 @@ std::optional<ScaledUnit> Multiply(const ScaledUnit& left, const ScaledUnit& rig
 }
 
 std::optional<Unit> SquareRoot(const Unit& unit) {
-  for (const int power : {unit.metre, unit.kilogram, unit.second, unit.radian})
+  for (const int power : {unit.meter, unit.kilogram, unit.second, unit.radian})
     if (power % 2 != 0) return std::nullopt;
   const auto half = [](int8_t power) { return static_cast<int8_t>(power / 2); };
-  return Unit{half(unit.metre), half(unit.kilogram), half(unit.second), half(unit.radian)};
+  return Unit{half(unit.meter), half(unit.kilogram), half(unit.second), half(unit.radian)};
 }
 
 std::optional<ScaledUnit> ParseUnit(std::string_view text) { return UnitReader(text).Read(); }
@@ -182,7 +182,7 @@ std::string ToString(const Unit& unit) {
   const int newton = has_force ? 1 : 0;
   return Write({{"kg", unit.kilogram - newton},
                 {"N", newton},
-                {"m", unit.metre - newton * kNewton.metre},
+                {"m", unit.meter - newton * kNewton.meter},
                 {"rad", unit.radian},
                 {"s", unit.second - newton * kNewton.second}});
 }

@@ -42,7 +42,7 @@ TEST_F(ReadTest, SaysWhyItCannot) {
   EXPECT_EQ(Read(folder_).problem, "it is a folder; name a regular file");
 }
 
-// Nobody ever writes into the pipe: whoever opens it as a file waits for ever.
+// Nobody ever writes into the pipe: whoever opens it as a file waits forever.
 TEST_F(ReadTest, WaitsForNobody) {
   ASSERT_EQ(mkfifo((folder_ / "pipe").c_str(), 0600), 0);
   std::filesystem::create_symlink("pipe", folder_ / "link");

@@ -49,7 +49,7 @@ test("a comment starts at two slashes outside of strings", () => {
 
 test("the documentation of a task is its first paragraph", () => {
   const source =
-    "// licence\n\n/// Move forward\n/// without falling.\n///\n/// More.\ntask crawling\n";
+    "// license\n\n/// Move forward\n/// without falling.\n///\n/// More.\ntask crawling\n";
   assert.equal(docOfTask(source), "Move forward without falling.");
   assert.equal(docOfTask("task crawling\n/// late\n"), "");
   assert.equal(docOfTask(""), "");

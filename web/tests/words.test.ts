@@ -30,7 +30,7 @@ test("numbers on an axis lose zeros that say nothing, but none of an exponent", 
   assert.deepEqual(tiny, ["1e\u221210", "\u22121.5e\u221210", "2e+20"]);
 });
 
-test("lengths have millimetres and no negative zero", () => {
+test("lengths have millimeters and no negative zero", () => {
   assert.equal(formatLength(-2.57e-9), "0.000");
   assert.equal(formatLength(-0.0336), "\u22120.034");
 });

@@ -16,7 +16,7 @@ constexpr double kDiscCover = 0.16, kFineCover = 0.22, kCoarseCover = 0.6, kTrai
 
 Point BaseAbove(const Motion& motion, int frame) { return motion.position(frame, 0).head<2>(); }
 
-// Mean over the frames around `frame`, fewer towards both ends of the motion, so that the trail
+// Mean over the frames around `frame`, fewer toward both ends of the motion, so that the trail
 // starts and ends where the base does.
 Point SmoothBase(const Motion& motion, int frame) {
   const int last = motion.frame_count() - 1;

@@ -23,7 +23,7 @@ class PosedRobot {
   PosedRobot(const std::vector<robot::Link>& links, const Motion& motion, int frame);
 
   // Sets `near` to the links that may come closer to the ray than `width` at its origin, and
-  // `widening` more with each metre.
+  // `widening` more with each meter.
   void FindNear(const Ray& ray, double width, double widening, std::vector<size_t>& near) const;
 
   // The first of `links` that the ray meets.

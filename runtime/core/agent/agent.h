@@ -84,7 +84,7 @@ struct CompositeSetting {
 };
 
 // Reads an agent file and those that it includes. Throws UserError with file, line, column and, for
-// a misspelt key, the nearest one. Whether types, parameters and ports exist is found out by
+// a misspelled key, the nearest one. Whether types, parameters and ports exist is found out by
 // BuildGraph.
 Agent ReadAgent(const std::filesystem::path& file);
 // The same from a text, which cannot include; `name` stands for the file in messages.

@@ -74,15 +74,15 @@ const CommandSpec& CommandAt(std::string_view path) {
   }
 }
 
-Request ReadRequest(const HttpRequest& call) {
-  const CommandSpec& command = CommandAt(PathOf(call.target));
-  const bool is_get = call.method == "GET";
-  if (call.method != "POST" && (!is_get || command.changes())) {
+Request ReadRequest(const HttpRequest& http) {
+  const CommandSpec& command = CommandAt(PathOf(http.target));
+  const bool is_get = http.method == "GET";
+  if (http.method != "POST" && (!is_get || command.changes())) {
     throw HttpError(
         405, fmt::format("`{}` takes POST{}", command.name, command.changes() ? "" : " or GET"));
   }
   Request request = {command.name,
-                     is_get ? QueryArguments(call.target) : ParseArguments(call.body)};
+                     is_get ? QueryArguments(http.target) : ParseArguments(http.body)};
   try {
     CheckArguments(command, request.arguments);
   } catch (const UserError& error) {
@@ -91,9 +91,9 @@ Request ReadRequest(const HttpRequest& call) {
   return request;
 }
 
-void CheckIsGet(const HttpRequest& call) {
-  if (call.method == "GET") return;
-  throw HttpError(405, fmt::format("`{}` takes GET", PathOf(call.target)));
+void CheckIsGet(const HttpRequest& request) {
+  if (request.method == "GET") return;
+  throw HttpError(405, fmt::format("`{}` takes GET", PathOf(request.target)));
 }
 
 std::string Text(const json& object) {
@@ -102,17 +102,17 @@ std::string Text(const json& object) {
 
 }  // namespace
 
-Route ReadRoute(const HttpRequest& call) {
-  const std::string_view path = PathOf(call.target);
+Route ReadRoute(const HttpRequest& request) {
+  const std::string_view path = PathOf(request.target);
   if (path == "/") {
-    CheckIsGet(call);
+    CheckIsGet(request);
     return PageRoute();
   }
   if (path == "/api/events") {
-    CheckIsGet(call);
+    CheckIsGet(request);
     return EventsRoute();
   }
-  if (path.starts_with(kApi)) return ReadRequest(call);
+  if (path.starts_with(kApi)) return ReadRequest(request);
   throw HttpError(404, fmt::format("there is nothing at `{}`; commands are at /api/COMMAND, the "
                                    "run's page at /",
                                    path));
@@ -122,12 +122,12 @@ std::string QueryValue(std::string_view target, std::string_view name) {
   return QueryArguments(target).value(std::string(name), "");
 }
 
-Answer AnswerOf(const Reply& reply) {
-  if (!reply.ok) return AnswerOf(422, reply.error);
+HttpResponse ResponseOf(const Reply& reply) {
+  if (!reply.ok) return ResponseOf(422, reply.error);
   return {200, kJson, Text({{"ok", true}, {"value", reply.value}})};
 }
 
-Answer AnswerOf(unsigned status, const std::string& error) {
+HttpResponse ResponseOf(unsigned status, const std::string& error) {
   return {status, kJson, Text({{"ok", false}, {"error", error}})};
 }
 

@@ -1,4 +1,4 @@
-// What an HTTP request asks for, and how the answer is written.
+// What an HTTP request asks for, and how the response is written.
 #pragma once
 
 #include <string>
@@ -21,18 +21,18 @@ struct EventsRoute {};  // a stream of events
 using Route = std::variant<PageRoute, EventsRoute, Request>;
 
 // The arguments of a Request are checked. Throws HttpError.
-Route ReadRoute(const HttpRequest& call);
+Route ReadRoute(const HttpRequest& request);
 
 // The value of `name` in the query of `target`; "" where there is none.
 std::string QueryValue(std::string_view target, std::string_view name);
 
-struct Answer {
+struct HttpResponse {
   unsigned status = 200;
   const char* type = "";  // "text/html"
   std::string body;
 };
 
-Answer AnswerOf(const Reply& reply);
-Answer AnswerOf(unsigned status, const std::string& error);
+HttpResponse ResponseOf(const Reply& reply);
+HttpResponse ResponseOf(unsigned status, const std::string& error);
 
 }  // namespace runtime

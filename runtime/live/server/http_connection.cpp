@@ -23,7 +23,7 @@ namespace http = beast::http;
 using boost::system::error_code;
 
 // How long a client that was refused may go on sending, before its connection is closed on it: a
-// connection that is closed with bytes unread may lose the answer.
+// connection that is closed with bytes unread may lose the response.
 constexpr std::chrono::seconds kLinger{1};
 
 constexpr std::string_view kContinue = "HTTP/1.1 100 Continue\r\n\r\n";
@@ -64,9 +64,10 @@ class HttpConnection final : public Connection,
   void SendPage();
   void BecomeEventStream();
 
-  void Refuse(Answer answer);
-  void Send(Answer answer);
-  static void SendLater(Service& service, std::weak_ptr<HttpConnection> self, Answer answer);
+  void Refuse(HttpResponse response);
+  void Send(HttpResponse response);
+  static void SendLater(Service& service, std::weak_ptr<HttpConnection> self,
+                        HttpResponse response);
   void OnSent(error_code error);
   void DiscardTheRest(error_code error);
 
@@ -78,7 +79,7 @@ class HttpConnection final : public Connection,
   std::optional<http::request_parser<http::string_body>> parser_;
   std::optional<http::response<http::string_body>> response_;
   bool is_sending_ = false;
-  bool is_ending_ = false;  // after the present answer
+  bool is_ending_ = false;  // after the current response
 };
 
 void HttpConnection::Read() {
@@ -105,7 +106,7 @@ void HttpConnection::OnHeader(error_code error) {
   try {
     CheckAccess();
   } catch (const HttpError& refusal) {
-    return Refuse(AnswerOf(refusal.status(), refusal.what()));
+    return Refuse(ResponseOf(refusal.status(), refusal.what()));
   }
   if (!beast::iequals(Header(http::field::expect), "100-continue")) return ReadBody({});
   net::async_write(stream_, net::buffer(kContinue), Then(&HttpConnection::ReadBody));
@@ -125,21 +126,21 @@ void HttpConnection::OnBody(error_code error) {
                   .target = message().target(),
                   .body = message().body()}));
   } catch (const HttpError& refusal) {
-    Send(AnswerOf(refusal.status(), refusal.what()));
+    Send(ResponseOf(refusal.status(), refusal.what()));
   }
 }
 
 void HttpConnection::OnReadError(error_code error) {
   if (error == http::error::body_limit) {
-    return Refuse(AnswerOf(413, "the request's body is too large"));
+    return Refuse(ResponseOf(413, "the request's body is too large"));
   }
   if (error == http::error::header_limit) {
-    return Refuse(AnswerOf(431, "the request's header is too large"));
+    return Refuse(ResponseOf(431, "the request's header is too large"));
   }
   const bool is_of_http = error.category() == make_error_code(http::error::bad_method).category();
   const bool is_gone = error == http::error::end_of_stream || error == http::error::partial_message;
   if (!is_of_http || is_gone) return Close();
-  Refuse(AnswerOf(400, "this is not HTTP: " + error.message()));
+  Refuse(ResponseOf(400, "this is not HTTP: " + error.message()));
 }
 
 void HttpConnection::CheckAccess() const {
@@ -174,56 +175,56 @@ void HttpConnection::Do(Route route) {
 void HttpConnection::Pass(Request request) {
   service_.handler.Handle(std::move(request), [service = service_.weak_from_this(),
                                                self = weak_from_this()](Reply reply) {
-    if (const auto living = service.lock()) SendLater(*living, self, AnswerOf(reply));
+    if (const auto living = service.lock()) SendLater(*living, self, ResponseOf(reply));
   });
 }
 
 void HttpConnection::SendPage() {
   net::post(service_.pages, [&service = service_, self = weak_from_this()] {
-    Answer answer;
+    HttpResponse response;
     try {
-      answer = {200, "text/html; charset=utf-8", service.page_maker()};
+      response = {200, "text/html; charset=utf-8", service.page_maker()};
     } catch (const std::exception& error) {
-      answer = AnswerOf(500, error.what());
+      response = ResponseOf(500, error.what());
     }
-    SendLater(service, self, std::move(answer));
+    SendLater(service, self, std::move(response));
   });
 }
 
 void HttpConnection::BecomeEventStream() {
   if (!beast::websocket::is_upgrade(message())) {
-    return Send(AnswerOf(426, "events come over a WebSocket"));
+    return Send(ResponseOf(426, "events come over a WebSocket"));
   }
   ServeEvents(service_, std::move(stream_), message(), std::move(slot_));
   service_.connections.erase(this);
 }
 
 // Answers a request that was not read to its end.
-void HttpConnection::Refuse(Answer answer) {
+void HttpConnection::Refuse(HttpResponse response) {
   is_ending_ = true;
-  Send(std::move(answer));
+  Send(std::move(response));
 }
 
-void HttpConnection::Send(Answer answer) {
-  auto& response = response_.emplace(static_cast<http::status>(answer.status), 11);
-  response.set(http::field::content_type, answer.type);
-  response.set(http::field::cache_control, "no-store");
-  response.set("Referrer-Policy", "no-referrer");  // the page's address has the token
-  response.set("X-Content-Type-Options", "nosniff");
-  response.set("X-Frame-Options", "DENY");
-  response.body() = std::move(answer.body);
+void HttpConnection::Send(HttpResponse response) {
+  auto& written = response_.emplace(static_cast<http::status>(response.status), 11);
+  written.set(http::field::content_type, response.type);
+  written.set(http::field::cache_control, "no-store");
+  written.set("Referrer-Policy", "no-referrer");  // the page's address has the token
+  written.set("X-Content-Type-Options", "nosniff");
+  written.set("X-Frame-Options", "DENY");
+  written.body() = std::move(response.body);
   is_ending_ = is_ending_ || !message().keep_alive();
-  response.keep_alive(!is_ending_);
-  response.prepare_payload();
+  written.keep_alive(!is_ending_);
+  written.prepare_payload();
   is_sending_ = true;
   stream_.expires_after(service_.limits.idle_timeout);
-  http::async_write(stream_, response, Then(&HttpConnection::OnSent));
+  http::async_write(stream_, written, Then(&HttpConnection::OnSent));
 }
 
 void HttpConnection::SendLater(Service& service, std::weak_ptr<HttpConnection> self,
-                               Answer answer) {
-  net::post(service.io, [self = std::move(self), answer = std::move(answer)]() mutable {
-    if (const auto living = self.lock()) living->Send(std::move(answer));
+                               HttpResponse response) {
+  net::post(service.io, [self = std::move(self), response = std::move(response)]() mutable {
+    if (const auto living = self.lock()) living->Send(std::move(response));
   });
 }
 

@@ -7,7 +7,7 @@
 
 namespace runtime {
 
-// Held by a connection that counts towards the limit.
+// Held by a connection that counts toward the limit.
 using ConnectionSlot = std::shared_ptr<void>;
 
 // From whom a connection may come.

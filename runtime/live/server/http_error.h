@@ -6,7 +6,7 @@
 
 namespace runtime {
 
-// A request that is answered with an error's status, such as 404.
+// Gives the request a response with an error status, such as 404.
 class HttpError : public UserError {
  public:
   HttpError(unsigned status, std::string message)

@@ -87,14 +87,14 @@ void Listener::TryAgainLater() {
 }
 
 void Listener::Take(Descriptor client) {
-  if (seats_.use_count() > static_cast<long>(service_.limits.connections)) {
+  if (slots_.use_count() > static_cast<long>(service_.limits.connections)) {
     send(client.get(), kFull.data(), kFull.size(), MSG_NOSIGNAL);  // a new socket has room for it
     return;
   }
   if (transport_ == Transport::kLoopback) {
     setsockopt(client.get(), IPPROTO_TCP, TCP_NODELAY, &kYes, sizeof(kYes));
   }
-  ServeHttp(service_, std::move(client), transport_, seats_);
+  ServeHttp(service_, std::move(client), transport_, slots_);
 }
 
 }  // namespace runtime

@@ -30,7 +30,7 @@ class Listener {
   boost::asio::posix::stream_descriptor socket_;
   boost::asio::steady_timer pause_;
   Transport transport_;
-  std::shared_ptr<void> seats_ = std::make_shared<char>();  // every connection holds a copy
+  std::shared_ptr<void> slots_ = std::make_shared<char>();  // every connection holds a copy
 };
 
 }  // namespace runtime

@@ -14,12 +14,12 @@
 
 namespace runtime {
 
-// What keeps a client from being a burden to the trainer and to other clients.
+// What keeps one client from overloading the trainer or blocking other clients.
 struct ServerLimits {
   std::chrono::milliseconds idle_timeout{
       30'000};                  // with a client that should send or take something
   size_t connections = 64;      // at a time, on each of socket and loopback
-  size_t waiting_events = 256;  // for a client that takes them slowly
+  size_t waiting_events = 256;  // for a client that reads them slowly
   size_t body_bytes = 1 << 20;  // of a request
   uint32_t header_bytes = 16 << 10;
 };

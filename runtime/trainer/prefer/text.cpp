@@ -60,7 +60,7 @@ std::string WeightTable(const PreferenceFit& fit) {
 }
 
 std::string PreferenceTable(const PreferenceFit& fit) {
-  const auto judgement = [](double probability, bool holds) {
+  const auto judgment = [](double probability, bool holds) {
     return fmt::format("{} {}", PercentText(probability), holds ? "yes" : " no");
   };
   std::vector<Row> rows = {{"preference", "now", "new"}};
@@ -69,8 +69,8 @@ std::string PreferenceTable(const PreferenceFit& fit) {
     rows.push_back({fmt::format("{} {} {}", ShortName(preference.better, *fit.result),
                                 preference.is_tie ? "as good as" : "over",
                                 ShortName(preference.worse, *fit.result)),
-                    judgement(each.probability.before, each.holds.before),
-                    judgement(each.probability.after, each.holds.after)});
+                    judgment(each.probability.before, each.holds.before),
+                    judgment(each.probability.after, each.holds.after)});
   }
   return Table(rows);
 }

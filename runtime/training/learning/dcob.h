@@ -14,7 +14,7 @@
 namespace runtime {
 
 // The action space DCOB: with intervals g_0 .. g_{n-1} [s/rad], action a moves the coordinates
-// towards the center of unit a / n at the pace g_{a mod n}
+// toward the center of unit a / n at the pace g_{a mod n}
 // (runtime/training/learning/dcob_motion.h).
 //
 // With the target "angles" (called DCOB-Q elsewhere) the distance D is that of the angles. With

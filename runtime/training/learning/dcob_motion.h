@@ -1,5 +1,5 @@
 // One action of DCOB (Yamaguchi, Takamatsu and Ogasawara, 2013): a smooth motion of the coordinates
-// towards the center of a basis function, cut short where the next basis function begins.
+// toward the center of a basis function, cut short where the next basis function begins.
 //
 //   T    = interval * max_j |target_j - start_j|      time of the full motion [s]
 //   T_N  = scale * (d_N / D) * T  where d_N < D,  else T

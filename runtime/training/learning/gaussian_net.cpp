@@ -35,11 +35,11 @@ Eigen::VectorXd NeighborDistances(const Eigen::MatrixXd& centers, double at_leas
 }  // namespace
 
 GaussianNet::GaussianNet(Eigen::MatrixXd centers, Eigen::VectorXd deviations, Norm norm)
-    : centres_(std::move(centers)),
+    : centers_(std::move(centers)),
       deviations_(std::move(deviations)),
       exponent_factors_(-0.5 * deviations_.array().square().inverse()),
-      neighbor_distances_(NeighborDistances(centres_, LargestFiniteDeviation(deviations_), norm)) {
-  assert(centres_.rows() > 0 && centres_.cols() == deviations_.size());
+      neighbor_distances_(NeighborDistances(centers_, LargestFiniteDeviation(deviations_), norm)) {
+  assert(centers_.rows() > 0 && centers_.cols() == deviations_.size());
   assert((deviations_.array() > 0).all());
 }
 
@@ -48,7 +48,7 @@ void GaussianNet::Evaluate(const Eigen::Ref<const Eigen::VectorXd>& point,
   assert(point.size() == dimensions() && features.size() == units());
   features.setZero();
   for (int i = 0; i < dimensions(); ++i) {
-    features.array() += exponent_factors_[i] * (centres_.col(i).array() - point[i]).square();
+    features.array() += exponent_factors_[i] * (centers_.col(i).array() - point[i]).square();
   }
   // With the largest logarithm taken off, the largest G is 1: the sum can neither vanish nor
   // overflow however far the point lies from all centers.

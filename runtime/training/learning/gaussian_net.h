@@ -30,9 +30,9 @@ class GaussianNet {
   // dimension, positive. `norm` measures the distances between the centers.
   GaussianNet(Eigen::MatrixXd centers, Eigen::VectorXd deviations, Norm norm);
 
-  int units() const { return static_cast<int>(centres_.rows()); }
-  int dimensions() const { return static_cast<int>(centres_.cols()); }
-  const Eigen::MatrixXd& centers() const { return centres_; }
+  int units() const { return static_cast<int>(centers_.rows()); }
+  int dimensions() const { return static_cast<int>(centers_.cols()); }
+  const Eigen::MatrixXd& centers() const { return centers_; }
   const Eigen::VectorXd& deviations() const { return deviations_; }
 
   // d_k: the distance from unit k's center to the nearest other one, or the largest finite
@@ -44,7 +44,7 @@ class GaussianNet {
   void Evaluate(const Eigen::Ref<const Eigen::VectorXd>& point, Eigen::VectorXd& features) const;
 
  private:
-  Eigen::MatrixXd centres_;
+  Eigen::MatrixXd centers_;
   Eigen::VectorXd deviations_;
   Eigen::VectorXd exponent_factors_;  // -1 / (2 sigma_i^2)
   Eigen::VectorXd neighbor_distances_;

@@ -38,7 +38,7 @@ EpisodeRecord RunEpisode(int64_t number, const EpisodeModules& modules,
   modules.environment.StartEpisode();
   after_step(steps);
   while (!modules.learner.episode_over()) {
-    modules.environment.StepControl();
+    modules.environment.RunTimeStep();
     after_step(++steps);
   }
   EpisodeRecord episode = RecordOf(modules);

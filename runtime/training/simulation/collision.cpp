@@ -30,7 +30,7 @@ bool AreJoined(const robot::RobotDescription& robot, int first, int second) {
 Collision::Collision(const robot::RobotDescription& robot, const RobotBody& body)
     : body_(body),
       plane_(dCreatePlane(nullptr, 0, 0, 1, 0)),
-      centres_(robot.links.size()),
+      centers_(robot.links.size()),
       ground_(robot.links.size(), 0) {
   for (const robot::Link& link : robot.links) radii_.push_back(BoundingRadius(link.shape));
   for (int i = 0; i < body.link_count(); ++i) {
@@ -45,7 +45,7 @@ void Collision::Update() {
   contacts_.clear();
   FindCenters();
   for (int i = 0; i < body_.link_count(); ++i) {
-    const bool near = centres_[i][2] <= radii_[i];
+    const bool near = centers_[i][2] <= radii_[i];
     ground_[i] = near && AddContacts(Contact::kGround, i) ? 1 : 0;
   }
   for (const Pair& pair : pairs_) {
@@ -55,13 +55,13 @@ void Collision::Update() {
 
 void Collision::FindCenters() {
   for (int i = 0; i < body_.link_count(); ++i) {
-    std::copy_n(dBodyGetPosition(body_.body(i)), 3, centres_[i].begin());
+    std::copy_n(dBodyGetPosition(body_.body(i)), 3, centers_[i].begin());
   }
 }
 
 bool Collision::MayTouch(const Pair& pair) const {
-  const robot::Vector3& a = centres_[pair.first];
-  const robot::Vector3& b = centres_[pair.second];
+  const robot::Vector3& a = centers_[pair.first];
+  const robot::Vector3& b = centers_[pair.second];
   const double x = a[0] - b[0];
   const double y = a[1] - b[1];
   const double z = a[2] - b[2];

@@ -55,7 +55,7 @@ class Collision {
   const RobotBody& body_;
   OdeGeom plane_;
   std::vector<double> radii_;  // of the links' bounding spheres
-  std::vector<robot::Vector3> centres_;
+  std::vector<robot::Vector3> centers_;
   std::vector<Pair> pairs_;
   std::vector<unsigned char> ground_;
   std::vector<Contact> contacts_;

@@ -13,7 +13,7 @@ namespace runtime {
 // The motor that is the controller stepped implicitly. The torque at the end of a step of length h,
 // where the angle has become q + h v, is
 //   stiffness (target - q - h v) - damping v = stiffness (target - q) - (damping + h stiffness) v,
-// that of a motor which pulls towards a speed with a torque proportional to what is missing.
+// that of a motor which pulls toward a speed with a torque proportional to what is missing.
 struct Motor {
   double speed = 0;       // [rad / s]
   double damping = 0;     // torque for each rad / s that is missing [N m s / rad]
@@ -25,7 +25,7 @@ class JointController {
   // `controller` and `body` outlive the object.
   JointController(const robot::RobotDescription& robot, const RobotBody& body, double time_step);
 
-  // Reads the joints and finds what drives each towards its target [rad] during the next physics
+  // Reads the joints and finds what drives each toward its target [rad] during the next physics
   // step. Throws OdeFailure if that takes a torque that is no number: no solver must get to see
   // one.
   void Update(std::span<const double> targets);

@@ -3,7 +3,7 @@
 
 namespace runtime {
 
-// Pulls a speed towards a target with an impulse of  stiffness * (target - speed),  but no less
+// Pulls a speed toward a target with an impulse of  stiffness * (target - speed),  but no less
 // than `low` and no more than `high`.
 struct LimitedPull {
   enum class State { kLow, kSpring, kHigh };

@@ -26,7 +26,7 @@ class PhysicsSolver {
 struct SolverSettings {
   double time_step;      // [s]
   Softness contacts;     // of the contacts' normals
-  double gravity = 9.8;  // downwards [m / s^2]
+  double gravity = 9.8;  // downward [m / s^2]
   double erp = 0.2;      // of joints
   double cfm = 1e-5;     // of joints, and of what keeps contacts from sliding
   double bounce = 1e-5;

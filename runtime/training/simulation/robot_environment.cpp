@@ -58,7 +58,7 @@ void RobotEnvironment::StartEpisode() {
   start_of_episode_();
 }
 
-void RobotEnvironment::StepControl() {
+void RobotEnvironment::RunTimeStep() {
   if (!running_) return;
   CapturePose(last_pose_);
   const double length = time_step();

@@ -42,7 +42,7 @@ class RobotEnvironment : public Module {
   // A fresh world with the robot in its start pose.
   void StartEpisode();
   // One time step; nothing if the episode has diverged, or none has been started.
-  void StepControl();
+  void RunTimeStep();
 
   const std::string& profile() const { return profile_; }
   int link_count() const { return static_cast<int>(robot_.links.size()); }

@@ -16,7 +16,7 @@ namespace {
 TreeFactor::TreeFactor(std::vector<TreeJoint> joints)
     : joints_(std::move(joints)), eliminations_(joints_.size()) {}
 
-void TreeFactor::Factorise(std::span<Matrix6> inertias) {
+void TreeFactor::Factorize(std::span<Matrix6> inertias) {
   for (size_t j = joints_.size(); j-- > 0;) {
     const TreeJoint& joint = joints_[j];
     const Matrix6 at_joint = InertiaAt(joint.child_arm, inertias[joint.child]);

@@ -42,7 +42,7 @@ class TreeFactor {
   std::span<const TreeJoint> joints() const { return joints_; }
 
   // Takes up the joints as they are, and the inertia of each body. Nothing here or below allocates.
-  void Factorise(std::span<Matrix6> inertias);
+  void Factorize(std::span<Matrix6> inertias);
 
   // From the momentum that each body would have if no joint held it to its velocity. Destroys
   // the momenta.

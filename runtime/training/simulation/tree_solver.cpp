@@ -198,7 +198,7 @@ void TreeSolver::SolveAsAssumed() {
     joint.load = limits.load;
     joint.load.tail<3>() -= (limits.torque + limits.motor.load() + limits.stop.load()) * joint.axis;
   }
-  tree_.Factorise(inertias_);
+  tree_.Factorize(inertias_);
   scratch_ = momenta_;
   tree_.Solve(scratch_, velocities_);
   if (link_contacts_.empty()) return;

@@ -60,7 +60,7 @@ class TreeSolver : public PhysicsSolver {
   void ReadLinks();
   void ReadHinge(int hinge, const JointController& controller);
   void ReadContacts(std::span<const Contact> contacts);
-  // One that pushes the link towards `normal`.
+  // One that pushes the link toward `normal`.
   void AddGroundContact(int link, const Vector3& normal, const dContactGeom& geometry);
   LimitedPull NormalPull(double depth, double speed) const;
   // The rate of the hinge's angle [rad / s].

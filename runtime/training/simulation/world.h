@@ -28,7 +28,7 @@ class World {
   double physics_time_step() const { return settings_.time_step; }  // [s]
   int physics_steps_per_time_step() const { return physics_steps_per_time_step_; }
 
-  // One physics step towards `targets`, one angle for each joint [rad]. Throws OdeFailure if there
+  // One physics step toward `targets`, one angle for each joint [rad]. Throws OdeFailure if there
   // is no sensible state to continue from; the world must not be stepped again then.
   void Step(std::span<const double> targets);
 

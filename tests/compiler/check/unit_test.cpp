@@ -11,10 +11,10 @@
 namespace compiler {
 namespace {
 
-constexpr Unit kMetre{.metre = 1};
+constexpr Unit kMeter{.meter = 1};
 constexpr Unit kSecond{.second = 1};
 constexpr Unit kRadian{.radian = 1};
-constexpr Unit kSpeed{.metre = 1, .second = -1};
+constexpr Unit kSpeed{.meter = 1, .second = -1};
 constexpr Unit kForce{1, 1, -2, 0};
 
 Unit Parsed(std::string_view text) {
@@ -30,23 +30,23 @@ double InSi(double value, std::string_view text) {
 }
 
 TEST(Unit, ProductsAddPowers) {
-  EXPECT_EQ(Multiply(kSpeed, kSecond), kMetre);
-  EXPECT_EQ(Divide(kMetre, kSecond), kSpeed);
-  EXPECT_EQ(Divide(kMetre, kMetre), Unit{});
-  EXPECT_EQ(Multiply(kForce, kMetre), (Unit{2, 1, -2, 0}));
+  EXPECT_EQ(Multiply(kSpeed, kSecond), kMeter);
+  EXPECT_EQ(Divide(kMeter, kSecond), kSpeed);
+  EXPECT_EQ(Divide(kMeter, kMeter), Unit{});
+  EXPECT_EQ(Multiply(kForce, kMeter), (Unit{2, 1, -2, 0}));
 }
 
 TEST(Unit, PowersBeyondTheRangeAreRefused) {
-  const Unit large{.metre = 127};
-  EXPECT_EQ(Multiply(large, kMetre), std::nullopt);
-  EXPECT_EQ(Divide(large, kMetre), (Unit{.metre = 126}));
+  const Unit large{.meter = 127};
+  EXPECT_EQ(Multiply(large, kMeter), std::nullopt);
+  EXPECT_EQ(Divide(large, kMeter), (Unit{.meter = 126}));
   EXPECT_EQ(Divide(Unit{.second = -128}, kSecond), std::nullopt);
 }
 
 TEST(Unit, SquareRootHalvesEvenPowers) {
-  EXPECT_EQ(SquareRoot(Unit{.metre = 2, .second = -4}), (Unit{.metre = 1, .second = -2}));
+  EXPECT_EQ(SquareRoot(Unit{.meter = 2, .second = -4}), (Unit{.meter = 1, .second = -2}));
   EXPECT_EQ(SquareRoot(Unit{}), Unit{});
-  EXPECT_EQ(SquareRoot(kMetre), std::nullopt);
+  EXPECT_EQ(SquareRoot(kMeter), std::nullopt);
   EXPECT_EQ(SquareRoot(Unit{.second = -3}), std::nullopt);
 }
 
@@ -93,11 +93,11 @@ TEST(Unit, TextIsAsAReaderWritesIt) {
 }
 
 TEST(Unit, TextIsReadBackAsTheSameUnit) {
-  for (int8_t metre = -3; metre <= 3; ++metre)
+  for (int8_t meter = -3; meter <= 3; ++meter)
     for (int8_t kilogram = -2; kilogram <= 2; ++kilogram)
       for (int8_t second = -4; second <= 3; ++second)
         for (int8_t radian = -2; radian <= 2; ++radian) {
-          const Unit unit{metre, kilogram, second, radian};
+          const Unit unit{meter, kilogram, second, radian};
           EXPECT_EQ(Parsed(ToString(unit)), unit) << ToString(unit);
         }
 }

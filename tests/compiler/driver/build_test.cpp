@@ -77,7 +77,7 @@ TEST(Build, RemovesNoFileOfOthersFromItsCache) {
   EXPECT_TRUE(fs::is_symlink(taskc.path("project/a")));
 }
 
-// Nobody writes into these pipes: whoever opens one as a file waits for ever.
+// Nobody writes into these pipes: whoever opens one as a file waits forever.
 TEST(Build, NoVerbWaitsForANamedPipe) {
   TaskcProcess taskc;
   ASSERT_EQ(mkfifo(taskc.path("pipe.task").c_str(), 0600), 0);

@@ -20,7 +20,7 @@ struct Factor {
 };
 
 std::vector<Factor> FactorsOf(const Unit& unit) {
-  return {{"m", unit.metre}, {"kg", unit.kilogram}, {"s", unit.second}, {"rad", unit.radian}};
+  return {{"m", unit.meter}, {"kg", unit.kilogram}, {"s", unit.second}, {"rad", unit.radian}};
 }
 
 std::string Power(const Factor& factor, int power) {
@@ -67,12 +67,12 @@ Type RandomExpressions::RandomType() {
 Unit RandomExpressions::RandomUnit() {
   static const std::vector<Unit> units = {{},
                                           {},
-                                          {.metre = 1},
+                                          {.meter = 1},
                                           {.second = 1},
                                           {.radian = 1},
-                                          {.metre = 1, .second = -1},
+                                          {.meter = 1, .second = -1},
                                           {.second = -1},
-                                          {.metre = 1, .kilogram = 1, .second = -2}};
+                                          {.meter = 1, .kilogram = 1, .second = -2}};
   return random_.OneOf(units);
 }
 

@@ -255,7 +255,7 @@ class TaskWriter {
       const char* head;
       Unit unit;
     };
-    const Log log = random_.OneOf({Log{"log curve1", {}}, Log{"log max curve2", {.metre = 1}},
+    const Log log = random_.OneOf({Log{"log curve1", {}}, Log{"log max curve2", {.meter = 1}},
                                    Log{"log mean curve3", {.radian = 1}}});
     Line(
         fmt::format("{} = {}", log.head, expressions_.OfType(ScalarType(Scalar::kReal), log.unit)));

@@ -20,7 +20,7 @@ export interface ChartOptions {
 
 const kFont = "12px system-ui, sans-serif";
 const kEpisodeSync = "episode";
-const kFaint = 0.12; // opacity of what is not emphasised
+const kFaint = 0.12; // opacity of what is not emphasized
 
 /** Between two marks of the axis: whole episodes. */
 const kEpisodeSteps = Array.from({ length: 21 }, (_, i) => {
@@ -160,10 +160,10 @@ export class EpisodeChart {
     this.plot.setSeries(index + 1, { show: visible });
   }
 
-  /** Lets all series stand back but those for which `isEmphasised` holds. */
-  emphasise(isEmphasised: (index: number) => boolean): void {
+  /** Lets all series stand back but those for which `isEmphasized` holds. */
+  emphasize(isEmphasized: (index: number) => boolean): void {
     this.plot.series.slice(1).forEach((series, i) => {
-      series.alpha = isEmphasised(i) ? 1 : kFaint;
+      series.alpha = isEmphasized(i) ? 1 : kFaint;
     });
     this.plot.redraw(false);
   }

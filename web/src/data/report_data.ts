@@ -3,7 +3,7 @@
 import { decodeFloats } from "./base64.ts";
 import type { Estimate } from "./estimate.ts";
 
-/** A link of the robot; lengths in metres, `axis` 0, 1, 2 = x, y, z of the link's own frame. */
+/** A link of the robot; lengths in meters, `axis` 0, 1, 2 = x, y, z of the link's own frame. */
 export interface BodyLink {
   name: string;
   shape: "box" | "capsule" | "sphere";

@@ -59,7 +59,7 @@ export function smoothPath(motion: Motion, halfWidth: number): Float32Array {
   const half = Math.max(0, Math.round(halfWidth / motion.interval));
   const path = new Float32Array(2 * motion.frames);
   for (let frame = 0; frame < motion.frames; ++frame) {
-    // The window shrinks towards both ends, so that the path starts and ends where the base does.
+    // The window shrinks toward both ends, so that the path starts and ends where the base does.
     const reach = Math.min(half, frame, motion.frames - 1 - frame);
     for (let i = frame - reach; i <= frame + reach; ++i) {
       path[2 * frame]! += (motion.poses[i * stride] as number) / (2 * reach + 1);

@@ -52,8 +52,8 @@ export class Curves {
   }
 
   /** Lets only these runs stand out; all, where there are none. */
-  emphasise(runs: number[]): void {
-    this.chart.emphasise((series) => runs.length === 0 || runs.includes(series - kBeforeRuns));
+  emphasize(runs: number[]): void {
+    this.chart.emphasize((series) => runs.length === 0 || runs.includes(series - kBeforeRuns));
   }
 
   private key(): HTMLElement {

@@ -181,8 +181,8 @@ export function showExperiment(
   // The chart takes its width from the page.
   requestAnimationFrame(() => {
     const curves = new Curves(experiment, chart);
-    const emphasise = (numbers: number[]): void => curves.emphasise(numbers);
-    const cards = new GroupCards(experiment, { emphasise, replay });
+    const emphasize = (numbers: number[]): void => curves.emphasize(numbers);
+    const cards = new GroupCards(experiment, { emphasize, replay });
     section.append(cards.element, ...showPreferences(experiment, folder), runTable(experiment));
   });
   return section;

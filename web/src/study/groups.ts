@@ -7,7 +7,7 @@ import type { Experiment, Group, Strip } from "./data.ts";
 import { colorOf, shareOf } from "./words.ts";
 
 export interface GroupActions {
-  emphasise(runs: number[]): void; // lets the curves of these runs stand out; all, if none
+  emphasize(runs: number[]): void; // lets the curves of these runs stand out; all, if none
   replay(group: Group, title: string): void;
 }
 
@@ -28,8 +28,8 @@ export class GroupCards {
     const head = this.head(group, index);
     const words = element("div", {}, head, this.sentence(group), figures(group));
     const card = element("article", { class: "group" }, words);
-    card.addEventListener("pointerenter", () => this.actions.emphasise(group.runs));
-    card.addEventListener("pointerleave", () => this.actions.emphasise(this.kept?.runs ?? []));
+    card.addEventListener("pointerenter", () => this.actions.emphasize(group.runs));
+    card.addEventListener("pointerleave", () => this.actions.emphasize(this.kept?.runs ?? []));
     if (group.recording) words.append(this.replayButton(group));
     if (group.strip) card.append(snapshots(group.strip));
     return card;
@@ -50,7 +50,7 @@ export class GroupCards {
       this.heads.forEach((other) => {
         other.setAttribute("aria-pressed", String(this.kept === group && other === head));
       });
-      this.actions.emphasise(this.kept?.runs ?? []);
+      this.actions.emphasize(this.kept?.runs ?? []);
     });
     this.heads.push(head);
     return head;

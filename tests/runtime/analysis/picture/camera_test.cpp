@@ -36,7 +36,7 @@ TEST(Camera, SeesTwelveDegreesToEachSide) {
 
 // The page's view: from the right of a robot that faces +x, a little ahead and above.
 TEST(PlaceCameras, LooksFromTheSideOfTheWay) {
-  for (const double x : {3., -3.}) {  // forwards and backwards look alike
+  for (const double x : {3., -3.}) {  // forward and backward look alike
     const Camera camera = CamerasFor({{0, 0, 0.1}, {x, 0, 0.1}}).front();
     const Vector3d from = (camera.position - camera.target()).normalized();
     EXPECT_NEAR((from - Vector3d(0.4, -1.12, 0.4).normalized()).norm(), 0, 1e-12);

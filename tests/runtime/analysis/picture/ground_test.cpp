@@ -22,7 +22,7 @@ double CoverAt(const Ground& ground, const Point& place, double pixel = kPixel) 
   return ground.Look(place, {pixel, 0}, {0, pixel}).cover;
 }
 
-TEST(Ground, HasStrongerLinesEachHalfMetre) {
+TEST(Ground, HasStrongerLinesEachHalfMeter) {
   const Ground ground(OverTheMiddle(), {});
   const double plain = CoverAt(ground, {0.05, 0.05});
   const double fine = CoverAt(ground, {-0.1, 0.05});

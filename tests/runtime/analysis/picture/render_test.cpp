@@ -20,7 +20,7 @@ Image Draw(const std::vector<robot::Link>& links, const Motion& motion, const Ca
   return image;
 }
 
-// Looks along +y from ten metres before `target`.
+// Looks along +y from ten meters before `target`.
 Camera LevelCamera(const Vector3d& target) {
   return {target - 10 * Vector3d::UnitY(), Vector3d::UnitX(), Vector3d::UnitZ(), Vector3d::UnitY(),
           10};

@@ -18,7 +18,7 @@ struct SampleStudyRun {
   bool is_recorded = true;  // its last episode
 };
 
-// A run of `crawling` in `folder` whose return grows from 0 towards 1000 times its speed.
+// A run of `crawling` in `folder` whose return grows from 0 toward 1000 times its speed.
 void WriteStudyRun(const std::filesystem::path& folder, const SampleStudyRun& sample);
 
 // What is left of the return of such a run in another profile.

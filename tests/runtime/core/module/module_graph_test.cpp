@@ -165,7 +165,7 @@ class Keeper : public Module {
   char value;
 };
 
-TEST(NetworkState, ComesBack) {
+TEST(ModuleGraphState, ComesBack) {
   ModuleGraph saved;
   saved.Add(std::make_unique<Keeper>("a", '1'));
   saved.Add(std::make_unique<Keeper>("b", '2'));
@@ -179,7 +179,7 @@ TEST(NetworkState, ComesBack) {
   EXPECT_EQ(b.value, '2');
 }
 
-TEST(NetworkState, OfOtherModulesOrDamagedIsRefused) {
+TEST(ModuleGraphState, OfOtherModulesOrDamagedIsRefused) {
   ModuleGraph saved;
   saved.Add(std::make_unique<Keeper>("a", '1'));
   std::stringstream stream;
@@ -201,7 +201,7 @@ TEST(NetworkState, OfOtherModulesOrDamagedIsRefused) {
 }
 
 // In front, in between and at the end: what is left out need not be there any more.
-TEST(NetworkState, ModulesCanBeLeftOut) {
+TEST(ModuleGraphState, ModulesCanBeLeftOut) {
   ModuleGraph saved;
   for (const char* name : {"x", "a", "y", "z", "b", "w"}) {
     saved.Add(std::make_unique<Keeper>(name, name[0]));
@@ -223,7 +223,7 @@ TEST(NetworkState, ModulesCanBeLeftOut) {
   }
 }
 
-TEST(NetworkState, AModuleThatItDoesNotKnowStaysAsItIs) {
+TEST(ModuleGraphState, AModuleThatItDoesNotKnowStaysAsItIs) {
   ModuleGraph saved;
   saved.Add(std::make_unique<Keeper>("a", '1'));
   saved.Add(std::make_unique<Keeper>("c", '3'));
@@ -252,7 +252,7 @@ class Recorder : public Module {
   double gain_ = 1;
 };
 
-TEST(NetworkLife, StartsInTheOrderOfCreationAndDestroysInReverse) {
+TEST(ModuleGraphLife, StartsInTheOrderOfCreationAndDestroysInReverse) {
   Recorder::log.clear();
   ModuleTypes types;
   types.Add<Recorder>("Recorder");

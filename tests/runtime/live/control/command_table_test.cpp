@@ -42,7 +42,7 @@ TEST(CommandTable, WhatIsDoneWithARequestFollowsFromItsRow) {
   EXPECT_EQ(FindCommand("set").task_file(), nullptr);
 }
 
-TEST(CommandTable, AMisspeltCommandIsToldTheNearest) {
+TEST(CommandTable, AMisspelledCommandIsToldTheNearest) {
   try {
     FindCommand("swop");
     FAIL();

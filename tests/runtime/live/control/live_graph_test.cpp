@@ -137,13 +137,13 @@ TEST_F(LiveGraphTest, InAnEpisodeOnlyATaskThatCanStillEndItIsPromoted) {
   live_.Set("shadow.limit", 0.012);
   EXPECT_EQ(ErrorOf([&] { live_.CheckPromote("shadow", true); }), refusal);
   environment.StartEpisode();
-  environment.StepControl();
+  environment.RunTimeStep();
   EXPECT_EQ(ErrorOf([&] { live_.CheckPromote("shadow", true); }), "");
-  environment.StepControl();
-  environment.StepControl();  // 15 ms: the shadow's end, which comes with the end of the action
+  environment.RunTimeStep();
+  environment.RunTimeStep();  // 15 ms: the shadow's end, which comes with the end of the action
   EXPECT_FALSE(live_.FindTask("shadow").has_ended());
   EXPECT_EQ(ErrorOf([&] { live_.CheckPromote("shadow", true); }), refusal);
-  for (int i = 0; i < 10; ++i) environment.StepControl();
+  for (int i = 0; i < 10; ++i) environment.RunTimeStep();
   EXPECT_TRUE(live_.FindTask("shadow").has_ended());
   EXPECT_EQ(ErrorOf([&] { live_.CheckPromote("shadow", true); }), refusal);
   EXPECT_EQ(ErrorOf([&] { live_.CheckPromote("shadow", false); }), "");

@@ -205,7 +205,7 @@ TEST_F(RobustnessTest, OnlySoManyClientsAtATime) {
     EXPECT_EQ(clients.back().Receive().status, 200);
   }
   EXPECT_EQ(OnPort().Receive().status, 503);
-  EXPECT_TRUE(Ask(folder(), {"status", json::object()}).ok);  // the socket has seats of its own
+  EXPECT_TRUE(Ask(folder(), {"status", json::object()}).ok);  // the socket has slots of its own
   clients.pop_back();
   int status = 503;
   for (const auto end = Clock::now() + 10s; status == 503 && Clock::now() < end;) {

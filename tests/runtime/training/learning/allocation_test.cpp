@@ -39,7 +39,7 @@ class Puppet : public FakeSensorModule {
  public:
   Puppet() : FakeSensorModule(&sensors) {}
 
-  void StepControl() {
+  void RunTimeStep() {
     start_of_time_step(kTimeStep);
     for (int j = 0; j < 17; ++j) {
       const double change = 0.1 * (joint_targets()[j] - sensors.joint_angle[j]);
@@ -104,14 +104,14 @@ class Agent {
 TEST(Agent, ActsAndLearnsThroughItsConnections) {
   Agent agent;
   agent.puppet().start_of_episode();
-  for (int step = 0; step < 2000; ++step) agent.puppet().StepControl();
+  for (int step = 0; step < 2000; ++step) agent.puppet().RunTimeStep();
   EXPECT_GT(agent.learner().action_count(), 40);  // published: 31 time steps on average
   EXPECT_LT(agent.learner().action_count(), 160);
   EXPECT_FALSE(agent.learner().q_lambda().theta().isZero());
   EXPECT_EQ(agent.puppet().joint_targets()[8], agent.puppet().joint_targets()[13]);
 
   agent.puppet().end_of_episode(kTimeIsUp);
-  for (int step = 0; step < 100; ++step) agent.puppet().StepControl();
+  for (int step = 0; step < 100; ++step) agent.puppet().RunTimeStep();
   EXPECT_TRUE(agent.learner().episode_over());
 }
 
@@ -119,10 +119,10 @@ TEST(Agent, AllocatesNothingPerStepNorPerAction) {
   if (!COUNTS_ALLOCATIONS) GTEST_SKIP() << "a sanitizer has its own malloc";
   Agent agent;
   agent.puppet().start_of_episode();
-  for (int step = 0; step < 200; ++step) agent.puppet().StepControl();
+  for (int step = 0; step < 200; ++step) agent.puppet().RunTimeStep();
   const int actions_before = agent.learner().action_count();
   const int64_t before = allocations;
-  for (int step = 0; step < 1000; ++step) agent.puppet().StepControl();
+  for (int step = 0; step < 1000; ++step) agent.puppet().RunTimeStep();
   const int64_t after = allocations;
   EXPECT_EQ(after - before, 0);
   EXPECT_GT(agent.learner().action_count(), actions_before + 10);

@@ -48,7 +48,7 @@ TEST(BubbleNet, Bq3dof60IsLikeThePublishedOne) {
 
 // At rest no spring can be compressed by much more than the inflating force over its stiffness,
 // 0.1, and the faces' springs begin 0.2 R inside.
-TEST(BubbleNet, CentresStayInTheBox) {
+TEST(BubbleNet, CentersStayInTheBox) {
   const robot::NetDescription& box = HumanoidNet("bq01");
   const double inset = 0.2 * Bq01().deviations()[0] / 0.6 - 0.11;
   for (int i = 0; i < 5; ++i) {

@@ -15,7 +15,7 @@ using Eigen::VectorXd;
 
 constexpr double kTimeStep = 0.005;
 
-int ControlSteps(DcobMotion& motion) {
+int TimeSteps(DcobMotion& motion) {
   int steps = 0;
   do {
     motion.Command();
@@ -53,7 +53,7 @@ TEST(DcobMotion, FollowsTheCubic) {
 // floor(0.05367 / 0.005) = 10.
 TEST(DcobMotion, IsCutShortWhereTheNextBasisFunctionBegins) {
   DcobMotion motion = Example();
-  EXPECT_EQ(ControlSteps(motion), 10);
+  EXPECT_EQ(TimeSteps(motion), 10);
 }
 
 TEST(DcobMotion, FirstCommandIsTheStartToTheLastBit) {
@@ -71,7 +71,7 @@ TEST(DcobMotion, LastsTheWholeTimeWhereTheTargetIsNear) {
   DcobMotion motion(2);
   motion.Start(Vector2d(0, 0), Vector2d(0.3, -0.43), 0.2, 0.52, 0.6, 0.5);
   EXPECT_NEAR(motion.duration(), 0.086, 1e-15);  // 0.2 * 0.43: the scale is not applied
-  EXPECT_EQ(ControlSteps(motion), 17);           // floor(17.2)
+  EXPECT_EQ(TimeSteps(motion), 17);              // floor(17.2)
 }
 
 TEST(DcobMotion, LastsMaxOfOneAndTheFloorOfTheTime) {
@@ -83,7 +83,7 @@ TEST(DcobMotion, LastsMaxOfOneAndTheFloorOfTheTime) {
     const double way = (target - start).norm();
     motion.Start(start, target, 0.3 * random.Uniform(), way, random.Uniform(), 1);
     const double expected = std::max(1.0, std::floor(motion.duration() / kTimeStep));
-    ASSERT_EQ(ControlSteps(motion), expected) << motion.duration();
+    ASSERT_EQ(TimeSteps(motion), expected) << motion.duration();
   }
 }
 
@@ -92,7 +92,7 @@ TEST(DcobMotion, NeverLastsLongerThanTheFullMotion) {
   DcobMotion motion(2);
   motion.Start(Vector2d(0, 0), Vector2d(0.52, 0), 0.1, 0.52, 0.5, 3);
   EXPECT_NEAR(motion.duration(), 0.15, 1e-15);
-  EXPECT_EQ(ControlSteps(motion), 11);
+  EXPECT_EQ(TimeSteps(motion), 11);
 }
 
 TEST(DcobMotion, HoldsForOneStepWhereStartIsTarget) {
@@ -115,11 +115,11 @@ TEST(DcobMotion, EndsWhereATimeIsNotANumber) {
 
 TEST(DcobMotion, StartsAnew) {
   DcobMotion motion = Example();
-  ControlSteps(motion);
+  TimeSteps(motion);
   const VectorXd start = Vector2d(2, 2), target = Vector2d(0.97, 2);
   motion.Start(start, target, 0.1, 1.03, 1.5, 1);
   EXPECT_EQ(motion.Command(), start);
-  EXPECT_EQ(ControlSteps(motion), 20);  // floor(0.103 / 0.005)
+  EXPECT_EQ(TimeSteps(motion), 20);  // floor(0.103 / 0.005)
 }
 
 }  // namespace

@@ -89,7 +89,7 @@ TEST_F(DcobTest, HasAnActionForEachIntervalAndUnit) {
 
 // Every d_k is 1.57, so T_N = 0.5 * 1.57 * g wherever the target is farther away than that:
 // 58.9, 78.5 and 157 ms.
-TEST_F(DcobTest, TurningTakes11Or15Or31ControlSteps) {
+TEST_F(DcobTest, TurningTakes11Or15Or31TimeSteps) {
   UseTurningAgent();
   Random random(1);
   for (int unit = 0; unit < 256; ++unit) {

@@ -81,15 +81,15 @@ TEST(GaussianNet, IgnoredDimensionsOfTheStateCancel) {
   const VectorXd deviations = Eigen::Vector4d(0.5, 0.7, 1, 0.9);
   const GaussianNet net(centers, deviations, Norm::kEuclidean);
 
-  MatrixXd full_centres = MatrixXd::Zero(kUnits, kState);
-  full_centres.middleCols(kFirst, kUsed) = centers;
+  MatrixXd full_centers = MatrixXd::Zero(kUnits, kState);
+  full_centers.middleCols(kFirst, kUsed) = centers;
   VectorXd inverse_variances = VectorXd::Constant(kState, 1e-6);
   inverse_variances.segment(kFirst, kUsed) = deviations.array().square().inverse();
 
   for (int repetition = 0; repetition < 10; ++repetition) {
     VectorXd state(kState);
     for (double& element : state) element = 6 * random.Uniform() - 3;
-    const VectorXd expected = FeaturesByDefinition(full_centres, inverse_variances, state);
+    const VectorXd expected = FeaturesByDefinition(full_centers, inverse_variances, state);
     const VectorXd features = Features(net, state.segment(kFirst, kUsed));
     EXPECT_LT((features - expected).cwiseAbs().maxCoeff(), 1e-14);
   }

@@ -21,7 +21,7 @@ robot::NetDescription Grid(std::vector<int> counts, std::vector<double> low,
   return net;
 }
 
-TEST(GridNet, PlacesCentresFromEndToEndFirstCoordinateFastest) {
+TEST(GridNet, PlacesCentersFromEndToEndFirstCoordinateFastest) {
   const GaussianNet net = GridNet(Grid({2, 3}, {0, -1}, {1, 1}), Norm::kEuclidean);
   Eigen::MatrixXd expected(6, 2);
   expected << 0, -1,  //

@@ -108,7 +108,7 @@ TEST_F(ThreeActions, PassOverWhatWouldNotBeFinite) {
   EXPECT_NE(q_.theta(), theta);
 }
 
-// Each step makes the error of the next one larger, for ever.
+// Each step makes the error of the next one larger, forever.
 TEST(QLambda, ALearnerThatDivergesStaysFinite) {
   const VectorXd phi = Vector2d(1, 1);
   Random random(1);

@@ -40,12 +40,12 @@ TEST_P(RobotEnvironmentTest, AllocatesNothingWhileAnEpisodeRuns) {
   environment.Set("profile", std::string(GetParam()));
   environment.Start();
   environment.StartEpisode();
-  environment.StepControl();
+  environment.RunTimeStep();
   std::vector<float> pose(7 * environment.link_count());
   allocations = 0;
   counting = true;
   for (int step = 0; step < 40; ++step) {
-    environment.StepControl();
+    environment.RunTimeStep();
     for (const robot::SensorDescription& sensor : robot::Sensors()) {
       for (Port* port : environment.ports()) {
         if (port->name() == sensor.name) (*static_cast<SensorOut*>(port))();

@@ -13,7 +13,7 @@ TEST(Profile, PaperTakesTwentyFiveStepsInFiveMilliseconds) {
   EXPECT_DOUBLE_EQ(0.005 / steps, 0.0002);
 }
 
-TEST(Profile, TheStepDividesEveryControlStepAndIsNeverLonger) {
+TEST(Profile, TheStepDividesEveryTimeStepAndIsNeverLonger) {
   for (const Profile& profile : kProfiles) {
     for (const double control : {0.0001, 0.001, 0.002, 0.0033, 0.005, 0.01, 0.02, 0.1}) {
       const int steps = profile.PhysicsStepsPerTimeStep(control);

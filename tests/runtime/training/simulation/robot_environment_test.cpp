@@ -97,17 +97,17 @@ TEST(RobotEnvironment, EventsHaveTheOrderOfTheDocumentation) {
   stage.environment.StartEpisode();
   EXPECT_THAT(stage.listener.events, ElementsAre("start_of_episode"));
   stage.listener.events.clear();
-  stage.environment.StepControl();
+  stage.environment.RunTimeStep();
   EXPECT_EQ(stage.listener.events, TimeStep(25));
   stage.listener.events.clear();
-  stage.environment.StepControl();
+  stage.environment.RunTimeStep();
   EXPECT_EQ(stage.listener.events, TimeStep(25));
 }
 
 TEST(RobotEnvironment, SignalsCarryTheLengthOfTheirStep) {
   Stage stage;
   stage.environment.StartEpisode();
-  stage.environment.StepControl();
+  stage.environment.RunTimeStep();
   ASSERT_EQ(stage.listener.lengths.size(), 52u);
   EXPECT_EQ(stage.listener.lengths.front(), 0.005);
   EXPECT_EQ(stage.listener.lengths.back(), 0.005);
@@ -118,7 +118,7 @@ TEST(RobotEnvironment, AnotherRobotHasItsOwnTimeStep) {
   Stage stage(Hopper());
   stage.environment.StartEpisode();
   stage.listener.events.clear();
-  stage.environment.StepControl();
+  stage.environment.RunTimeStep();
   EXPECT_EQ(stage.environment.time_step(), 0.01);
   EXPECT_EQ(stage.environment.link_count(), 3);
   EXPECT_EQ(stage.listener.events, TimeStep(50));
@@ -129,7 +129,7 @@ TEST(RobotEnvironment, TargetsOfAnotherRobotAreRefused) {
   stage.environment.StartEpisode();
   stage.listener.targets = Eigen::VectorXd::Zero(17);
   try {
-    stage.environment.StepControl();
+    stage.environment.RunTimeStep();
     FAIL() << "17 targets for two joints";
   } catch (const UserError& error) {
     EXPECT_STREQ(error.what(),
@@ -143,10 +143,10 @@ TEST(RobotEnvironment, TimeIsCountedWithoutDrift) {
   EXPECT_EQ(stage.environment.time(), 0);
   std::vector<double> times;
   stage.listener.when_physics_step_ends = [&] { times.push_back(stage.Real("time")); };
-  stage.environment.StepControl();
+  stage.environment.RunTimeStep();
   const size_t steps = times.size();
   for (size_t i = 0; i < steps; ++i) EXPECT_DOUBLE_EQ(times[i], 0.005 * (i + 1) / steps);
-  for (int i = 1; i < 200; ++i) stage.environment.StepControl();
+  for (int i = 1; i < 200; ++i) stage.environment.RunTimeStep();
   EXPECT_EQ(stage.environment.time(), 1.0);
   EXPECT_EQ(stage.Real("time"), 1.0);
 }
@@ -158,7 +158,7 @@ TEST(RobotEnvironment, EveryEpisodeStartsAfresh) {
     EXPECT_EQ(stage.environment.time(), 0);
     EXPECT_EQ(stage.Real("base.position", 2), 0.242095);
     stage.listener.targets.setConstant(0.3);
-    for (int i = 0; i < 100; ++i) stage.environment.StepControl();
+    for (int i = 0; i < 100; ++i) stage.environment.RunTimeStep();
     std::vector<float> pose(7 * 18);
     stage.environment.CapturePose(pose);
     return pose;
@@ -168,7 +168,7 @@ TEST(RobotEnvironment, EveryEpisodeStartsAfresh) {
   Stage other(Humanoid(), "fast");
   other.listener.targets.setConstant(0.3);
   other.environment.StartEpisode();
-  for (int i = 0; i < 100; ++i) other.environment.StepControl();
+  for (int i = 0; i < 100; ++i) other.environment.RunTimeStep();
   std::vector<float> pose(7 * 18);
   other.environment.CapturePose(pose);
   EXPECT_EQ(std::memcmp(pose.data(), first.data(), pose.size() * sizeof(float)), 0);
@@ -197,7 +197,7 @@ TEST(RobotEnvironment, TargetsAreReadAfterTheStartOfATimeStepAndHeld) {
     torques.push_back(stage.Real("joint.torque", 8));
     stage.listener.targets[8] = -0.1;  // not before the next time step
   };
-  stage.environment.StepControl();
+  stage.environment.RunTimeStep();
   EXPECT_EQ(torques.front(), 2.5 * 0.1);
   for (const double torque : torques) EXPECT_GT(torque, 0);
 }
@@ -206,7 +206,7 @@ TEST(RobotEnvironment, HoldsAllJointsAtZeroWhileNothingDrivesIt) {
   RobotEnvironment environment("environment", Context{&Humanoid(), {}, 0});
   environment.Start();
   environment.StartEpisode();
-  for (int i = 0; i < 20; ++i) environment.StepControl();
+  for (int i = 0; i < 20; ++i) environment.RunTimeStep();
   EXPECT_NEAR(static_cast<SensorOut&>(environment.FindPort("base.position"))().reals()[2], 0.2421,
               1e-4);
 }
@@ -255,13 +255,13 @@ TEST(RobotEnvironment, ADivergingSimulationEndsTheEpisode) {
   stage.environment.StartEpisode();
   stage.listener.when_time_step_starts = [&] { stage.Real("base.position"); };
   for (int i = 0; i < 100 && stage.listener.end_reason.empty(); ++i) {
-    stage.environment.StepControl();
+    stage.environment.RunTimeStep();
   }
   EXPECT_EQ(stage.listener.events.back(), "diverged");
   EXPECT_THAT(stage.listener.end_reason, HasSubstr("the simulation diverged: "));
   // Nothing happens until the next episode, and what can be seen is finite.
   const size_t events = stage.listener.events.size();
-  stage.environment.StepControl();
+  stage.environment.RunTimeStep();
   EXPECT_EQ(stage.listener.events.size(), events);
   for (int i = 0; i < 3; ++i) EXPECT_TRUE(std::isfinite(stage.Real("base.position", i)));
   EXPECT_TRUE(std::isfinite(stage.Real("joint.angle", 3)));
@@ -274,19 +274,19 @@ TEST(RobotEnvironment, TheNextEpisodeAfterADivergedOneRuns) {
   Stage stage;
   stage.environment.StartEpisode();
   stage.listener.targets[3] = std::numeric_limits<double>::quiet_NaN();
-  stage.environment.StepControl();
+  stage.environment.RunTimeStep();
   EXPECT_EQ(stage.listener.events.back(), "diverged");
   stage.listener.targets.setZero();
   stage.environment.StartEpisode();
   stage.listener.events.clear();
-  stage.environment.StepControl();
+  stage.environment.RunTimeStep();
   EXPECT_EQ(stage.listener.events, TimeStep(25));
   EXPECT_NEAR(stage.Real("base.position", 2), 0.2421, 1e-4);
 }
 
 TEST(RobotEnvironment, NothingHappensBeforeTheFirstEpisode) {
   Stage stage;
-  stage.environment.StepControl();
+  stage.environment.RunTimeStep();
   EXPECT_TRUE(stage.listener.events.empty());
 }
 

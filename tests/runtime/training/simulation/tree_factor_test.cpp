@@ -85,7 +85,7 @@ TEST_F(TreeFactorTest, SolvesTheSystemThatItStandsFor) {
   }
   for (const TreeJoint& joint : joints_) right += Ends(joint).transpose() * joint.load;
   const Eigen::VectorXd expected = matrix_.ldlt().solve(right);
-  tree_.Factorise(inertias_);
+  tree_.Factorize(inertias_);
   tree_.Solve(momenta, velocities);
   for (int i = 0; i < kBodies; ++i) {
     EXPECT_TRUE(velocities[i].isApprox(expected.segment<6>(6 * i), 1e-11)) << i;
@@ -99,7 +99,7 @@ TEST_F(TreeFactorTest, PartsMultiplyToTheResponseOfOneImpulseToAnother) {
   impulses.col(2).segment<6>(6 * 3) << Vector(), Vector();
   impulses.col(2).segment<6>(0) << Vector(), Vector();
   const Eigen::MatrixXd expected = impulses.transpose() * matrix_.ldlt().solve(impulses);
-  tree_.Factorise(inertias_);
+  tree_.Factorize(inertias_);
   std::vector<TreeFactor::Part> parts[3];
   for (int a = 0; a < 3; ++a) {
     parts[a].resize(kBodies);
@@ -124,7 +124,7 @@ TEST_F(TreeFactorTest, ASmallInertiaAboutTheAxisIsNotLostInTheHoldOfTheOthers) {
   Matrix6& small = inertias_[5];
   small = 1e-6 * Matrix6::Identity();
   const Matrix6 at_joint = InertiaAt(last.child_arm, small);
-  tree_.Factorise(inertias_);
+  tree_.Factorize(inertias_);
   std::vector<Vector6> momenta(kBodies, Vector6::Zero()), velocities(kBodies);
   momenta[5].tail<3>() = 1e-6 * last.axis;
   tree_.Solve(momenta, velocities);
