@@ -61,7 +61,7 @@ void ReadStops(const TomlValue& value, Joint& joint) {
     value.Fail(value.what() + ": the low stop is not below the high stop", "write [low, high]");
   }
   if (stops[0] < -180 || stops[1] > 180) {
-    value.Fail(value.what() + " leave -180 to 180 degrees, the range a hinge can measure",
+    value.Fail(value.what() + " exceed -180 to 180 degrees, the range that a hinge can measure",
                "give [-180, 180] to a joint without stops");
   }
   joint.low = stops[0] * std::numbers::pi / 180;
@@ -80,12 +80,12 @@ void CheckPlaceInTree(const TomlValue& value, const Joint& joint, std::vector<bo
   }
   if (attached[joint.child]) {
     value.Fail(
-        fmt::format("{} attaches `{}`, which another joint has attached", value.what(), child),
+        fmt::format("{} attaches `{}`, which another joint already attaches", value.what(), child),
         "the joints form a tree: let each link be the child of one joint");
   }
   if (!attached[joint.parent]) {
     value.Fail(fmt::format("{} hangs on `{}`, which no joint above attaches", value.what(), parent),
-               "the joints form a tree: list them from the base outwards, without a cycle");
+               "the joints form a tree: list them from the base outward, without a cycle");
   }
   attached[joint.child] = true;
 }

@@ -18,7 +18,7 @@ const SensorDescription& FindUnlimited(const TomlValue& value, const std::string
     if (sensor.name == name) return sensor;
     names.emplace_back(sensor.name);
   }
-  value.Fail(fmt::format("`{}` is no sensor that a range can be given for", name),
+  value.Fail(fmt::format("`{}` is not a sensor whose range can be given", name),
              SuggestName(name, names));
 }
 

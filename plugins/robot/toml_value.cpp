@@ -59,7 +59,7 @@ int TomlValue::Count() const {
 }
 
 std::string TomlValue::Text() const {
-  if (!node_->is_string()) FailType("a text in quotes");
+  if (!node_->is_string()) FailType("a string in quotes");
   return *node_->value<std::string>();
 }
 
@@ -72,7 +72,7 @@ std::string TomlValue::Name() const {
 void TomlValue::CheckIsName(std::string_view text) const {
   if (IsName(text)) return;
   Fail(fmt::format("`{}` cannot be used as a name in a task", text),
-       "use letters, digits and underscores, and no digit first");
+       "use letters, digits and underscores, and do not begin with a digit");
 }
 
 std::vector<TomlValue> TomlValue::Items() const {

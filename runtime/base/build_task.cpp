@@ -16,7 +16,8 @@ ChildResult RunTaskc(std::vector<std::string> words, Captured captured,
   ChildResult result = RunChild(std::move(words), captured, limits);
   if (result.was_too_slow) {
     throw UserError(fmt::format(
-        "{}: the compiler did not end within {} s and was killed; try `taskc build` by itself, and "
+        "{}: the compiler did not finish within {} s and was killed; try `taskc build` by itself, "
+        "and "
         "give the plugin that it makes",
         compiler, std::chrono::duration_cast<std::chrono::seconds>(limits.patience).count()));
   }

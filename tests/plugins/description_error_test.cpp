@@ -70,11 +70,11 @@ const Mistake kMistakes[] = {
      "1:1: error: the robot has no `doc`\n"
      "  help: add `doc`"},
     {"WrongType", "name = \"hopper\"", "name = 3",
-     "3:8: error: `name` of the robot is not a text in quotes\n"
-     "  help: write a text in quotes"},
+     "3:8: error: `name` of the robot is not a string in quotes\n"
+     "  help: write a string in quotes"},
     {"UnusableName", "name = \"hopper\"", "name = \"the hopper\"",
      "3:8: error: `the hopper` cannot be used as a name in a task\n"
-     "  help: use letters, digits and underscores, and no digit first"},
+     "  help: use letters, digits and underscores, and do not begin with a digit"},
     {"LinksAreNoArray", "links = [\n", "links = \"none\"\nlonks = [\n",
      "7:1: error: unknown key `lonks` in the robot\n"
      "  help: did you mean `links`?"},
@@ -136,20 +136,20 @@ const Mistake kMistakes[] = {
      "  help: rename one of the two"},
     {"CyclicTree", "parent = \"trunk\", child = \"thigh\"", "parent = \"shank\", child = \"thigh\"",
      "13:3: error: joint `hip` hangs on `shank`, which no joint above attaches\n"
-     "  help: the joints form a tree: list them from the base outwards, without a cycle"},
+     "  help: the joints form a tree: list them from the base outward, without a cycle"},
     {"JointAboveTheBase", "parent = \"thigh\", child = \"shank\"",
      "parent = \"thigh\", child = \"trunk\"",
      "14:3: error: joint `knee` hangs the base link `trunk` on another link\n"
      "  help: swap `parent` and `child`, or list another link first"},
     {"LinkAttachedTwice", "parent = \"thigh\", child = \"shank\"",
      "parent = \"trunk\", child = \"thigh\"",
-     "14:3: error: joint `knee` attaches `thigh`, which another joint has attached\n"
+     "14:3: error: joint `knee` attaches `thigh`, which another joint already attaches\n"
      "  help: the joints form a tree: let each link be the child of one joint"},
     {"LooseLink", "links = [\n",
      "links = [\n  { name = \"base\", shape = \"sphere\", radius = 1, mass = 1, position = [0, 0, "
      "0] },\n",
      "14:3: error: joint `hip` hangs on `trunk`, which no joint above attaches\n"
-     "  help: the joints form a tree: list them from the base outwards, without a cycle"},
+     "  help: the joints form a tree: list them from the base outward, without a cycle"},
     {"LinkWithoutAJoint", "position = [0, 0, -0.2] },\n",
      "position = [0, 0, -0.2] },\n  { name = \"tail\", shape = \"sphere\", radius = 1, mass = 1, "
      "position = [0, 0, 0] },\n",
@@ -190,7 +190,7 @@ const Mistake kMistakes[] = {
      "  help: add a member"},
     {"GroupWithAnUnusableName", "leg = [", "\"1st\" = [",
      "30:1: error: `1st` cannot be used as a name in a task\n"
-     "  help: use letters, digits and underscores, and no digit first"},
+     "  help: use letters, digits and underscores, and do not begin with a digit"},
     {"UnknownJointInACoordinate", "joint = \"hip\"", "joint = \"hop\"",
      "35:26: error: there is no joint `hop`\n"
      "  help: did you mean `hip`?"},
@@ -233,7 +233,7 @@ const Mistake kMistakes[] = {
      "  help: give one `low` and one greater `high` for each coordinate"},
 
     {"RangeOfNoSensor", "\"joint.velocity\" =", "\"joint.velocty\" =",
-     "47:1: error: `joint.velocty` is no sensor that a range can be given for\n"
+     "47:1: error: `joint.velocty` is not a sensor whose range can be given\n"
      "  help: did you mean `joint.velocity`?"},
     {"RangeUpsideDown", "[-50, 50]", "[50, -50]",
      "47:1: error: the range of `joint.velocity`: the low end is not below the high end\n"

@@ -45,12 +45,12 @@ void CheckTarget(const PreferredTask& task, bool is_forced) {
   }
   if (fs::weakly_canonical(task.file) == fs::weakly_canonical(task.base)) {
     throw UserError(
-        fmt::format("{} cannot extend itself; choose another name behind -o", task.file.string()));
+        fmt::format("{} cannot extend itself; choose another name after -o", task.file.string()));
   }
   for (const fs::path& file : {task.file, AgentFileOf(task.file)}) {
     if (is_forced || !fs::exists(file)) continue;
     throw UserError(fmt::format(
-        "{} is there already; choose another name, or write over it by --force", file.string()));
+        "{} already exists; choose another name, or overwrite it with --force", file.string()));
   }
 }
 
@@ -67,7 +67,7 @@ std::vector<fs::path> WritePreferredTask(const PreferredTask& task, bool is_forc
   if (!RunCompiler({"fmt", draft.string()}, silence) ||
       !RunCompiler({"check", draft.string()}, silence)) {
     fs::remove(draft);
-    throw UserError(fmt::format("{} is not written, since taskc refuses it", task.file.string()));
+    throw UserError(fmt::format("{} is not written, since taskc rejects it", task.file.string()));
   }
   fs::rename(draft, task.file);
   std::vector<fs::path> written = {task.file};

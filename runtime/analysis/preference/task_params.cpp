@@ -77,20 +77,21 @@ TaskParams ParseTaskParams(const std::string& text) {
 TaskParams ReadTaskParams(const std::filesystem::path& task_file) {
   std::string json;
   if (!RunCompiler({"doc", task_file.string(), "--json"}, json)) {
-    throw UserError(fmt::format("taskc cannot tell the params of {}", task_file.string()));
+    throw UserError(fmt::format("taskc cannot list the params of {}", task_file.string()));
   }
   return ParseTaskParams(json);
 }
 
 TaskParams ReadTaskParams(const TaskRecord& task) {
   if (task.sources.empty()) {
-    throw UserError(fmt::format("the run holds no text of its task {}", VersionText(task)));
+    throw UserError(
+        fmt::format("the run does not have the text of its task {}", VersionText(task)));
   }
   const ScratchFolder scratch;
   TaskParams params = ReadTaskParams(WriteSources(task.sources, scratch.path()));
   if (params.task_hash != task.task_hash) {
     throw UserError(
-        fmt::format("the text of {} in the run's record is that of another version, {:.8}; the "
+        fmt::format("the text of {} in the run's record is from another version, {:.8}; the "
                     "record is damaged",
                     VersionText(task), params.task_hash));
   }

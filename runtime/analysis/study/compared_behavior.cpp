@@ -16,7 +16,7 @@ namespace {
 Eigen::VectorXd SumsAtTheEnd(const RunResult& run) {
   if (!run.run->is_finished()) {
     throw UserError(
-        fmt::format("{} is not finished, so that its behavior will change; compare one of its "
+        fmt::format("{} is not finished, so its behavior will change; compare one of its "
                     "episodes, `{}:{}`",
                     run.run->name, run.run->name, run.run->episodes.size()));
   }

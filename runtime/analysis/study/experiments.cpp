@@ -25,9 +25,10 @@ void TakeEvaluations(StudyRun& run, std::vector<std::string>& notes) {
     if (!run.is_finished() || evaluation.checkpoint_episode == run.episodes.back().number) {
       run.evaluations.push_back(std::move(evaluation));
     } else {
-      notes.push_back(fmt::format(
-          "{} has learned on since it was evaluated in {}; `trainer evaluate` does it again.",
-          run.name, evaluation.profile));
+      notes.push_back(
+          fmt::format("{} has continued to learn since it was evaluated in {}; `trainer evaluate` "
+                      "evaluates it again.",
+                      run.name, evaluation.profile));
     }
   }
 }

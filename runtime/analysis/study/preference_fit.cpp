@@ -52,10 +52,10 @@ class Fitter {
       const RecordedParam value =
           found == recorded.end() ? RecordedParam{param.initial} : found->second;
       if (param.scales.empty()) {
-        fit_.kept.push_back({param, value, "it is no weight of a reward term"});
+        fit_.kept.push_back({param, value, "it is not a weight of a reward term"});
       } else if (value.value == 0) {
         fit_.kept.push_back(
-            {param, value, "it was 0 in these runs, so that what it weighs was not recorded"});
+            {param, value, "it was 0 in these runs, so that the term it scales was not recorded"});
       } else {
         fit_.weights.push_back({param, {value.value, value.value}});
         kinds_.push_back(value.kind);
@@ -64,8 +64,7 @@ class Fitter {
     if (fit_.weights.empty()) {
       throw UserError(fmt::format(
           "{}: no param of the task {} is a weight that can be fitted; a weight is a param "
-          "by which all "
-          "that a reward term pays is multiplied: `reward fall = -fall_penalty`",
+          "that multiplies everything that a reward term pays: `reward fall = -fall_penalty`",
           result_.experiment->name, result_.experiment->task().task));
     }
   }
@@ -173,10 +172,11 @@ class Fitter {
     }
     for (const WeightChange& weight : fit_.weights) {
       if (!weight.param.changes_course || weight.value.after == weight.value.before) continue;
-      fit_.notes.push_back(fmt::format(
-          "{} also decides when an episode ends; returns are as if the episodes had gone the same "
-          "way.",
-          weight.param.name));
+      fit_.notes.push_back(
+          fmt::format("{} also affects when an episode ends; returns are computed as if the "
+                      "episodes had stayed "
+                      "the same.",
+                      weight.param.name));
     }
   }
 

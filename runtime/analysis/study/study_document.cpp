@@ -116,7 +116,7 @@ std::string KeyFigures(const Json& experiment) {
   add("best episode", experiment["best_return"]);
   add("episodes to 80 %", experiment["episodes_to_80_percent"]);
   add("CPU minutes to 80 %", experiment["cpu_minutes_to_80_percent"]);
-  add("CPU minutes in all", experiment["cpu_minutes"]);
+  add("CPU minutes in total", experiment["cpu_minutes"]);
   for (const Json& metric : experiment["metrics"]) add(WithUnit(metric), metric["value"]);
   return text;
 }
@@ -256,7 +256,7 @@ std::filesystem::path WriteStudyDocument(const std::filesystem::path& folder,
   std::error_code error;
   std::filesystem::create_directories(output, error);
   if (error) {
-    throw UserError(fmt::format("{}: cannot be made: {}", output.string(), error.message()));
+    throw UserError(fmt::format("{}: cannot be created: {}", output.string(), error.message()));
   }
   return Document(results, output).Write(title.empty() ? results.name : title);
 }

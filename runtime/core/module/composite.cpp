@@ -16,7 +16,7 @@ void Composite::ExportPort(const std::string& name, std::string_view inner) {
 void Composite::ExportParameter(const std::string& name, std::string_view inner) {
   const size_t dot = inner.find('.');
   if (dot == std::string_view::npos) {
-    throw UserError(fmt::format("`{}` is no parameter: write MODULE.PARAMETER", inner));
+    throw UserError(fmt::format("`{}` is not a parameter: write MODULE.PARAMETER", inner));
   }
   Module& module = inner_.Find(inner.substr(0, dot));
   Parameter parameter = module.FindParameter(inner.substr(dot + 1));

@@ -70,7 +70,7 @@ class Assignment {
 
   void operator()(std::string* target) const {
     const std::string* text = std::get_if<std::string>(&value_);
-    if (text == nullptr) ThrowWrongType(name_, "a text", value_);
+    if (text == nullptr) ThrowWrongType(name_, "a string", value_);
     const auto former = parameter_.former_choices.find(*text);
     if (former != parameter_.former_choices.end()) text = &former->second;
     const auto& choices = parameter_.choices;
@@ -92,7 +92,7 @@ class Assignment {
   template <class Integer>
   void AssignWhole(Integer* target) const {
     const int64_t* integer = std::get_if<int64_t>(&value_);
-    if (integer == nullptr) ThrowWrongType(name_, "a whole number", value_);
+    if (integer == nullptr) ThrowWrongType(name_, "an integer", value_);
     parameter_.CheckRange(name_, static_cast<double>(*integer));
     if (*integer != static_cast<Integer>(*integer)) {
       throw UserError(fmt::format("`{}` does not hold a number as large as {}", name_, *integer));

@@ -21,7 +21,7 @@ struct PortName {
 PortName Split(std::string_view full_name) {
   const size_t dot = full_name.find('.');
   if (dot == std::string_view::npos || dot == 0 || dot + 1 == full_name.size()) {
-    throw UserError(fmt::format("`{}` is no port: write MODULE.PORT", full_name));
+    throw UserError(fmt::format("`{}` is not a port: write MODULE.PORT", full_name));
   }
   return {full_name.substr(0, dot), full_name.substr(dot + 1)};
 }
@@ -131,8 +131,7 @@ Module& ModuleGraph::Find(std::string_view module) const {
 }
 
 void ModuleGraph::ThrowOtherClass(std::string_view module) const {
-  throw UserError(
-      fmt::format("the module `{}` is of a type that cannot play its part here", module));
+  throw UserError(fmt::format("the module `{}` is of a type that cannot be used here", module));
 }
 
 void ModuleGraph::CheckIsOnly(std::string_view role, const std::vector<const Module*>& modules) {

@@ -31,7 +31,7 @@ class ElfReader {
 
   std::optional<std::string> Defect() {
     if (content_.size() < SELFMAG || std::memcmp(content_.data(), ELFMAG, SELFMAG) != 0) {
-      return "is no shared object";
+      return "is not a shared object";
     }
     if (!Read(0, header_)) return "is cut off within its header";
     if (auto defect = OtherMachine()) return defect;
@@ -63,7 +63,7 @@ class ElfReader {
         header_.e_machine != kThisMachine) {
       return "is built for another kind of machine";
     }
-    if (header_.e_type != ET_DYN) return "is an ELF file, but no shared object";
+    if (header_.e_type != ET_DYN) return "is an ELF file, but not a shared object";
     return std::nullopt;
   }
 

@@ -117,9 +117,10 @@ void Plugin::Load() {
   }
   const auto entry = reinterpret_cast<taskc_plugin_entry>(dlsym(handle_, TASKC_PLUGIN_ENTRY));
   if (entry == nullptr) {
-    Refuse(name_, fmt::format("is no compiled task: it does not export `{}`; build the task with "
-                              "`taskc build`",
-                              TASKC_PLUGIN_ENTRY));
+    Refuse(name_,
+           fmt::format("is not a compiled task: it does not export `{}`; build the task with "
+                       "`taskc build`",
+                       TASKC_PLUGIN_ENTRY));
   }
   table_ = entry();
   CheckPlugin(name_, table_);

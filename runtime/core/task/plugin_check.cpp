@@ -31,7 +31,7 @@ class TableCheck {
     CheckVersion();
     for (const char* text : {table_.compiler, table_.name, table_.doc, table_.robot,
                              table_.start_pose, table_.source_hash}) {
-      Require(text != nullptr, "a text of it is null");
+      Require(text != nullptr, "one of its strings is null");
     }
     CheckSources();
     CheckSensors();
@@ -53,7 +53,7 @@ class TableCheck {
   void CheckVersion() const {
     if (table_.abi_version != TASKC_ABI_VERSION) {
       throw UserError(fmt::format(
-          "{}: built for ABI {}, this trainer speaks {}: build it again with `taskc build`",
+          "{}: built for ABI {}, but this trainer needs {}: build it again with `taskc build`",
           file_.string(), table_.abi_version, TASKC_ABI_VERSION));
     }
     Require(table_.struct_size == sizeof(taskc_plugin),
@@ -80,20 +80,19 @@ class TableCheck {
   }
 
   void CheckShape(std::string_view name, int32_t scalar, uint32_t rows, uint32_t columns) const {
-    Require(host::ScalarSize(scalar) != 0, fmt::format("`{}` has no known type of scalar", name));
+    Require(host::ScalarSize(scalar) != 0, fmt::format("`{}` has an unknown scalar type", name));
     Require(rows > 0 && columns > 0 && rows <= kLargestCount && columns <= kLargestCount,
             fmt::format("`{}` has {} x {} elements", name, rows, columns));
   }
 
   void CheckPlace(std::string_view what, const taskc_place& place) const {
-    Require(place.source < table_.source_count,
-            fmt::format("the {} stands in source {} of {}", what, place.source + 1,
-                        table_.source_count));
+    Require(place.source < table_.source_count, fmt::format("the {} is in source {} of {}", what,
+                                                            place.source + 1, table_.source_count));
   }
 
   void CheckReduction(std::string_view what, const char* name, int32_t reduction) const {
     Require(reduction >= TASKC_LAST && reduction <= TASKC_MEAN,
-            fmt::format("the {} `{}` has no known reduction", what, name));
+            fmt::format("the {} `{}` has an unknown reduction", what, name));
   }
 
   void CheckSources() const {
@@ -112,7 +111,7 @@ class TableCheck {
               fmt::format("the sensor `{}` has no type or unit", sensor.name));
       CheckShape(sensor.name, sensor.scalar, sensor.rows, sensor.columns);
       Require(sensor.read_by >> (TASKC_MEASURE + 1) == 0,
-              fmt::format("the sensor `{}` is read by events that there are not", sensor.name));
+              fmt::format("the sensor `{}` is read by unknown events", sensor.name));
     }
   }
 
@@ -128,13 +127,13 @@ class TableCheck {
               fmt::format("the param `{}` is {}, not within {} .. {}", param.name, param.initial,
                           param.minimum, param.maximum));
       Require(param.scalar == TASKC_REAL || IsWhole(param.initial),
-              fmt::format("the param `{}` is {}, not a whole number", param.name, param.initial));
+              fmt::format("the param `{}` is {}, not an integer", param.name, param.initial));
     }
   }
 
   void CheckMemory() const {
     Require(table_.memory_size <= kLargestMemory,
-            fmt::format("it wants {} bytes of memory", table_.memory_size));
+            fmt::format("it needs {} bytes of memory", table_.memory_size));
     Require(table_.memory_size == 0 || table_.initialize != nullptr,
             "nothing initializes its memory");
     const auto memory = Entries(table_.memory, table_.memory_count, "variables");
@@ -144,10 +143,10 @@ class TableCheck {
               fmt::format("the variable `{}` has no type or unit", variable.name));
       CheckShape(variable.name, variable.scalar, variable.rows, variable.columns);
       Require(variable.scope >= TASKC_PER_RUN && variable.scope <= TASKC_PER_ACTION,
-              fmt::format("the variable `{}` has no known scope", variable.name));
+              fmt::format("the variable `{}` has an unknown scope", variable.name));
       const uint64_t end = variable.offset + host::SizeInBytes(variable);
       Require(end <= table_.memory_size && variable.offset % host::ScalarSize(variable.scalar) == 0,
-              fmt::format("the variable `{}` lies outside of the memory", variable.name));
+              fmt::format("the variable `{}` lies outside the memory", variable.name));
     }
   }
 
@@ -161,7 +160,7 @@ class TableCheck {
     for (const taskc_end& end : Entries(table_.ends, table_.end_count, "ends")) {
       Require(end.reason != nullptr, "an end has no reason");
       Require(end.kind >= TASKC_SUCCESS && end.kind <= TASKC_TRUNCATED,
-              fmt::format("the end `{}` is of no known kind", end.reason));
+              fmt::format("the end `{}` is of an unknown kind", end.reason));
       CheckPlace(fmt::format("end `{}`", end.reason), end.place);
     }
   }
@@ -205,7 +204,7 @@ class TableCheck {
 void CheckPlugin(const std::filesystem::path& file, const taskc_plugin* table) {
   if (table == nullptr) {
     throw UserError(
-        fmt::format("{}: gives no table; build it again with `taskc build`", file.string()));
+        fmt::format("{}: returns no table; build it again with `taskc build`", file.string()));
   }
   TableCheck(file, *table).Run();
 }

@@ -43,7 +43,7 @@ void CheckIsOffered(const ModuleGraph& graph, const taskc_sensor& sensor,
 
 std::unique_ptr<TaskInstance> FirstInstance(const std::string& name, const Context& context) {
   if (context.task == nullptr) {
-    throw UserError(fmt::format("the module `{}` has no task to begin with", name));
+    throw UserError(fmt::format("the module `{}` has no initial task", name));
   }
   return std::make_unique<TaskInstance>(context.task);
 }
@@ -140,7 +140,7 @@ void UniversalTask::Swap(std::unique_ptr<TaskInstance> next, const ModuleGraph& 
 // Not the previous instance itself: what it remembers of an episode is of one that is long over.
 const TaskInstance& UniversalTask::FindPrevious() const {
   if (previous_ != nullptr) return *previous_;
-  throw UserError(fmt::format("`{}` has no previous task: it was not swapped yet", name()));
+  throw UserError(fmt::format("`{}` has no previous task: it has not been swapped yet", name()));
 }
 
 void UniversalTask::Rollback(const ModuleGraph& graph) {

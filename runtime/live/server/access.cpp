@@ -24,8 +24,8 @@ void Access::Check(const Caller& caller) const {
   const bool is_bearer = caller.authorization.starts_with(kBearer);
   if (IsOurToken(is_bearer ? caller.authorization.substr(kBearer.size()) : caller.token)) return;
   throw HttpError(401,
-                  "the token is missing or wrong; it stands in control.json in the run's folder, "
-                  "and goes into the header `Authorization: Bearer TOKEN`");
+                  "the token is missing or wrong; it is in control.json in the run's folder, and "
+                  "belongs in the header `Authorization: Bearer TOKEN`");
 }
 
 bool Access::IsOurHost(std::string_view host) const {

@@ -62,7 +62,7 @@ json ParseArguments(std::string_view text) {
   try {
     return json::parse(text, check_depth);
   } catch (const json::exception& error) {
-    throw HttpError(400, fmt::format("the arguments are no JSON: {}", error.what()));
+    throw HttpError(400, fmt::format("the arguments are not JSON: {}", error.what()));
   }
 }
 

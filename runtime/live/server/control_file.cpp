@@ -34,7 +34,7 @@ bool Write(const Descriptor& folder, const std::string& text) {
 std::string NewToken() {
   std::array<unsigned char, 32> bytes;
   if (getrandom(bytes.data(), bytes.size(), 0) != static_cast<ssize_t>(bytes.size())) {
-    throw UserError(fmt::format("the system gives no random numbers: {}", std::strerror(errno)));
+    throw UserError(fmt::format("the system provides no random numbers: {}", std::strerror(errno)));
   }
   std::string token;
   for (const unsigned char byte : bytes) token += fmt::format("{:02x}", byte);

@@ -48,7 +48,7 @@ void RemoveStale(const Descriptor& folder, const std::filesystem::path& path) {
   }
   const int error = Connect(NewSocket(SOCK_CLOEXEC | SOCK_NONBLOCK), folder);
   if (error != ECONNREFUSED) {
-    Fail(path, "another trainer listens here; end it, or choose another folder by `--out`");
+    Fail(path, "another trainer listens here; end it, or choose another folder with `--out`");
   }
   unlinkat(folder.get(), kName, 0);
 }

@@ -149,7 +149,7 @@ void HttpConnection::CheckAccess() const {
        {http::field::host, http::field::origin, http::field::authorization}) {
     if (message().count(field) < 2) continue;
     // Whoever stands between may have looked at the other one.
-    throw HttpError(400, fmt::format("the header `{}` is there more than once",
+    throw HttpError(400, fmt::format("the header `{}` occurs more than once",
                                      std::string_view(http::to_string(field))));
   }
   const std::string_view target = message().target();

@@ -36,8 +36,9 @@ Descriptor ListenOnLoopback(uint16_t port) {
       listen(socket.get(), SOMAXCONN) == 0) {
     return socket;
   }
-  throw UserError(fmt::format("port {} of 127.0.0.1: cannot listen: {}; choose another by `--port`",
-                              port, std::strerror(errno)));
+  throw UserError(
+      fmt::format("port {} of 127.0.0.1: cannot listen: {}; choose another with `--port`", port,
+                  std::strerror(errno)));
 }
 
 uint16_t PortOf(const Descriptor& socket) {

@@ -31,13 +31,13 @@ PengQLambda::PengQLambda(std::string name, const Context& context)
         {.name = parameter, .doc = doc, .target = target, .minimum = 0, .maximum = maximum});
   };
   constexpr double kNoLimit = std::numeric_limits<double>::infinity();
-  add("discount", "gamma, for each action however long it lasts", &discount_, 1);
+  add("discount", "gamma, per action however long it lasts", &discount_, 1);
   add("trace_decay", "lambda", &trace_decay_, 1);
   add("learning_rate", "alpha in the first episode", &learning_rate_, kNoLimit);
-  add("learning_rate_decay", "exponent for each finished episode", &learning_rate_decay_, kNoLimit);
+  add("learning_rate_decay", "exponent per finished episode", &learning_rate_decay_, kNoLimit);
   add("learning_rate_min", "alpha does not fall below it", &learning_rate_min_, kNoLimit);
   add("temperature", "of the selection in the first episode; 0 is greedy", &temperature_, kNoLimit);
-  add("temperature_decay", "exponent for each finished episode", &temperature_decay_, kNoLimit);
+  add("temperature_decay", "exponent per finished episode", &temperature_decay_, kNoLimit);
   add("trace_max", "upper limit of a trace (replacing traces: 1)", &trace_max_, kNoLimit);
   AddParameter({.name = "episode_end",
                 .doc = "when an episode ends, and what its last state is worth",
@@ -79,7 +79,7 @@ void PengQLambda::PrepareTheta(int features) {
   if (q_lambda_.actions() == actions && q_lambda_.features() == features) return;
   throw UserError(
       fmt::format("`{}` has learned with {} actions and {} features, and the agent has {} and {}: "
-                  "go on with the net and the intervals that it was trained with, or start anew",
+                  "continue with the net and the intervals that it was trained with, or start over",
                   name(), q_lambda_.actions(), q_lambda_.features(), actions, features));
 }
 

@@ -52,7 +52,7 @@ std::string Decompress(std::string_view compressed, std::string_view what) {
     if (left != 0 && out.pos == 0 && in.pos == read_before) ThrowDamaged(what, "it is cut off");
     bytes.append(piece, 0, out.pos);
   }
-  if (in.pos != in.size) ThrowDamaged(what, "there is something behind it");
+  if (in.pos != in.size) ThrowDamaged(what, "there is something after it");
   return bytes;
 }
 

@@ -96,8 +96,8 @@ PolicyEvaluation ReadEvaluation(const std::filesystem::path& file) {
     return FromJson(Json::parse(ReadText(file)));
   } catch (const Json::exception& error) {
     throw UserError(
-        fmt::format("{}: this is no evaluation of a run ({}); delete it, and evaluate "
-                    "the run again by `trainer evaluate`",
+        fmt::format("{}: this is not an evaluation of a run ({}); delete it, and evaluate "
+                    "the run again with `trainer evaluate`",
                     file.string(), error.what()));
   }
 }

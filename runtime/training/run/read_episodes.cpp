@@ -113,8 +113,7 @@ void ReadValues(const SqliteDatabase& database, const ValueTable& table,
     const std::pair key(row.Whole(0, 1), row.Whole(1, 1));
     while (place != places.end() && place->key() < key) ++place;
     if (place == places.end() || place->key() != key) {
-      row.FailAt(0,
-                 fmt::format("is {}, of which there is nothing of task {}", key.first, key.second));
+      row.FailAt(0, fmt::format("is {}, of which has nothing of task {}", key.first, key.second));
     }
     std::vector<double>& values = place->evaluation->*table.values;
     const auto next = static_cast<int64_t>(values.size());

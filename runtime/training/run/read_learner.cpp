@@ -40,7 +40,7 @@ void ReadLearnerValues(const SqliteDatabase& database, std::vector<EpisodeRecord
   while (row.Next()) {
     const int64_t number = row.Whole(0, 1, static_cast<int64_t>(episodes.size()));
     const auto curve = curves.find(row.Whole(1, 1));
-    if (curve == curves.end()) row.FailAt(1, "is of no curve that is there");
+    if (curve == curves.end()) row.FailAt(1, "is of a curve that does not exist");
     episodes[static_cast<size_t>(number - 1)].learner.push_back({curve->second.name, row.Real(2)});
   }
 }

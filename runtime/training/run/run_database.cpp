@@ -318,7 +318,7 @@ int64_t RunDatabase::MoveChange(int64_t id, int64_t episode, int64_t step) {
 }
 
 void RunDatabase::RemoveChange(int64_t id) {
-  SqliteStatement(*impl_->database, "DELETE FROM change WHERE id = ?", "take a change back")
+  SqliteStatement(*impl_->database, "DELETE FROM change WHERE id = ?", "undo a change")
       .Bind(id)
       .Run();
 }

@@ -50,7 +50,7 @@ class RunValues {
     TableReader row(database, "run", "key, value", "ORDER BY key");
     while (row.Next()) {
       const std::string key = row.Name(0);
-      if (!values_.try_emplace(key, row.Text(1)).second) row.FailAt(0, "is there twice");
+      if (!values_.try_emplace(key, row.Text(1)).second) row.FailAt(0, "occurs twice");
     }
   }
 
@@ -112,7 +112,7 @@ RunRecord RunDatabase::ReadRun() const {
   run.episodes_planned = values.NotNegative<int64_t>("episodes_planned");
   run.record_every = values.NotNegative<int64_t>("record_every");
   run.checkpoint_seconds = values.NotNegative<double>("checkpoint_seconds");
-  if (!ParseBody(run.body)) values.Fail("has a `body` that is none");
+  if (!ParseBody(run.body)) values.Fail("has a `body` that is not valid");
   run.tasks = ReadTasks(*impl_->database);
   return run;
 }
@@ -159,12 +159,14 @@ std::optional<Checkpoint> RunDatabase::ReadCheckpoint() const {
   std::optional<std::string> state = UnsealState(episode, row.Blob(1));
   if (!state) {
     throw UserError(fmt::format(
-        "{}: the checkpoint after episode {} is damaged: it is not what was saved, so that the run "
-        "cannot go on or be evaluated; put back a copy of the file, or start another run; `trainer "
+        "{}: the checkpoint after episode {} is damaged: it is not what was saved, so the run "
+        "cannot continue or be evaluated; restore a copy of the file, or start another run; "
+        "`trainer "
         "show` and `trainer report` still read what it has recorded",
         impl_->database->file().string(), episode));
   }
-  if (episode > LastEpisode(*impl_->database)) row.FailAt(0, "is of no episode that is there");
+  if (episode > LastEpisode(*impl_->database))
+    row.FailAt(0, "is of an episode that does not exist");
   return Checkpoint{episode, *std::move(state)};
 }
 

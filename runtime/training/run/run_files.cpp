@@ -91,8 +91,8 @@ void WriteOutput(const std::filesystem::path& file, std::string_view what,
   const bool is_full = error == std::errc::no_space_on_device || error.value() == EDQUOT;
   throw UserError(fmt::format("{}: cannot write {}: {}; {}", file.string(), what, error.message(),
                               is_full ? "free some space"
-                                      : "name another file with --output, in a folder that you may "
-                                        "write"));
+                                      : "name another file with --output, in a folder where you "
+                                        "may write"));
 }
 
 std::string ReadText(const std::filesystem::path& file) {
@@ -125,16 +125,18 @@ std::string KeepPlugin(const std::filesystem::path& plugin, const std::filesyste
 std::filesystem::path FindKeptPlugin(const std::filesystem::path& folder, const std::string& name) {
   const std::filesystem::path file = folder / name;
   if (!std::filesystem::exists(file)) {
-    throw RecordError(fmt::format(
-        "{}: the run's plugin is gone, and without it the run cannot go on; put it back, or start "
-        "another run by `trainer train`",
-        file.string()));
+    throw RecordError(
+        fmt::format("{}: the run's plugin is gone, and without it the run cannot continue; restore "
+                    "it, or start "
+                    "another run by `trainer train`",
+                    file.string()));
   }
   if (PluginName(ReadText(file)) != name) {
-    throw RecordError(fmt::format(
-        "{}: the run's plugin was changed, so the run cannot go on with it; put the original back, "
-        "or start another run by `trainer train`",
-        file.string()));
+    throw RecordError(
+        fmt::format("{}: the run's plugin was changed, so the run cannot continue with it; restore "
+                    "the original, "
+                    "or start another run by `trainer train`",
+                    file.string()));
   }
   return file;
 }

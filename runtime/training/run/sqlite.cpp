@@ -47,7 +47,7 @@ std::string Explain(int code, int system_error) {
     case SQLITE_NOTADB:
     case SQLITE_ERROR:       // a table or a column is missing
     case SQLITE_CONSTRAINT:  // what is there cannot be, beside what is to be written
-      return "the file is damaged or no database; use a copy of it, or start another run";
+      return "the file is damaged or not a database; use a copy of it, or start another run";
     default:
       break;
   }
@@ -65,7 +65,7 @@ SqliteDatabase::SqliteDatabase(std::filesystem::path file, SqliteAccess access)
   // SQLite would wait for the writer of a named pipe.
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
     throw UserError(
-        fmt::format("{}: this is no file; a run keeps its database there", file_.string()));
+        fmt::format("{}: this is not a file; a run keeps its database there", file_.string()));
   }
   sqlite3* opened = nullptr;
   const int code = sqlite3_open_v2(file_.c_str(), &opened, OpenFlags(access), nullptr);

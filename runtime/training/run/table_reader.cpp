@@ -21,7 +21,7 @@ bool TableReader::Next() {
 }
 
 int64_t TableReader::Whole(int column, int64_t least, int64_t most) {
-  Require(statement_.Type(column) == SQLITE_INTEGER, column, "is no whole number");
+  Require(statement_.Type(column) == SQLITE_INTEGER, column, "is not an integer");
   const int64_t value = statement_.Integer(column);
   Require(least <= value && value <= most, column, fmt::format("cannot be {}", value));
   return value;
@@ -30,7 +30,7 @@ int64_t TableReader::Whole(int column, int64_t least, int64_t most) {
 double TableReader::Real(int column) {
   const int type = statement_.Type(column);
   Require(type == SQLITE_FLOAT || type == SQLITE_INTEGER || type == SQLITE_NULL, column,
-          "is no number");
+          "is not a number");
   return statement_.Real(column);
 }
 
@@ -41,7 +41,7 @@ double TableReader::Time(int column, double least) {
 }
 
 std::string TableReader::Text(int column) {
-  Require(statement_.Type(column) == SQLITE_TEXT, column, "is no text");
+  Require(statement_.Type(column) == SQLITE_TEXT, column, "is not a string");
   return statement_.Text(column);
 }
 
@@ -67,7 +67,7 @@ void TableReader::Fail(std::string_view what) const {
 
 void ThrowDamaged(const SqliteDatabase& database, std::string_view what) {
   throw UserError(
-      fmt::format("{}: the run is damaged: {}; put back a copy of the file, or start another run",
+      fmt::format("{}: the run is damaged: {}; restore a copy of the file, or start another run",
                   database.file().string(), what));
 }
 

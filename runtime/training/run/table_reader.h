@@ -41,7 +41,7 @@ class TableReader {
   std::string Name(int column);  // a text that is not empty
   std::string Blob(int column);
 
-  // Throws with what is wrong about a column ("is no number"), or about the whole table
+  // Throws with what is wrong about a column ("is not a number"), or about the whole table
   // ("is empty").
   [[noreturn]] void FailAt(int column, std::string_view what) const;
   [[noreturn]] void Fail(std::string_view what) const;

@@ -22,7 +22,7 @@ void JointController::Update(std::span<const double> targets) {
     const double pull = controller_.stiffness * (targets[j] - angles_[j]);
     torques_[j] = std::clamp(pull - controller_.damping * dJointGetHingeAngleRate(hinge),
                              -controller_.max_torque, controller_.max_torque);
-    if (!std::isfinite(torques_[j])) throw OdeFailure("the torque of a joint is no number");
+    if (!std::isfinite(torques_[j])) throw OdeFailure("the torque of a joint is not a number");
     motors_[j].speed = pull / motors_[j].damping;
   }
 }

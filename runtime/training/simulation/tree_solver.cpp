@@ -177,7 +177,7 @@ void TreeSolver::SolveForVelocities() {
     chances = wrong < least_wrong ? kChances : chances - 1;
     least_wrong = std::min(wrong, least_wrong);
   }
-  throw OdeFailure("there are no impulses that keep to their limits");
+  throw OdeFailure("there are no impulses within their limits");
 }
 
 void TreeSolver::SolveAsAssumed() {

@@ -78,7 +78,7 @@ TEST_F(DamagedRunTest, ADamagedCheckpointIsNoticedAndTheRestCanBeUsed) {
     EXPECT_EQ(result.exit_status, 1);
     EXPECT_THAT(result.errors, AllOf(HasSubstr((Damaged() / "run.db").string()),
                                      HasSubstr("the checkpoint after episode 3 is damaged"),
-                                     HasSubstr("put back a copy"), HasSubstr("`trainer show`")));
+                                     HasSubstr("restore a copy"), HasSubstr("`trainer show`")));
   }
   EXPECT_EQ(Trainer(Command(0)).exit_status, 0);
   EXPECT_EQ(RunDatabase::OpenToRead(Damaged()).ReadEpisodes().size(), 3u);

@@ -46,7 +46,7 @@ TEST_F(PreferTest, AStatementIsKeptAndFitted) {
   EXPECT_THAT(result.output, HasSubstr("crawling: of 1 preference, 0 hold now, "));
   EXPECT_THAT(result.output, HasSubstr("\n  fall_penalty      4"));
   EXPECT_THAT(result.output, HasSubstr("\n  seed3 over seed1"));
-  EXPECT_THAT(result.output, HasSubstr("fall_penalty also decides when an episode ends"));
+  EXPECT_THAT(result.output, HasSubstr("fall_penalty also affects when an episode ends"));
   const std::vector<Preference> preferences = ReadPreferences(study());
   ASSERT_THAT(preferences, SizeIs(1));
   EXPECT_EQ(preferences[0].text(), "crawling/seed3 over crawling/seed1");
@@ -97,7 +97,7 @@ TEST_F(PreferTest, ATaskIsWrittenOverOnlyOnWish) {
   const std::vector<std::string> words = {"--better", "seed3", "--worse", "seed1", "-o", file};
   const ProgramResult refused = Prefer(words);
   EXPECT_EQ(refused.exit_status, 1);
-  EXPECT_THAT(refused.errors, HasSubstr("is there already"));
+  EXPECT_THAT(refused.errors, HasSubstr("already exists"));
   EXPECT_EQ(ReadText(file), "mine");
   EXPECT_EQ(Prefer({"-o", file, "--force"}).exit_status, 0);
   EXPECT_THAT(ReadText(file), HasSubstr("task careless extends"));

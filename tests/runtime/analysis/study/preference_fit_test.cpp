@@ -201,7 +201,7 @@ TEST_F(PreferenceFitTest, TellsWhatNoWeightsExplain) {
 
 TEST_F(PreferenceFitTest, WarnsOfWeightsThatDecideWhenAnEpisodeEnds) {
   EXPECT_THAT(Fit({Over("seed3", "seed1")}).notes,
-              testing::Contains(HasSubstr("fall_penalty also decides when an episode ends")));
+              testing::Contains(HasSubstr("fall_penalty also affects when an episode ends")));
   EXPECT_THAT(Fit({}).notes, IsEmpty());
 }
 

@@ -94,8 +94,9 @@ TEST_F(ResultsTest, WhatWasEvaluatedBeforeTheEndDoesNotCount) {
   ReadStudy();
   ASSERT_THAT(experiment().runs[0].evaluations, SizeIs(1));
   EXPECT_EQ(experiment().runs[0].evaluations[0].profile, "paper-tree");
-  EXPECT_THAT(study_.notes, ElementsAre(testing::HasSubstr("evaluation-fast-tree.json"),
-                                        testing::HasSubstr("crawling/seed1 has learned on since")));
+  EXPECT_THAT(study_.notes,
+              ElementsAre(testing::HasSubstr("evaluation-fast-tree.json"),
+                          testing::HasSubstr("crawling/seed1 has continued to learn since")));
 }
 
 TEST_F(ResultsTest, CurvesEndWhereTheirRunsDo) {

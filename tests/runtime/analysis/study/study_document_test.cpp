@@ -99,7 +99,7 @@ TEST_F(StudyDocumentTest, ShowsWhatEachGroupDoes) {
 
 TEST_F(StudyDocumentTest, SaysWhereItCannotWrite) {
   std::ofstream(output()) << "a file";
-  EXPECT_THAT(ErrorOf([&] { Write(); }), HasSubstr("results: cannot be made"));
+  EXPECT_THAT(ErrorOf([&] { Write(); }), HasSubstr("results: cannot be created"));
 }
 
 TEST(GroupName, CountsInLetters) {

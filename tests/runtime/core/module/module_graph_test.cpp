@@ -78,7 +78,7 @@ TEST_F(ModuleGraphTest, UnknownNamesGetTheNearestOne) {
   EXPECT_EQ(MessageOf([&] { graph_.Find("x"); }),
             "there is no module `x`; there are `environment`, `task`");
   EXPECT_EQ(MessageOf([&] { graph_.FindPort("environment"); }),
-            "`environment` is no port: write MODULE.PORT");
+            "`environment` is not a port: write MODULE.PORT");
 }
 
 TEST_F(ModuleGraphTest, TypesThatDifferAreRefusedWithThePortsThatWouldFit) {

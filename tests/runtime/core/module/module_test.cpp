@@ -73,12 +73,11 @@ TEST(ModuleSet, RefusesAnUnknownName) {
 TEST(ModuleSet, RefusesAnotherType) {
   EXPECT_EQ(MessageOfSetting("active", 1.5),
             "`learner.active` is true or false, and 1.5 is not one");
-  EXPECT_EQ(MessageOfSetting("units", 1.5),
-            "`learner.units` is a whole number, and 1.5 is not one");
+  EXPECT_EQ(MessageOfSetting("units", 1.5), "`learner.units` is an integer, and 1.5 is not one");
   EXPECT_EQ(MessageOfSetting("discount", true),
             "`learner.discount` is a number, and true is not one");
   EXPECT_EQ(MessageOfSetting("episode_end", int64_t{3}),
-            "`learner.episode_end` is a text, and 3 is not one");
+            "`learner.episode_end` is a string, and 3 is not one");
   EXPECT_EQ(MessageOfSetting("intervals", "wide"),
             "`learner.intervals` is a list of numbers, and \"wide\" is not one");
 }

@@ -57,8 +57,8 @@ TEST(ElfDefect, SaysWhetherItIsCutOffOrSomethingElse) {
   const std::vector<std::byte> content = Content("walking");
   const std::string text = "task crawling for humanoid";
   EXPECT_THAT(ElfDefect(std::as_bytes(std::span(text))),
-              Optional(std::string("is no shared object")));
-  EXPECT_THAT(ElfDefect({}), Optional(std::string("is no shared object")));
+              Optional(std::string("is not a shared object")));
+  EXPECT_THAT(ElfDefect({}), Optional(std::string("is not a shared object")));
   EXPECT_THAT(ElfDefect(std::span(content).first(20)),
               Optional(std::string("is cut off within its header")));
   EXPECT_THAT(ElfDefect(std::span(content).first(content.size() / 2)),

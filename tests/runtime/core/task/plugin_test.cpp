@@ -172,7 +172,7 @@ TEST_F(PluginTest, WhatTheLoaderRefusesIsRefused) {
 TEST_F(PluginTest, LibraryWithoutTheEntryIsRefused) {
   EXPECT_EQ(
       MessageOfLoading(PluginFile("no_entry")),
-      "no_entry.so: is no compiled task: it does not export `taskc_plugin_get`; build the task "
+      "no_entry.so: is not a compiled task: it does not export `taskc_plugin_get`; build the task "
       "with `taskc build`");
 }
 
@@ -204,34 +204,33 @@ TEST_P(BadTableTest, IsRefused) {
 INSTANTIATE_TEST_SUITE_P(
     Plugin, BadTableTest,
     testing::Values(
-        BadTable{"gives_null", "gives no table; build it again with `taskc build`"},
+        BadTable{"gives_null", "returns no table; build it again with `taskc build`"},
         BadTable{"other_abi",
-                 "built for ABI 3, this trainer speaks 2: build it again with `taskc build`"},
-        BadTable{"null_text", DAMAGED("a text of it is null")},
+                 "built for ABI 3, but this trainer needs 2: build it again with `taskc build`"},
+        BadTable{"null_text", DAMAGED("one of its strings is null")},
         BadTable{"null_source", DAMAGED("a source has no name or text")},
         BadTable{"no_source", DAMAGED("it has no source")},
-        BadTable{"unknown_place", DAMAGED("the reward term `fall` stands in source 2 of 1")},
+        BadTable{"unknown_place", DAMAGED("the reward term `fall` is in source 2 of 1")},
         BadTable{"null_table", DAMAGED("it has 3 sensors, at null")},
         BadTable{"huge_count", DAMAGED("it claims 4000000000 metrics")},
         BadTable{"null_name", DAMAGED("a reward term has no name")},
         BadTable{"same_name", DAMAGED("there are two reward terms `fall`")},
         BadTable{"param_out_of_range", DAMAGED("the param `gain` is 5, not within 0 .. 4")},
         BadTable{"param_not_finite", DAMAGED("the param `gain` is nan, not within -inf .. inf")},
-        BadTable{"fractional_int_param", DAMAGED("the param `count` is 2.5, not a whole number")},
-        BadTable{"memory_outside", DAMAGED("the variable `sums` lies outside of the memory")},
+        BadTable{"fractional_int_param", DAMAGED("the param `count` is 2.5, not an integer")},
+        BadTable{"memory_outside", DAMAGED("the variable `sums` lies outside the memory")},
         BadTable{"memory_not_initialized", DAMAGED("nothing initializes its memory")},
-        BadTable{"unknown_scalar", DAMAGED("`time` has no known type of scalar")},
-        BadTable{"unknown_reader",
-                 DAMAGED("the sensor `time` is read by events that there are not")},
-        BadTable{"unknown_reduction", DAMAGED("the metric `height` has no known reduction")},
+        BadTable{"unknown_scalar", DAMAGED("`time` has an unknown scalar type")},
+        BadTable{"unknown_reader", DAMAGED("the sensor `time` is read by unknown events")},
+        BadTable{"unknown_reduction", DAMAGED("the metric `height` has an unknown reduction")},
         BadTable{"metrics_not_measured", DAMAGED("nothing measures its metrics")},
         BadTable{"log_without_unit", DAMAGED("the log `speed` has no text or unit")},
-        BadTable{"log_of_unknown_reduction", DAMAGED("the log `speed` has no known reduction")},
+        BadTable{"log_of_unknown_reduction", DAMAGED("the log `speed` has an unknown reduction")},
         BadTable{"same_log", DAMAGED("there are two logs `speed`")},
         BadTable{"null_requirement", DAMAGED("a requirement has no reason")},
         BadTable{"misplaced_requirement",
-                 DAMAGED("the requirement `it stands` stands in source 8 of 1")},
-        BadTable{"unknown_end", DAMAGED("the end `over` is of no known kind")}),
+                 DAMAGED("the requirement `it stands` is in source 8 of 1")},
+        BadTable{"unknown_end", DAMAGED("the end `over` is of an unknown kind")}),
     [](const auto& bad) { return std::string(bad.param.plugin); });
 
 }  // namespace

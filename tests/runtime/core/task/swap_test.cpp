@@ -137,7 +137,7 @@ TEST_F(SwapTest, RollbackGoesBackAndForth) {
 
 TEST_F(SwapTest, ThereIsNoRollbackBeforeASwap) {
   EXPECT_EQ(MessageOf([&] { task_->Rollback(graph_); }),
-            "`task` has no previous task: it was not swapped yet");
+            "`task` has no previous task: it has not been swapped yet");
 }
 
 TEST_F(SwapTest, ATaskThatDoesNotFitChangesNothing) {

@@ -308,7 +308,7 @@ TEST_F(UniversalTaskTest, ParamsAreChecked) {
   EXPECT_EQ(MessageOf([&] { task_->Set("gain", -1.0); }),
             "`task.gain` must lie in 0 .. 1000, and -1 does not");
   EXPECT_EQ(MessageOf([&] { task_->Set("bonus", 1.5); }),
-            "`task.bonus` is a whole number, and 1.5 is not one");
+            "`task.bonus` is an integer, and 1.5 is not one");
   EXPECT_EQ(MessageOf([&] { task_->Set("strict", 1.0); }),
             "`task.strict` is true or false, and 1.0 is not one");
 }

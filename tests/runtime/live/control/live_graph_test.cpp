@@ -155,7 +155,7 @@ TEST_F(LiveGraphTest, ParametersAreSetByTheirFullNames) {
   live_.Set("mind.mood", std::string("wild"));
   EXPECT_EQ(live_.Get("mind.mood"), ParameterValue(std::string("wild")));
   EXPECT_EQ(Refusal([&] { live_.Set("task", 1.0); }),
-            "`task` is no parameter: write MODULE.PARAMETER");
+            "`task` is not a parameter: write MODULE.PARAMETER");
   EXPECT_EQ(Refusal([&] { live_.Set("tusk.gain", 1.0); }),
             "there is no module `tusk`: did you mean `task`?");
   EXPECT_EQ(Refusal([&] { live_.Set("task.gian", 1.0); }),
@@ -191,7 +191,7 @@ TEST_F(LiveGraphTest, WhatDoesNotFitIsNotConnected) {
   EXPECT_EQ(Refusal([&] { live_.Connect("mind.features", "learner.features"); }),
             "cannot connect `mind.features` to `learner.features`: they are connected already");
   EXPECT_EQ(Refusal([&] { live_.Connect("mind", "learner.features"); }),
-            "`mind` is no port: write MODULE.PORT");
+            "`mind` is not a port: write MODULE.PORT");
 }
 
 TEST_F(LiveGraphTest, SlotsAreDisconnectedAndConnectedAgain) {
@@ -253,7 +253,7 @@ TEST_F(LiveGraphTest, AModuleThatCannotBeMadeIsNotAdded) {
   EXPECT_EQ(Refusal([&] {
               live_.AddModule("Reader", "reader", {{"count", 10.0}});
             }),
-            "`reader.count` is a whole number, and 10.0 is not one");
+            "`reader.count` is an integer, and 10.0 is not one");
   EXPECT_EQ(Refusal([&] { live_.AddModule("UniversalTask", "more", {}); }),
             "`more` is a task module: load a task under this name");
 }

@@ -51,16 +51,16 @@ TEST_F(ParameterJsonTest, ANumberMayCarryItsUnit) {
 TEST_F(ParameterJsonTest, WholeNumbersMayBeWrittenAsReals) {
   EXPECT_EQ(Read("steps", 3.0), ParameterValue(int64_t{3}));
   EXPECT_EQ(Read("steps", "3.0"), ParameterValue(int64_t{3}));
-  EXPECT_EQ(Refusal("steps", 3.5), "`mind.steps` is a whole number, and 3.5 is not one");
-  EXPECT_EQ(Refusal("steps", "3.5"), "`mind.steps` is a whole number, and 3.5 is not one");
+  EXPECT_EQ(Refusal("steps", 3.5), "`mind.steps` is an integer, and 3.5 is not one");
+  EXPECT_EQ(Refusal("steps", "3.5"), "`mind.steps` is an integer, and 3.5 is not one");
 }
 
 TEST_F(ParameterJsonTest, HugeNumbersAreNotMistakenForOthers) {
   EXPECT_EQ(Refusal("steps", 3'000'000'000),
             "`mind.steps` does not hold a number as large as 3000000000");
   EXPECT_EQ(Refusal("steps", 18446744073709551615u),
-            "`mind.steps` is a whole number, and 1.8446744073709552e+19 is not one");
-  EXPECT_EQ(Refusal("steps", "1e300"), "`mind.steps` is a whole number, and 1e+300 is not one");
+            "`mind.steps` is an integer, and 1.8446744073709552e+19 is not one");
+  EXPECT_EQ(Refusal("steps", "1e300"), "`mind.steps` is an integer, and 1e+300 is not one");
   EXPECT_EQ(Read("pace", 18446744073709551615u), ParameterValue(18446744073709551616.0));
   EXPECT_EQ(Refusal("pace", "1e999"), "`mind.pace` is a number in m/s, and `1e999` is not one");
   EXPECT_EQ(Refusal("pace", "inf"), "`mind.pace` must be finite, and inf is not");
@@ -74,7 +74,7 @@ TEST_F(ParameterJsonTest, WhatNoParameterCanBeIsRefused) {
 }
 
 TEST_F(ParameterJsonTest, AnotherTypeIsRefused) {
-  EXPECT_EQ(Refusal("mood", 3), "`mind.mood` is a text, and 3 is not one");
+  EXPECT_EQ(Refusal("mood", 3), "`mind.mood` is a string, and 3 is not one");
   EXPECT_EQ(Refusal("mood", "wlid"), "`mind.mood` cannot be \"wlid\": did you mean `wild`?");
   EXPECT_EQ(Refusal("strict", "true"), "`mind.strict` is true or false, and \"true\" is not one");
   EXPECT_EQ(Refusal("strict", 1), "`mind.strict` is true or false, and 1 is not one");

@@ -92,7 +92,7 @@ TEST_F(DamageTest, NobodyFallsOverWhatNoTrainerHasWritten) {
 TEST_F(DamageTest, TheErrorNamesTheRowTheColumnAndTheRemedy) {
   EXPECT_THAT(ErrorsAfter("UPDATE episode SET steps = -3 WHERE number = 2"),
               testing::Each(AllOf(HasSubstr("copy/run.db: the run is damaged: the table `episode`, "
-                                            "row 2: `steps` cannot be -3; put back a copy"))));
+                                            "row 2: `steps` cannot be -3; restore a copy"))));
   EXPECT_THAT(ErrorsAfter("UPDATE run SET value = 'many' WHERE key = 'episodes_planned'"),
               testing::ElementsAre(HasSubstr("the table `run` says that `episodes_planned` is "
                                              "`many`")));
