@@ -128,7 +128,7 @@ std::string Percent(const Json& share, Text text) {
 }
 
 std::string Terms(const Json& experiment) {
-  std::string text = Head({"term", "in an episode", "share"});
+  std::string text = Head({"term", "per episode", "share"});
   for (const Json& term : experiment["terms"]) {
     text += Row({term["name"], Number(term["value"]["mean"]), Percent(term["share"], Number)});
   }

@@ -1,4 +1,4 @@
-// What the return was paid for: the running mean of each reward term's sum per episode.
+// The return by reward term: the running mean of each reward term's sum per episode.
 
 import type { Curve, Report } from "../data/report_data.ts";
 import { runningMean } from "../data/statistics.ts";

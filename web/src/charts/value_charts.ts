@@ -10,8 +10,8 @@ import { addValueCard } from "./value_card.ts";
 
 const kReductionWords: Record<string, string> = {
   last: "at the end of the episode",
-  max: "greatest in the episode",
-  min: "least in the episode",
+  max: "maximum in the episode",
+  min: "minimum in the episode",
   sum: "sum over the episode",
   mean: "mean over the episode",
 };

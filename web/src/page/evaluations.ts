@@ -33,8 +33,8 @@ export function showEvaluations({ evaluations, run }: Report): void {
   byId("evaluations-section", HTMLElement).hidden = evaluations.length === 0;
   if (evaluations.length === 0) return;
   const words =
-    "The policy after the named episode, acting without learning: its mean return and, of the " +
-    "mean return of the last episodes in which it learned, what remains.";
+    "The policy after the given episode, acting without learning: its mean return, and the share " +
+    "that remains of the mean return of the last episodes in which it learned.";
   const rows = evaluations.map((evaluation) => evaluationRow(evaluation, run["profile"]));
   const host = table(kHeads, rows);
   host.classList.add("evaluations-table");

@@ -115,7 +115,7 @@ function endsFigure(report: Report): HTMLElement {
   return element(
     "div",
     { class: "figure wide" },
-    element("dt", {}, "Ends of episodes"),
+    element("dt", {}, "How episodes ended"),
     element("dd", {}, bar, list),
   );
 }

@@ -9,7 +9,7 @@ import { byId, element } from "./dom.ts";
 const kNames: [string, string][] = [
   ["task", "Task"],
   ["task_file", "Task file"],
-  ["task_hash", "Hash of the task"],
+  ["task_hash", "Task hash"],
   ["robot", "Robot"],
   ["profile", "Profile"],
   ["seed", "Seed"],
@@ -50,7 +50,7 @@ function showTask(task: Task, heading: string, isOpen: boolean): void {
     const details = element(
       "details",
       isOpen && i === 0 ? { open: "" } : {},
-      element("summary", {}, i === 0 ? heading : "Part of it ", file),
+      element("summary", {}, i === 0 ? heading : "Uses ", file),
       element("pre", { class: "source" }, sourceCode(source.text)),
     );
     byId("sources", HTMLElement).append(details);
@@ -71,13 +71,13 @@ export function showProvenance(report: Report): void {
   for (const [key, value] of Object.entries(report.run)) {
     if (!known.has(key)) table.append(row(key, value));
   }
-  table.append(row("Faults", `${formatCount(report.faults)} rewards, or steps of learning, were not finite or too large, and left out`));
+  table.append(row("Faults", `${formatCount(report.faults)} rewards or learning steps were not finite or too large, and were skipped`));
   if (report.violations > 0) {
     table.append(
-      row("Violations", `${formatCount(report.violations)} times what the task requires did not hold`),
+      row("Violations", `a requirement of the task did not hold ${formatCount(report.violations)} times`),
     );
   }
-  table.append(row("Page made", report.madeAt));
+  table.append(row("Page generated", report.madeAt));
   byId("agent-text", HTMLElement).textContent = report.agentText;
   const notes = byId("notes", HTMLElement);
   notes.append(...report.notes.map((note) => element("li", {}, note)));

@@ -66,7 +66,7 @@ function termRow({ name, doc, value, share }: Term): HTMLTableRowElement {
   return row([title, bar, percent, mean(value)]);
 }
 
-/** A profile, what the runs' policies bring in there, and a bar for what remains of the learned return. */
+/** A profile, what the runs' policies earn there, and a bar for what remains of the learned return. */
 function evaluationRow(evaluation: Evaluation, learnedIn: string): HTMLTableRowElement {
   const { profile, return: there, share, median_share } = evaluation;
   return row([
@@ -88,8 +88,8 @@ function evaluationTable({ evaluations, profile }: Experiment): HTMLElement[] {
   );
   host.classList.add("evaluations-table");
   const words =
-    "The last policies, acting without learning: what remains of the final return, " +
-    "of all runs together and of the run in the middle.";
+    "The final policies, acting without learning: the share of the final return that remains, " +
+    "for all runs together and for the median run.";
   return [
     element("h3", {}, "In other physics"),
     element("p", { class: "note" }, words),
@@ -139,7 +139,7 @@ function runTable(experiment: Experiment): HTMLElement {
 /** Where the runs ended, in words. */
 function groupWords({ groups, runs: all }: Experiment): string {
   const open = all.filter((run) => run.group === null).length;
-  const words = ` ${runs(open)} not finished, or without a recording, in none of them.`;
+  const words = ` ${runs(open)}, not finished or without a recording, in none of them.`;
   if (groups.length === 0) return "No finished run has a recording yet.";
   const number = groups.length === 1 ? "one group" : `${groups.length} groups`;
   return `The finished runs, by their last recorded episodes, fall into ${number}.${open > 0 ? words : ""}`;
@@ -170,7 +170,7 @@ export function showExperiment(
       element(
         "div",
         {},
-        element("h3", {}, "What the return was paid for"),
+        element("h3", {}, "Return by reward term"),
         termTable(experiment),
         ...evaluationTable(experiment),
       ),

@@ -75,7 +75,7 @@ export class GroupCards {
     return element(
       "p",
       { class: "note" },
-      "Not described yet. Watch it, and write into groups.toml: ",
+      "Not described yet. Watch it, and add to groups.toml: ",
       element("code", {}, `"${run}" = "What it does."`),
     );
   }

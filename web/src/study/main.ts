@@ -29,7 +29,7 @@ function showMasthead({ folder, experiments, madeAt }: Study): void {
     ["Finished", formatCount(finished)],
     ["Episodes", formatCount(episodes)],
     ["CPU time", formatDuration(60 * minutes)],
-    ["Page made", formatDate(madeAt)],
+    ["Page generated", formatDate(madeAt)],
   ] as const;
   for (const [name, value] of facts) {
     byId("study-facts", HTMLElement).append(

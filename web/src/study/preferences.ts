@@ -25,9 +25,9 @@ class GroupOrder {
     this.element = element(
       "div",
       { class: "preferences" },
-      element("p", { class: "note" }, "Put the groups in your order, the best first; untick those of which you are not sure:"),
+      element("p", { class: "note" }, "Put the groups in order, best first; uncheck those you are not sure about:"),
       this.list,
-      element("p", { class: "note" }, "Then let the task’s weights follow: ", this.command, " ", copy),
+      element("p", { class: "note" }, "Then fit the task’s weights: ", this.command, " ", copy),
     );
     this.show();
   }
@@ -114,7 +114,7 @@ const roughly = (value: number): string => String(Number(value.toPrecision(2)));
 function verdict({ preferences, is_consistent }: Preferences): string {
   const held = preferences.filter(({ holds }) => holds.before).length;
   const holding = preferences.filter(({ holds }) => holds.after).length;
-  const words = `Of ${preferences.length} stated, ${held} hold with the present weights, ${holding} with the new ones.`;
+  const words = `Of ${preferences.length} preferences, ${held} hold with the current weights, ${holding} with the new ones.`;
   if (preferences.some((each) => each.is_contradicted)) {
     return `${words} Some contradict each other.`;
   }
@@ -158,5 +158,5 @@ export function showPreferences(experiment: Experiment, folder: string): HTMLEle
   const parts: HTMLElement[] = [];
   if (experiment.groups.length > 1) parts.push(new GroupOrder(experiment, folder).element);
   if (experiment.preferences) parts.push(outcome(experiment, experiment.preferences));
-  return parts.length > 0 ? [element("h3", {}, "What you prefer"), ...parts] : [];
+  return parts.length > 0 ? [element("h3", {}, "Your preferences"), ...parts] : [];
 }
