@@ -16,14 +16,14 @@ programs=(
   libsqlite3-dev libzstd-dev                       # the runs' records
   libboost-dev                                     # Beast: talking to a running trainer
   gnuplot-nox                                      # curves in documents
-  libnlopt-cxx-dev                                 # fitting gains to preferences
+  libnlopt-cxx-dev                                 # fitting weights to preferences
   libpng-dev                                       # still pictures of robots
   libgtest-dev libgmock-dev libbenchmark-dev
 )
-tests=(chromium procps gdb)                        # a real browser and a real debugger
+tests=(chromium procps gdb clang-format)           # a real browser, a real debugger, the format check
 
 wanted=("${programs[@]}")
-# A Node.js that is there already, from wherever, is good enough for the report's page.
+# Any Node.js that is already installed is good enough for the report's page.
 if ! command -v npm >/dev/null; then wanted+=(nodejs npm); fi
 target=programs
 if [ "${1:-}" = --tests ]; then
@@ -53,5 +53,5 @@ if [ ${#missing[@]} -gt 0 ]; then
 fi
 
 echo "== Building into build/"
-cmake --preset release >/dev/null  # every time: what was just installed is found then
+cmake --preset release >/dev/null  # every time, so that what was just installed is found
 cmake --build --preset release --target "$target"

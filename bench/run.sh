@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # Runs all benchmarks and writes build/bench/results.md and build/bench/results.json.
 #
-#   bench/run.sh             all programs, some ten minutes
+#   bench/run.sh             all programs, about fifteen minutes
 #   bench/run.sh NAME...     only these, e.g. simulation_bench
 #
-# On a machine that does other things, trust CPU times and the ratios within one benchmark.
+# On a busy machine, trust CPU times and the ratios within one benchmark.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 

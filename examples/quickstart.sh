@@ -16,7 +16,7 @@ for file in tasks/*.task; do
 done
 
 if [ -f "$run/run.db" ]; then
-  echo "== Going on with the training in $run"
+  echo "== Continuing the training in $run"
   build/bin/trainer resume "$run"
 else
   echo "== Training: $task"
