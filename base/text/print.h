@@ -12,7 +12,7 @@
 namespace text {
 
 // `text` with each character that a terminal would obey rather than show in the form `\u001b`, and
-// each byte that is no UTF-8 in the form `\xff`. Line ends and tabs stay. The values of JSON stay
+// each byte that is not UTF-8 in the form `\xff`. Line ends and tabs stay. The values of JSON stay
 // what they are.
 std::string Visible(std::string_view text);
 

@@ -8,9 +8,9 @@
 namespace text {
 
 struct CodePoint {
-  char32_t value = 0;    // U+FFFD where the bytes are no UTF-8
+  char32_t value = 0;    // U+FFFD where the bytes are not UTF-8
   uint32_t length = 1;   // in bytes
-  bool is_valid = true;  // false: `length` bytes that are no UTF-8
+  bool is_valid = true;  // false: `length` bytes that are not UTF-8
 };
 
 // The code point at `offset`, which must lie inside the text. Overlong forms, surrogates and values

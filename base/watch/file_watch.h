@@ -22,7 +22,7 @@ class FileWatch {
   void Watch(const std::set<std::filesystem::path>& files);
 
   // Waits until one of them has changed and there is quiet again. Nothing where `stop`, a file
-  // descriptor, can be read from: then somebody wants an end. Returns what has changed.
+  // descriptor, can be read from: then waiting is to end. Returns what has changed.
   std::optional<std::set<std::filesystem::path>> Wait(int stop);
 
  private:

@@ -11,7 +11,7 @@
 
 namespace compiler {
 
-// Where robots are looked for: the folder `first` (where it is not empty), that of the task, then
+// Where robots are searched for: the folder `first` (where it is not empty), that of the task, then
 // where robots usually are.
 std::vector<std::filesystem::path> RobotFolders(const std::filesystem::path& task,
                                                 const std::filesystem::path& first);

@@ -1,5 +1,5 @@
 // Which memory the rewards and ends of a task depend on: by what they read, by the conditions they
-// stand under, and by way of other memory.
+// are under, and through other memory.
 #pragma once
 
 #include <cstdint>

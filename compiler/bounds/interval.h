@@ -75,7 +75,7 @@ Interval Square(const Interval& x);
 
 // ---- Values with a shape ------------------------------------------------------------------------
 
-// The intervals of a value's elements. A single one stands for all of them, be it that the value is
+// The intervals of a value's elements. A single one stands for all of them, whether the value is
 // a scalar, or that it has too many elements to tell apart.
 class Box {
  public:

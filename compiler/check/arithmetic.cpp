@@ -41,7 +41,7 @@ bool IsTrue(BinaryOperator op, Number left, Number right) {
   }
 }
 
-// Not a number where one of them is none.
+// Not a number where one of them is not a number.
 template <typename Number>
 Number Smaller(Number left, Number right) {
   return left < right || left != left ? left : right;

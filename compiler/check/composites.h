@@ -1,5 +1,5 @@
 // Functions of the language that are equations of others. A call is replaced by its equation, so
-// that nothing behind the checker has to know them.
+// that nothing after the checker has to know them.
 //
 //   mean(v)                 sum(v) / n
 //   normalize(v)            v / max(norm(v), smallest), so that a vector of zeros stays one

@@ -16,7 +16,7 @@ void DeclareFunctions(const SyntaxTree& tree, TaskScope& scope);
 // that reads them gets a message that says what they are.
 void CheckFunctions(const SyntaxTree& tree, const TaskScope& scope, CheckedTask& task);
 
-// Keeps the functions that are called, each behind those that it calls.
+// Keeps the functions that are called, each after those that it calls.
 void KeepCalledFunctions(CheckedTask& task);
 
 }  // namespace compiler

@@ -39,7 +39,7 @@ struct TaskScope {
   std::vector<FunctionSignature> functions;
   // The names of the current event's values, visible or not.
   std::multimap<std::string, LocalName, std::less<>> locals;
-  // Where it goes on to: a loop looks at the messages of each of its passes before they count.
+  // Where it is passed on to: a loop looks at the messages of each iteration before they count.
   std::reference_wrapper<Diagnostics> diagnostics;
   // Where the variables of loops are read. Null where there are no loops.
   std::vector<Identifier>* loop_reads = nullptr;
@@ -49,7 +49,7 @@ struct TaskScope {
   std::set<std::string, std::less<>> refused{};
   // In a function: the scope around it, of whose values it reads none.
   const TaskScope* around = nullptr;
-  References* references = nullptr;  // null: nobody wants to know
+  References* references = nullptr;  // null: not wanted
 };
 
 // Where an expression stands, as far as this decides what it may read.

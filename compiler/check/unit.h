@@ -31,14 +31,14 @@ std::vector<std::string> KnownUnits();
 // Nothing where a power leaves the range of the representation (-128 .. 127).
 std::optional<Unit> Multiply(const Unit& left, const Unit& right);
 std::optional<Unit> Divide(const Unit& left, const Unit& right);
-// left * right^power. Nothing also where the scale is no finite number.
+// left * right^power. Nothing also where the scale is not a finite number.
 std::optional<ScaledUnit> Multiply(const ScaledUnit& left, const ScaledUnit& right, int power);
 
 // Nothing where a power is odd.
 std::optional<Unit> SquareRoot(const Unit& unit);
 
 // Reads the text that ToString writes, and every other product such as "N m" or "m/s^2". Nothing
-// where the text is no unit.
+// where the text is not a unit.
 std::optional<ScaledUnit> ParseUnit(std::string_view text);
 
 }  // namespace compiler

@@ -43,7 +43,7 @@ struct EventEquations {
 
 EventEquations EquationsOf(const EventDeclaration& event);
 
-// Its lets are listed behind its value.
+// Its lets are listed after its value.
 std::vector<Equation> EquationsOf(const FunctionDeclaration& function);
 
 }  // namespace compiler

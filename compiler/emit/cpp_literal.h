@@ -10,7 +10,7 @@ namespace compiler {
 // characters, trigraphs and bytes beyond ASCII are escaped.
 std::string StringLiteral(std::string_view text);
 
-// The same, one literal for each line of the text, each on a line of its own behind `indent`, for
+// The same, one literal for each line of the text, each on a line of its own after `indent`, for
 // the C++ compiler to join.
 std::string SplitStringLiteral(std::string_view text, std::string_view indent);
 

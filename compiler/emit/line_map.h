@@ -1,4 +1,4 @@
-// Which lines of C++ a line of the task has become, for whoever reads the one beside the other.
+// Which lines of C++ a line of the task has become, for reading them side by side.
 #pragma once
 
 #include <string>

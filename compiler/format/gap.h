@@ -13,7 +13,7 @@ struct Comment {
 
 struct Gap {
   std::vector<Comment> comments;
-  int line_breaks = 0;  // behind the last comment
+  int line_breaks = 0;  // after the last comment
 };
 
 // `text` holds nothing else.

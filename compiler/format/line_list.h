@@ -14,7 +14,7 @@ class LineList {
   void Begin(uint32_t indentation, bool after_blank);
   // At the end of the current line.
   void Append(std::string_view text);
-  // The comment behind the current line's code.
+  // The comment after the current line's code.
   void AddTrailingComment(std::string_view comment);
 
   // Columns of the current line.

@@ -13,14 +13,14 @@ enum class Expected {
   kStatement,  // of an event
   kTestStatement,
   kBodyStatement,  // of a function
-  kOverridden,     // behind `override`
-  kParamName,      // of the base, behind `override param`
+  kOverridden,     // after `override`
+  kParamName,      // of the base, after `override param`
   kMetricName,
   kFunctionName,
   kValue,
-  kOperator,  // behind a value
-  kMember,    // behind `path.`
-  kIndex,     // inside `path[...]`, or behind `for x in`
+  kOperator,  // after a value
+  kMember,    // after `path.`
+  kIndex,     // inside `path[...]`, or after `for x in`
   kUnit,
   kType,
   kTypeIndex,  // `bool[...]`: an enumeration, or a unit
@@ -30,9 +30,9 @@ enum class Expected {
   kScope,
   kReduction,
   kOutcome,
-  kTerm,         // behind `reward`
-  kTarget,       // behind `given`
-  kExpectation,  // behind `expect`
+  kTerm,         // after `reward`
+  kTarget,       // after `given`
+  kExpectation,  // after `expect`
   kWarningCode,
   kFile  // the name of a task file
 };

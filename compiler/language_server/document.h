@@ -46,7 +46,8 @@ class Document {
 
 // The `///` lines above the line of `offset`, without their slashes.
 std::string DocAbove(std::string_view text, uint32_t offset);
-// The line of `offset` from its first character on, without a comment and an opening brace behind.
+// The line of `offset` from its first character on, without a comment and an opening brace at its
+// end.
 std::string CodeOfLine(std::string_view text, uint32_t offset);
 
 }  // namespace compiler

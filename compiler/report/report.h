@@ -41,7 +41,7 @@ Json ToJson(const RunReport& report);
 // SARIF 2.1.0, the static analysis results interchange format of OASIS.
 Json ToSarif(const RunReport& report);
 
-// As it is written out. Bytes that are no UTF-8 become U+FFFD.
+// As it is written out. Bytes that are not UTF-8 become U+FFFD.
 std::string ToText(const Json& json);
 
 }  // namespace compiler

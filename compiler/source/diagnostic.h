@@ -51,7 +51,7 @@ struct Diagnostic {
   std::string code;     // "E0203": one per kind of mistake, listed in diagnostic_table.def
   std::string message;  // lower case, backticks around code, no final period
   Span span;            // what the carets point at
-  std::string note;     // written behind the carets; may be empty
+  std::string note;     // written after the carets; may be empty
   std::vector<Label> labels;
   Help help;  // the likely fix; may be empty
 };

@@ -9,7 +9,7 @@
 namespace compiler {
 
 // Tabs reach to the next multiple of 4; characters that would disturb the display, and bytes that
-// are no UTF-8, appear as U+FFFD.
+// are not UTF-8, appear as U+FFFD.
 class DisplayedLine {
  public:
   static constexpr uint32_t kTabWidth = 4;

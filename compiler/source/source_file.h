@@ -9,7 +9,7 @@
 namespace compiler {
 
 // A stretch of the text of one file: byte offsets, the end exclusive. An empty span marks a place
-// between two characters. The files of a task are counted through, one after the other: see
+// between two characters. The files of a task are numbered consecutively: see
 // Sources.
 struct Span {
   uint32_t begin = 0;

@@ -27,7 +27,7 @@ class Sources {
   // What the text of a task is known by, as taskc/plugin.h says it. There must be a file.
   std::string Hash() const;
 
-  // The number of a span's file in files(). A span behind all files counts as the end of the last.
+  // The number of a span's file in files(). A span after all files counts as the end of the last.
   // There must be a file.
   size_t IndexOf(Span span) const;
   const SourceFile& FileOf(Span span) const { return files_[IndexOf(span)]; }

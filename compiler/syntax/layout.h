@@ -39,13 +39,13 @@ class Layout {
 
   // `next`: the token that follows; null at the end.
   void Add(std::unique_ptr<antlr4::CommonToken> token, const antlr4::Token* next);
-  // Makes a name of a word that is no keyword in its place.
+  // Makes a name of a word that is not a keyword in its place.
   void ClassifyWord(antlr4::CommonToken& token, TokenType next);
   bool CanBeginStatement(const antlr4::CommonToken& token) const;
   void AddSynthetic(TokenType type);
   void AddDocumentation(const antlr4::Token& token);
 
-  // Closes what is open around an expression that cannot go on with `next`.
+  // Closes what is open around an expression that cannot continue with `next`.
   void EndExpression(const antlr4::CommonToken& next);
 
   // `next` is the first token of its line.

@@ -1,5 +1,5 @@
-// The words and signs of any text, also of one that is no task yet: for what must understand a text
-// while it is being written.
+// The words and signs of any text, also of one that is not a task yet: for what must understand a
+// text while it is being written.
 #pragma once
 
 #include <string_view>

@@ -12,8 +12,8 @@ namespace compiler {
 // the token is to be left out.
 bool RepairToken(antlr4::CommonToken& token, SyntaxReport& report);
 
-// Reports the first place that is no UTF-8, or that holds a character which a reader cannot see:
-// then a text can read otherwise than it is compiled. Tabs and line ends are fine.
+// Reports the first place that is not UTF-8, or that holds a character which a reader cannot see:
+// then a file can read differently from what is compiled. Tabs and line ends are fine.
 void CheckCharacters(SyntaxReport& report);
 
 }  // namespace compiler

@@ -1,4 +1,4 @@
-// A place at which the parser cannot go on, and the words to describe it with.
+// A place at which the parser cannot continue, and the words to describe it with.
 #pragma once
 
 #include <antlr4-runtime.h>
@@ -38,13 +38,13 @@ Failure MakeFailure(antlr4::Parser& parser, antlr4::Token& found);
 // "`let`", "a text", "the end of the line"
 std::string FoundText(const Failure& failure);
 
-// The empty span behind the last token.
+// The empty span after the last token.
 Span PlaceBehindLast(const Failure& failure);
 
-// "expected {what}, found ...", at the found token or, if that is behind the mistake, behind the
+// "expected {what}, found ...", at the found token or, if that is after the mistake, after the
 // last.
 Diagnostic Expected(const Failure& failure, const std::string& what);
-// The same behind the last token in any case: where a sign is missing.
+// The same after the last token in any case: where a symbol is missing.
 Diagnostic ExpectedBehindLast(const Failure& failure, const std::string& what);
 
 Diagnostic WithHelp(Diagnostic diagnostic, Help help);

@@ -15,9 +15,9 @@ using TokenType = size_t;
 
 Span SpanOf(const antlr4::Token& token);
 
-// `+`, `and`, `<`, `=`, `,` ...: something must follow, so the line continues behind it.
+// `+`, `and`, `<`, `=`, `,` ...: something must follow, so the line continues after it.
 bool ExpectsOperand(TokenType type);
-// What may stand behind an operand and goes on with it: operators, `.`, `[`, `(`, `:` ...
+// What may follow an operand and continue with it: operators, `.`, `[`, `(`, `:` ...
 bool FollowsOperand(TokenType type);
 bool IsComparison(TokenType type);
 bool IsAssignment(TokenType type);

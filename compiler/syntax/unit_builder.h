@@ -20,7 +20,7 @@ std::string BuildText(antlr4::Token& token, SyntaxReport& report);
 std::string BuildNeededText(antlr4::Token& token, const char* need, SyntaxReport& report);
 
 TypeExpression BuildType(grammar::TaskParser::TypeContext& context);
-// The unit that stands behind a type.
+// The unit after a type.
 std::optional<UnitExpression> BuildUnitOf(grammar::TaskParser::TypeContext& context,
                                           SyntaxReport& report);
 UnitExpression BuildUnit(grammar::TaskParser::UnitContext& context, SyntaxReport& report);

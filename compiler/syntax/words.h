@@ -1,4 +1,4 @@
-// The words of the language that are no keywords: each stands in one place only.
+// The words of the language that are not keywords: each is used in one place only.
 #pragma once
 
 #include <array>

@@ -21,9 +21,9 @@ enum class TokenRole {
   kDot,           // `.`
   kComma,         // `,`
   kColon,         // `:`
-  kCallOpen,      // `(` behind the function's name
+  kCallOpen,      // `(` after the function's name
   kGroupOpen,     // `(` around an expression
-  kIndexOpen,     // `[` behind what is indexed, or behind the type of an array's elements
+  kIndexOpen,     // `[` after what is indexed, or after the type of an array's elements
   kUnitOpen,      // `[` around a unit
   kSetOpen,       // `{` in an index
   kBracketClose,  // of any of those

@@ -1,4 +1,4 @@
-// A plugin at work on values of the evaluator's kind.
+// A plugin that runs on values of the evaluator's kind.
 #pragma once
 
 #include <taskc/plugin.h>

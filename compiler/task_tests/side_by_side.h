@@ -1,4 +1,4 @@
-// A task at work twice: as a plugin and in the evaluator, on the same values.
+// A task that runs twice: as a plugin and in the evaluator, on the same values.
 #pragma once
 
 #include <exception>

@@ -19,7 +19,7 @@ CxxCompiler FindCxxCompiler();
 // The arguments, but for input, output and the folder of the ABI header.
 const std::vector<std::string>& PluginFlags();
 
-// What stands behind the input and the output.
+// What comes after the input and the output.
 const std::vector<std::string>& PluginLibraries();
 
 }  // namespace compiler

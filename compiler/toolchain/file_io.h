@@ -8,14 +8,15 @@
 
 namespace compiler {
 
-// Nothing where the file cannot be read, or is no regular file.
+// Nothing where the file cannot be read, or is not a regular file.
 std::optional<std::string> ReadWholeFile(const std::filesystem::path& file);
 
 // Throws CallError.
 void WriteWholeFile(const std::filesystem::path& file, std::string_view bytes);
 
-// Under a temporary name in the same folder, then renamed: whoever has the old file open or mapped
-// keeps it, and nobody ever sees half a file. Devices are written as they are. Throws CallError.
+// Under a temporary name in the same folder, then renamed: those who have the old file open or
+// mapped keep it, and nobody ever sees half a file. Devices are written as they are. Throws
+// CallError.
 void ReplaceFile(const std::filesystem::path& file, std::string_view bytes);
 
 // As ReplaceFile, for a file that is there: through links, its permissions stay. Throws CallError.

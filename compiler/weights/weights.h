@@ -1,12 +1,12 @@
-// Which params are the weights of which reward terms: what a task's rewards can be weighed anew by,
+// Which params are the weights of which reward terms: what a task's rewards can be re-weighted by,
 // without running the robot again.
 //
 // A param is the weight of a term if all that the term ever pays is the param times something in
 // which the param does not occur: not in its value, nor in the conditions under which it is paid,
 // nor in the memory that either of them reads. With twice the weight and the same motion, the term
-// pays twice as much and all terms that it is no weight of pay the same.
+// pays twice as much and all terms that it is not a weight of pay the same.
 //
-// It is looked for on the safe side: what is called a weight is one, but not every weight is found.
+// The search is conservative: what is called a weight is one, but not every weight is found.
 #pragma once
 
 #include <cstdint>

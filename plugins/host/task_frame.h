@@ -13,7 +13,7 @@
 //
 // Lists are indexed like those of the table, and so are the indices in the frame. Units are SI.
 // Nothing here throws but the constructor (std::bad_alloc), and nothing but it allocates. One
-// instance belongs to one thread at a time; any number of them may be at work side by side.
+// instance belongs to one thread at a time; any number of them may run side by side.
 #pragma once
 
 #include <taskc/plugin.h>

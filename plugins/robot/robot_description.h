@@ -151,8 +151,8 @@ RobotDescription ReadRobot(const std::filesystem::path& file);
 std::filesystem::path FindRobotFile(std::string_view name,
                                     const std::vector<std::filesystem::path>& folders);
 
-// Where robots are looked for: the folders of the environment variable TASKC_ROBOT_PATH (separated
-// by ':'), then share/taskc/robots beside the running program's bin folder.
+// Where robots are searched for: the folders of the environment variable TASKC_ROBOT_PATH
+// (separated by ':'), then share/taskc/robots beside the running program's bin folder.
 std::vector<std::filesystem::path> DefaultRobotFolders();
 
 }  // namespace robot

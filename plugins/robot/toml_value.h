@@ -30,7 +30,7 @@ class TomlValue {
   std::string Text() const;
   // A text that a task can use as a name: letters, digits and underscores, no digit first.
   std::string Name() const;
-  // Throws DescriptionError, at this place, if `text` is no such name.
+  // Throws DescriptionError, at this place, if `text` is not such a name.
   void CheckIsName(std::string_view text) const;
   std::vector<TomlValue> Items() const;
   std::vector<double> Numbers(size_t count) const;

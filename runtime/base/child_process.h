@@ -26,8 +26,8 @@ struct ChildResult {
   std::string captured;
 };
 
-// Runs words[0], which is looked for in PATH if it is no path, with the other words. The child has
-// a process group of its own; nothing of it outlives this call, and it dies with this process,
+// Runs words[0], which is searched for in PATH if it is not a path, with the other words. The child
+// has a process group of its own; nothing of it outlives this call, and it dies with this process,
 // however that ends. Throws UserError where the system has no pipe or process left.
 ChildResult RunChild(std::vector<std::string> words, Captured captured,
                      const ChildLimits& limits = {});

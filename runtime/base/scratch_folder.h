@@ -20,7 +20,7 @@ class ScratchFolder {
 
  private:
   std::filesystem::path path_;
-  std::optional<FolderLock> lock_;  // says that somebody needs it, until this process ends
+  std::optional<FolderLock> lock_;  // says that it is in use, until this process ends
 };
 
 }  // namespace runtime

@@ -6,8 +6,8 @@
 
 namespace runtime {
 
-// How an error message about the unknown `name` goes on: ": did you mean `learner`?", or, where no
-// candidate looks like it, the list of all: "; there are `learner`, `task`".
+// How an error message about the unknown `name` continues: ": did you mean `learner`?", or, where
+// no candidate looks like it, the list of all: "; there are `learner`, `task`".
 std::string Suggestion(std::string_view name, const std::vector<std::string>& candidates);
 
 }  // namespace runtime

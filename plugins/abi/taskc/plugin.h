@@ -48,7 +48,7 @@ enum { TASKC_MEASURE = TASKC_EVENT_COUNT };
 // How one scalar lies in memory: a bool is one byte (0 or 1), an int 8 bytes, a real a double.
 enum { TASKC_BOOL, TASKC_INT, TASKC_REAL };
 
-// A sensor that the task reads. Its elements lie one behind the other, `rows * columns` of them.
+// A sensor that the task reads. Its `rows * columns` elements are contiguous.
 typedef struct taskc_sensor {
   const char* name;      // as the task writes it: "base.velocity"
   const char* type;      // as the task writes it: "vec3", "bool[link]"; compared when binding
@@ -133,8 +133,8 @@ typedef struct taskc_log_state {
   double maximum;
 } taskc_log_state;
 
-// Something that the task takes for granted. Where it does not hold the callback goes on, and what
-// it pays counts; but the host ends the episode there, as truncated, whatever end the callback
+// Something that the task takes for granted. Where it does not hold the callback continues, and
+// what it pays counts; but the host ends the episode there, as truncated, whatever end the callback
 // reached.
 typedef struct taskc_requirement {
   const char* reason;  // as the task words it, or else the condition itself
@@ -178,7 +178,7 @@ typedef struct taskc_plugin {
   const char* robot;        // "" where the task declares its own sensors
   const char* start_pose;   // "" where the task names none
   const char* source_hash;  // SHA-256 of the text, in hexadecimal; of several texts: the SHA-256 of
-                            // their hashes, written one behind the other
+                            // their hashes, concatenated
 
   const taskc_source* sources;  // the task's own text first, then those it imports and extends
   const taskc_sensor* sensors;

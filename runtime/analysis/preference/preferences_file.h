@@ -45,7 +45,7 @@ struct Preference {
 // In the order of the file; none without it.
 std::vector<Preference> ReadPreferences(const std::filesystem::path& folder);
 
-// Writes those that are not there yet behind what is there, all at once or nothing. Returns how
+// Appends those that are not there yet, all at once or nothing. Returns how
 // many.
 size_t AddPreferences(const std::filesystem::path& folder,
                       const std::vector<Preference>& preferences);

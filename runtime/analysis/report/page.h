@@ -19,7 +19,7 @@ std::string MakePage(const nlohmann::json& data, const std::filesystem::path& fo
 void WritePage(const std::filesystem::path& file, const std::string& page);
 
 // `data` as ASCII text that can stand inside <script>, whatever its strings hold: neither end tags
-// nor comments nor line separators. Bytes that are no UTF-8 become U+FFFD.
+// nor comments nor line separators. Bytes that are not UTF-8 become U+FFFD.
 std::string JsonForScript(const nlohmann::json& data);
 
 }  // namespace runtime

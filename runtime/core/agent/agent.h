@@ -113,7 +113,7 @@ Agent Resolved(const Agent& agent, const ModuleGraph& graph);
 // As an agent file. The same agent gives the same text, byte for byte, and reading it gives the
 // same agent.
 std::string ToToml(const Agent& agent);
-// The same with a comment behind each line that says where it comes from.
+// The same with a comment after each line that says where it comes from.
 std::string ToTomlWithPlaces(const Agent& agent);
 
 }  // namespace runtime

@@ -81,7 +81,7 @@ class ModuleGraph {
 
   const std::vector<std::unique_ptr<Module>>& modules() const { return modules_; }
 
-  // The state of all modules, so that a graph of the same modules goes on where this one is.
+  // The state of all modules, so that a graph of the same modules continues where this one is.
   void Save(std::ostream& stream) const;
   // Throws UserError where the state is damaged or of other modules. Those in `left_out` may be
   // missing in the graph (their state is passed over) or in the state (they stay as they are).

@@ -8,7 +8,7 @@
 
 namespace runtime {
 
-// Where a sensor's elements lie, one behind the other (plugins/abi/taskc/plugin.h says how). Owned
+// Where a sensor's elements lie, contiguously (plugins/abi/taskc/plugin.h says how). Owned
 // by the environment; the elements stay where they are until the environment is destroyed.
 struct SensorData {
   const void* data = nullptr;

@@ -24,8 +24,8 @@ class MetricReducer {
   void EndTimeStep(std::span<const double> measured);
   void EndEpisode(std::span<const double> measured);
 
-  // In the middle of an episode: metric number `index` goes on from what `other` has of its metric
-  // number `other_index`, which has the same reduction.
+  // In the middle of an episode: metric number `index` continues from what `other` has of its
+  // metric number `other_index`, which has the same reduction.
   void TakeOver(size_t index, const MetricReducer& other, size_t other_index);
 
   // One for each metric; complete after EndEpisode().

@@ -1,4 +1,4 @@
-// One plugin at work.
+// One running instance of a plugin.
 #pragma once
 
 #include <taskc/plugin.h>

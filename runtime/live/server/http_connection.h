@@ -13,7 +13,7 @@ using ConnectionSlot = std::shared_ptr<void>;
 // From whom a connection may come.
 enum class Transport { kUnixSocket, kLoopback };
 
-// Answers requests on `socket`, one after the other, until either side ends it. On the loopback
+// Responds to requests on `socket`, in order, until either side ends it. On the loopback
 // each must show that it may ask.
 void ServeHttp(Service& service, Descriptor socket, Transport transport, ConnectionSlot slot);
 

@@ -6,7 +6,7 @@
 namespace runtime {
 
 // What PackSpheres() gives, bit for bit. Where there is no cache, or what it holds is damaged, the
-// spheres are packed anew.
+// spheres are packed again.
 Spheres KeptSpheres(const robot::NetDescription& net, uint64_t seed);
 
 }  // namespace runtime

@@ -61,7 +61,7 @@ class Learner : public Module {
   virtual bool ends_at_once() const = 0;
   // The task has changed: no reward from now on is for an action that this episode has begun with.
   virtual void ForgetCredit() = 0;
-  // As before the first episode: nothing is learned, and schedules begin anew. The random numbers
+  // As before the first episode: nothing is learned, and schedules restart. The random numbers
   // go on.
   virtual void Forget() = 0;
   // From now on it acts as it would in the next episode, and learns nothing.

@@ -14,7 +14,7 @@ namespace runtime {
 // finished episodes.
 //
 // How an episode ends, after someone asked for it for the first time:
-//   "after_action"  when the action that runs is over; its successor's value counts whatever the
+//   "after_action"  when the current action is over; its successor's value counts whatever the
 //   end "immediate"     at once: the action is cut and learned from with what it brought; only a
 //   truncated
 //                   episode's last state has a value
@@ -35,7 +35,7 @@ class PengQLambda : public Learner {
   // The learning rate is 0, and the temperature stays what it is.
   void StopLearning() override;
 
-  // Finished episodes, also those of earlier runs that this one goes on from.
+  // Finished episodes, also those of earlier runs that this one continues from.
   int64_t episode_count() const { return episodes_; }
 
   const QLambda& q_lambda() const { return q_lambda_; }

@@ -10,7 +10,7 @@ namespace runtime {
 
 std::string SaveModules(const ModuleGraph& graph);
 
-// By which states are told apart: the first 16 digits of the SHA-256.
+// Distinguishes states: the first 16 digits of the SHA-256.
 std::string StateHash(const std::string& state);
 
 // Into a graph of the same modules, started already. Throws UserError where the state is damaged

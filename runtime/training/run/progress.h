@@ -1,4 +1,4 @@
-// Tells whoever started a run how it goes: one line that stays up to date on a terminal, a line
+// Shows whoever started a run how it goes: one line that stays up to date on a terminal, a line
 // every so often elsewhere, or one JSON object per episode for programs.
 #pragma once
 

@@ -21,7 +21,7 @@ class RunDatabase {
   // Makes the folder and a new run in it, in the state `running`: all of it or, where the program
   // is killed meanwhile, nothing that counts as a run. Refuses a folder that holds a run.
   static RunDatabase Create(const std::filesystem::path& folder, const RunRecord& run);
-  // To go on with a run. Refuses a run that another trainer works on.
+  // To continue a run. Refuses a run that another trainer works on.
   static RunDatabase Open(const std::filesystem::path& folder);
   static RunDatabase OpenToRead(const std::filesystem::path& folder);
   // Whether `folder` holds a run; also one that cannot be read.
@@ -44,7 +44,7 @@ class RunDatabase {
   std::vector<CurveRecord> ReadLearnerCurves() const;   // in the order in which it shows them
   std::vector<ChangeRecord> ReadChanges() const;        // in the order in which they were added
   std::optional<Checkpoint> ReadCheckpoint() const;
-  int64_t ReadCheckpointEpisode() const;  // from which a run goes on; 0 if there is no checkpoint
+  int64_t ReadCheckpointEpisode() const;  // from which a run continues; 0 if there is no checkpoint
   std::optional<Recording> ReadRecording(int64_t episode) const;
   int64_t ReadLastRecordedEpisode() const;                    // 0 if there is none
   std::vector<RecordedEpisode> ReadRecordedEpisodes() const;  // ascending

@@ -7,7 +7,7 @@
 
 namespace runtime {
 
-// `state`, of the checkpoint after `episode`, behind a hash of both.
+// `state`, of the checkpoint after `episode`, after a hash of both.
 std::string SealState(int64_t episode, const std::string& state);
 
 // The state; nothing where it, or `episode`, is not what was sealed. A state from before there were

@@ -1,4 +1,4 @@
-// Ctrl-C and the signal to terminate, as a wish that the run looks at between two episodes.
+// Ctrl-C and the signal to terminate, as a request that the run checks between two episodes.
 #pragma once
 
 #include <string_view>

@@ -1,5 +1,5 @@
 // Reads a table of a run's database without trusting it: every value is checked for its type and
-// its range, so that nobody behind it meets what no trainer has written.
+// its range, so that no later code meets what no trainer has written.
 #pragma once
 
 #include <cstdint>

@@ -20,7 +20,7 @@ class TrainingHooks {
   // opinion whether they are there.
   virtual std::set<std::string> BeforeRestore(int64_t episode) = 0;
 
-  // With the returns of all episodes that the run goes on from.
+  // With the returns of all episodes that the run continues from.
   virtual void AfterRestore(const ReturnStatistics& statistics) = 0;
 
   // Where nothing of the run is running: before the first step of episode `episode` (`step` is 0),

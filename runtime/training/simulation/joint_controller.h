@@ -26,7 +26,7 @@ class JointController {
   JointController(const robot::RobotDescription& robot, const RobotBody& body, double time_step);
 
   // Reads the joints and finds what drives each toward its target [rad] during the next physics
-  // step. Throws OdeFailure if that takes a torque that is no number: no solver must get to see
+  // step. Throws OdeFailure if that takes a torque that is not a number: no solver must get to see
   // one.
   void Update(std::span<const double> targets);
 

@@ -22,7 +22,7 @@ class RobotBody {
   dGeomID geom(int link) const { return geoms_[link].get(); }
   dJointID hinge(int joint) const { return hinges_[joint].get(); }
 
-  // False if a link is too fast to be the work of the robot's motors, or its speed is no number.
+  // False if a link is too fast to be the work of the robot's motors, or its speed is not a number.
   bool IsPlausible() const;
 
  private:

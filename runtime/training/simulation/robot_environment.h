@@ -54,7 +54,7 @@ class RobotEnvironment : public Module {
   void CapturePose(std::span<float> out) const;
 
  private:
-  // Returns whether the episode can go on.
+  // Returns whether the episode can continue.
   [[noreturn]] void ThrowForeignTargets() const;
   bool StepPhysics(int index);
   void Diverge(const char* why);
