@@ -1,7 +1,7 @@
 -- One run of the trainer: the file run.db in the run's folder. SI units. PRAGMA user_version holds
 -- the version of this schema, PRAGMA application_id marks the file as ours (run_database.cpp).
--- All of this is done again when a run is gone on with, so that one from before a table was added
--- gets it.
+-- All of this is repeated when a run is resumed, so that an older run gets the tables that were
+-- added since.
 
 -- What the run is: robot, robot_description, agent, profile, seed, episodes_planned, record_every,
 -- checkpoint_seconds, version, started_at, finished_at, state (running, interrupted or finished),
@@ -70,7 +70,7 @@ CREATE TABLE IF NOT EXISTS episode (
   cpu_seconds REAL NOT NULL -- of the trainer's process
 );
 
--- What each task that was there at the episode's end says of it. A value that is not a number is
+-- How each task that was loaded at the episode's end evaluates it. A value that is not a number is
 -- NULL.
 CREATE TABLE IF NOT EXISTS evaluation (
   episode INTEGER NOT NULL REFERENCES episode ON DELETE CASCADE,
@@ -112,7 +112,7 @@ CREATE TABLE IF NOT EXISTS evaluation_log (
   FOREIGN KEY (episode, task) REFERENCES evaluation ON DELETE CASCADE
 ) WITHOUT ROWID;
 
--- What the learner shows of each episode, such as its learning rate. A run that was last trained by
+-- What the learner reports for each episode, such as its learning rate. A run that was last trained by
 -- an older version has neither of the two tables.
 CREATE TABLE IF NOT EXISTS learner_curve (
   id INTEGER PRIMARY KEY,      -- in the order in which it shows them
@@ -129,7 +129,7 @@ CREATE TABLE IF NOT EXISTS learner_value (
 ) WITHOUT ROWID;
 
 -- What clients did to the run, by episode, step and id in the order in which it took effect: the
--- journal that is repeated when the run goes on from a checkpoint. Stays when episodes are deleted
+-- journal that is replayed when the run continues from a checkpoint. Stays when episodes are deleted
 -- for that. A change that takes effect later when it is repeated is moved there, with another id.
 CREATE TABLE IF NOT EXISTS change (
   id INTEGER PRIMARY KEY,
@@ -151,7 +151,7 @@ CREATE TABLE IF NOT EXISTS recording (
   poses BLOB NOT NULL
 );
 
--- All that is needed to go on after `episode`: a hash of the rest (sealed_state.h), then zstd of the
+-- Everything needed to continue after `episode`: a hash of the rest (sealed_state.h), then zstd of the
 -- modules' state (checkpoint.h).
 CREATE TABLE IF NOT EXISTS checkpoint (
   id INTEGER PRIMARY KEY CHECK (id = 1),
