@@ -98,7 +98,7 @@ class AgentReader {
   // {state = "features.state"}
   std::vector<ExportSetting> ReadExports(const toml::node& node, const std::string& what) const {
     const toml::table* table = node.as_table();
-    if (table == nullptr) Fail(node.source(), what + " is no table: {NAME = \"MODULE.NAME\"}");
+    if (table == nullptr) Fail(node.source(), what + " is not a table: {NAME = \"MODULE.NAME\"}");
     std::vector<ExportSetting> exports;
     for (const auto& [key, inner] : *table) {
       exports.push_back({std::string(key.str()), ReadText(inner, fmt::format("`{}`", key.str())),
@@ -114,7 +114,7 @@ class AgentReader {
 
   const toml::table& TableAt(const toml::node& node, const std::string& what) const {
     if (const toml::table* table = node.as_table()) return *table;
-    Fail(node.source(), what + " is no table: write [modules.NAME]");
+    Fail(node.source(), what + " is not a table: write [modules.NAME]");
   }
 
   // toml++ keeps a table in the order of its keys, not of its file.
@@ -159,14 +159,14 @@ class AgentReader {
     if (const auto* real = node.as_floating_point()) return real->get();
     if (const auto* text = node.as_string()) return text->get();
     if (const auto* list = node.as_array()) return ReadNumbers(*list, what);
-    Fail(node.source(), what + " is no number, text, flag or list of numbers");
+    Fail(node.source(), what + " is not a number, string, boolean or list of numbers");
   }
 
   std::vector<double> ReadNumbers(const toml::array& list, const std::string& what) const {
     std::vector<double> numbers;
     for (const toml::node& node : list) {
       if (!node.is_number())
-        Fail(node.source(), what + " is a list of something else than numbers");
+        Fail(node.source(), what + " is a list of something other than numbers");
       numbers.push_back(*node.value<double>());
     }
     return numbers;
@@ -174,7 +174,7 @@ class AgentReader {
 
   std::string ReadText(const toml::node& node, const std::string& what) const {
     if (const auto* text = node.as_string()) return text->get();
-    Fail(node.source(), what + " is no text in quotes");
+    Fail(node.source(), what + " is not a quoted string");
   }
 
   bool ReadFlag(const toml::node& node, const std::string& what) const {
