@@ -43,7 +43,7 @@ std::string Remarks(const BoundsRow& row) {
   if (IsEmpty(row.value)) return "never happens";
   std::vector<std::string> remarks;
   for (const Cause& cause : row.causes) remarks.push_back(Describe(cause));
-  if (row.value.may_be_nan) remarks.emplace_back("may be no number");
+  if (row.value.may_be_nan) remarks.emplace_back("may be NaN");
   return fmt::format("{}", fmt::join(remarks, "; "));
 }
 

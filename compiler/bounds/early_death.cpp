@@ -108,9 +108,9 @@ void WarnOfFreeFailures(const CheckedTask& task, const TaskBounds& bounds, const
     if (!bounds.ends_reached[failure.end] || places.MayCost(failure)) continue;
     if (!said.insert(failure.span.begin).second) continue;
     Report(diagnostics, code::kEarlyDeath, failure.span,
-           "to fail early is the best that the agent can do",
+           "failing early is the best that the agent can do",
            {.note = fmt::format("`{}` costs in every step, failing costs nothing", cost),
-            .help = "let the failure cost more than going on, as in `reward fall = -10`"});
+            .help = "let the failure cost more than continuing, as in `reward fall = -10`"});
   }
 }
 

@@ -133,7 +133,7 @@ void WarnOfTermsWithoutBound(const CheckedTask& task, const TaskBounds& bounds,
     Report(diagnostics, code::kUnboundedTerm, task.terms[i].span,
            fmt::format("`{}` has no bound", task.terms[i].name),
            {.help = "limit it, as in `clamp(x, low, high)` or `tanh(x)`",
-            .labels = {{harm->span, is_memory ? "this can grow for ever" : harm->name}}});
+            .labels = {{harm->span, is_memory ? "this can grow forever" : harm->name}}});
   }
 }
 
@@ -166,12 +166,12 @@ void WarnOfMemory(const CheckedTask& task, const TaskBounds& bounds, Diagnostics
     if (NeverReset(task, bounds, dependence, i) && (reward != nullptr || end != nullptr)) {
       Report(diagnostics, code::kNeverReset, memory.span,
              fmt::format("`{}` grows through the whole run: nothing ever resets it", memory.name),
-             {.help = "leave out `per run`, or set it back in `on start_of_episode`",
+             {.help = "leave out `per run`, or reset it in `on start_of_episode`",
               .labels = {{reward != nullptr ? reward->span : end->span, "this depends on it"}}});
     } else if (reward != nullptr) {
       Report(diagnostics, code::kHiddenMemory, memory.span,
              fmt::format("rewards depend on `{}`, which the agent does not see", memory.name),
-             {.note = "to the agent, the same state is paid now so, now so",
+             {.note = "to the agent, the same state is paid differently at different times",
               .labels = {{reward->span, "this depends on it"}}});
     }
   }

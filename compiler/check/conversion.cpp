@@ -43,7 +43,7 @@ Help HelpForLiteral(const Expression& literal, const Unit& want) {
 }
 
 std::string HelpForType(const Type& have, const Type& want) {
-  if (IsBool(have) && IsNumber(want)) return "a `bool` is no number: use `if`";
+  if (IsBool(have) && IsNumber(want)) return "a `bool` is not a number: use `if`";
   if (want.scalar == Scalar::kInt && have.scalar == Scalar::kReal && IsScalar(have))
     return "an `int` never takes a fraction: declare it as `real`";
   if (IsBool(want) && IsBool(have) && IsScalar(want))
@@ -84,8 +84,8 @@ Help HelpForUnit(const Unit& have, const Expression* syntax, const Unit& want) {
   const bool divide = have.radian > want.radian;
   const int power = std::abs(have.radian - want.radian);
   const std::string factor = power == 1 ? "1 rad" : fmt::format("1 rad^{}", power);
-  Help help = fmt::format("an angle is no plain number: {} by `{}`", divide ? "divide" : "multiply",
-                          factor);
+  Help help = fmt::format("an angle is not a plain number: {} by `{}`",
+                          divide ? "divide" : "multiply", factor);
   if (syntax != nullptr && IsFactor(*syntax))
     help.fixes = {{{syntax->span.end, syntax->span.end}, (divide ? " / " : " * ") + factor}};
   return help;

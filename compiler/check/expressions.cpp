@@ -164,7 +164,7 @@ std::optional<CheckedExpression> CheckRealNumber(const Expression& expression,
   if (IsNumber(value->type) && IsScalar(value->type)) return ToReal(std::move(*value));
   std::string help = "take one element of it, or reduce it with `norm`, `sum` or the like";
   if (IsBool(value->type)) {
-    help = IsScalar(value->type) ? "a `bool` is no number: use `if`"
+    help = IsScalar(value->type) ? "a `bool` is not a number: use `if`"
                                  : "`count` tells how many of them are true";
   }
   Report(scope.diagnostics, code::kNotANumber, expression.span,

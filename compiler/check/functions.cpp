@@ -206,7 +206,7 @@ class CallCheck {
            fmt::format("`{}` is called here",
                        step + 1 == way_.end() ? name : task_.functions[(step + 1)->caller].name)});
     }
-    const std::string by_way = others.empty() ? "" : fmt::format(" by way of {}", List(others));
+    const std::string by_way = others.empty() ? "" : fmt::format(" through {}", List(others));
     Report(diagnostics_, code::kRecursion, begin->call,
            fmt::format("`{}` calls itself{}", name, by_way),
            {.help = "a task always returns, so functions do not call themselves",

@@ -115,8 +115,8 @@ class IndexResolver {
     if (left_number && right_number) {
       if (const auto sum = Calculate(binary, *left_number, *right_number); sum.has_variable)
         return ResolveNumber(sum.value, span);
-      Report(scope_.diagnostics, code::kNotAnIndex, span, "an index is not calculated",
-             {.note = "`+` joins two sets here, `-` takes one out of another",
+      Report(scope_.diagnostics, code::kNotAnIndex, span, "an index is not computed",
+             {.note = "`+` joins two sets here, `-` removes one from another",
               .help = "write the number itself, or sets in braces: `{1} + {2}`"});
       return std::nullopt;
     }
@@ -200,11 +200,11 @@ class IndexResolver {
         domain_.names == nullptr ? "" : fmt::format(", names of {}, groups", domain_.names->all);
     Report(scope_.diagnostics, code::kNotAnIndex, span,
            fmt::format("{} must be known before the task runs",
-                       domain_.is_loop ? "what a loop goes through" : "an index"),
-           {.help = fmt::format("whole numbers{}, ranges such as `0..{}` and sets of these can "
+                       domain_.is_loop ? "what a loop iterates over" : "an index"),
+           {.help = fmt::format("integers{}, ranges such as `0..{}` and sets of these can "
                                 "{}",
                                 names, domain_.is_loop ? 3 : domain_.size - 1,
-                                domain_.is_loop ? "stand here" : "be an index")});
+                                domain_.is_loop ? "be used here" : "be an index")});
     return std::nullopt;
   }
 

@@ -53,17 +53,17 @@ LoopKind KindOf(const ForStatement& loop, const TaskScope& scope) {
 
 void ReportUnknownSet(const Identifier& name, const TaskScope& scope) {
   if (!scope.has_robot) {
-    Report(
-        scope.diagnostics, code::kUnknownPart, name.span,
-        fmt::format("there is no `{}` to go through", name.text),
-        {.note = "only a robot has links and joints", .help = "go through numbers, as in `0..3`"});
+    Report(scope.diagnostics, code::kUnknownPart, name.span,
+           fmt::format("there is no `{}` to iterate over", name.text),
+           {.note = "only a robot has links and joints",
+            .help = "iterate over numbers, as in `0..3`"});
     return;
   }
   std::vector<std::string> valid;
   for (const Enumeration& parts : scope.enumerations)
     for (std::string& part : parts.Names()) valid.push_back(std::move(part));
   Help help = Suggest(name.span, name.text, valid, "links, joints and groups");
-  if (help.empty()) help = "go through `links`, `joints`, some of them, or numbers as in `0..3`";
+  if (help.empty()) help = "iterate over `links`, `joints`, some of them, or numbers as in `0..3`";
   Report(scope.diagnostics, code::kUnknownPart, name.span,
          fmt::format("the robot has no link, joint or group called `{}`", name.text),
          {.help = std::move(help)});

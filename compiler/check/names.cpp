@@ -37,7 +37,7 @@ void ReportPartAsValue(const Identifier& name, std::string_view enumeration,
   const std::string element =
       fmt::format("{}[{}]", enumeration == "link" ? "contact" : "joint.angle", name.text);
   Report(scope.diagnostics, code::kMisplacedName, name.span,
-         fmt::format("`{}` stands only inside an index", name.text),
+         fmt::format("`{}` is allowed only inside an index", name.text),
          {.help = {fmt::format("write it in the brackets of an array over {}s: `{}`", enumeration,
                                element),
                    {{name.span, element}}}});
@@ -176,7 +176,7 @@ void ReportUnknownSensor(const std::vector<Identifier>& path, const TaskScope& s
     if (name.starts_with(path[0].text + '.')) siblings.push_back(std::move(name));
   if (path.size() == 1) {
     Report(scope.diagnostics, code::kMisplacedName, path[0].span,
-           fmt::format("`{}` alone is no value", path[0].text),
+           fmt::format("`{}` alone is not a value", path[0].text),
            {.help = fmt::format("its sensors are {}", List(siblings))});
     return;
   }
@@ -355,7 +355,7 @@ const FunctionSignature* ResolveFunction(const Identifier& name, const Place& pl
     for (const std::string_view of_test : {kTotal, kValue}) functions.emplace_back(of_test);
   Help help = Suggest(name.span, name.text, functions, "functions");
   if (help.empty()) help = fmt::format("the functions are {}", List(functions));
-  if (IsTestFunction(name.text)) help = "it is known only behind the `expect` of a test";
+  if (IsTestFunction(name.text)) help = "it is known only after the `expect` of a test";
   Report(scope.diagnostics, code::kUnknownFunction, name.span,
          fmt::format("there is no function `{}`{}", name.text,
                      IsTestFunction(name.text) ? " here" : ""),

@@ -112,7 +112,7 @@ class BinaryCheck {
     const Type& left_type = left().type;
     const Type& right_type = right().type;
     if (IsBool(left_type) || IsBool(right_type))
-      return WrongOperands("a `bool` is no number: use `if`, or `count` for how many are true");
+      return WrongOperands("a `bool` is not a number: use `if`, or `count` for how many are true");
     if (Has(Shape::kQuaternion)) return WrongOperands("take elements of it: `q.w`, `q.xyz`");
     if (IsScalar(right_type)) return left_type;
     if (IsScalar(left_type) && !(Has(Shape::kMatrix) && op_ == BinaryOperator::kDivide))

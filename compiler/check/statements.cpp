@@ -178,7 +178,7 @@ class EventChecker {
     if (reads_it && std::ranges::find(kOfValues, diagnostic.code) != kOfValues.end())
       diagnostic.labels.push_back(
           {loop.variable.span,
-           fmt::format("in this pass: {} = {}", loop.variable.text, value.text)});
+           fmt::format("in this iteration: {} = {}", loop.variable.text, value.text)});
     return diagnostic;
   }
 
@@ -189,8 +189,8 @@ class EventChecker {
     Report(scope_.diagnostics, code::kTooManyPasses,
            Cover(outermost_->variable.span, outermost_->items_span),
            fmt::format("with this loop the task has more than {} statements", kMostStatements),
-           {.note = "a loop is written out before the run: its body once for each value",
-            .help = "go through fewer values, or use whole arrays: `sum`, `norm`, `any`"});
+           {.note = "loops are unrolled: the body once for each value",
+            .help = "iterate over fewer values, or use whole arrays: `sum`, `norm`, `any`"});
     return false;
   }
 
@@ -256,7 +256,7 @@ class EventChecker {
   void CheckNode(const EndStatement& end, Span span, CheckedBlock& block) {
     if (place_.event == EventKind::kEndOfEpisode) {
       Report(scope_.diagnostics, code::kMisplacedEnd, span,
-             "the episode is over already at `end_of_episode`",
+             "the episode is already over at `end_of_episode`",
              {.help = "end it in another event, such as `end_of_time_step`"});
       return;
     }

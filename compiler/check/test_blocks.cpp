@@ -93,7 +93,7 @@ class TestChecker {
     const CheckedParam& param = task_.params[given.index];
     if (number >= param.minimum && number <= param.maximum) return true;
     Report(scope_.diagnostics, code::kBadGiven, value.span,
-           fmt::format("this is outside of the range of `{}`", param.name),
+           fmt::format("this is outside the range of `{}`", param.name),
            {.labels = {{param.span, "declared here"}}});
     return false;
   }

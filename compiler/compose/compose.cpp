@@ -225,7 +225,7 @@ class Composer {
       if (entry->path().extension() == ".task") names.push_back(entry->path().filename());
     std::ranges::sort(names);
     const auto nearest = text::NearestName(reference.file.filename().string(), names);
-    if (!nearest) return "a path is relative to the folder of the file that it stands in";
+    if (!nearest) return "a path is relative to the folder of the file that contains it";
     const fs::path written = fs::path(reference.written).parent_path() / *nearest;
     return {fmt::format("did you mean `{}`?", written.string()),
             {{reference.span, '"' + written.string() + '"'}}};

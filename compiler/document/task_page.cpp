@@ -172,8 +172,7 @@ class PageWriter {
                             FromDoc(task_.terms[i].doc)});
     }
     page_.blocks.push_back(
-        Paragraph{Plain("Within these bounds, whatever happens, from the ranges of the sensors "
-                        "and params:")});
+        Paragraph{Plain("Bounds that follow from the ranges of the sensors and params:")});
     AddTable(std::move(table));
   }
 
@@ -214,7 +213,7 @@ class PageWriter {
   }
 
   void Metrics() {
-    Table table{{"metric", "of an episode", "value", "meaning"}, {}};
+    Table table{{"metric", "reduction", "value", "meaning"}, {}};
     for (const MetricDeclaration* metric : All<MetricDeclaration>(tree_)) {
       table.rows.push_back({Code(metric->name.text),
                             Plain(std::string(NameOf(metric->reduction, kReductionNames))),
@@ -254,7 +253,7 @@ class PageWriter {
   }
 
   void Memory() {
-    Table table{{"memory", "type", "begins as", "for each", "meaning"}, {}};
+    Table table{{"memory", "type", "initial value", "per", "meaning"}, {}};
     for (const MemoryDeclaration* memory : All<MemoryDeclaration>(tree_)) {
       table.rows.push_back({Code(memory->name.text), Code(TypeOf(memory->name.text)),
                             Math(ToFormula(memory->initial).text),
@@ -284,7 +283,7 @@ class PageWriter {
   }
 
   void Logs() {
-    Table table{{"log", "of an episode", "value", "when"}, {}};
+    Table table{{"log", "reduction", "value", "when"}, {}};
     for (const EventDeclaration* event : All<EventDeclaration>(tree_)) {
       for (const ConditionalEquation& log : EquationsOf(*event).logs) {
         table.rows.push_back({Math(log.equation.left), Plain(ReductionOf(log.equation.left)),

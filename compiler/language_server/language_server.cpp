@@ -106,7 +106,7 @@ const std::map<std::string, LanguageServer::NotificationHandler>& LanguageServer
 std::vector<Json> LanguageServer::Receive(const std::string& message) {
   const Json request = Json::parse(message, nullptr, false);
   if (request.is_discarded()) {
-    return {ErrorResponse(nullptr, protocol::kParseError, "the message is no JSON")};
+    return {ErrorResponse(nullptr, protocol::kParseError, "the message is not JSON")};
   }
   const bool has_method = request.is_object() && request.contains("method");
   if (has_method && !request.contains("id")) {

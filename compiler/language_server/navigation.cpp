@@ -216,7 +216,8 @@ RenameResult Rename(const Document& document, uint32_t offset, const std::string
   if (!definition) return {nullptr, "there is nothing here that can be renamed"};
   if (!IsWord(name)) {
     return {nullptr,
-            fmt::format("`{}` is no name: it consists of letters, digits and underscores", name)};
+            fmt::format("`{}` is not a name: a name consists of letters, digits and underscores",
+                        name)};
   }
   const std::set<FilePlace> uses = UsesOf(*definition, workspace);
   const std::string mistake =

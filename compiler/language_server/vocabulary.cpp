@@ -6,41 +6,42 @@ namespace compiler {
 namespace {
 
 constexpr auto kDeclarations = std::to_array<ExplainedWord>({
-    {"task", "The task's name, and the robot that it is made for: `task NAME for ROBOT`."},
+    {"task", "The task's name, and the robot that it is written for: `task NAME for ROBOT`."},
     {"start", "The pose of the robot in which episodes begin."},
     {"sensor", "A sensor that the host supplies: `sensor NAME: TYPE [UNIT]`."},
     {"param",
      "A number that can be set while the trainer runs: `param NAME: TYPE = VALUE in LOW .. HIGH`."},
     {"memory", "A value that is kept between callbacks: `memory NAME: TYPE = VALUE per action`."},
-    {"metric", "What success means, told apart from the reward: `metric REDUCTION NAME = VALUE`."},
+    {"metric", "What success means, as opposed to the reward: `metric REDUCTION NAME = VALUE`."},
     {"on", "What is done at an event: `on EVENT { ... }`."},
     {"fn", "A function: `fn NAME(ARGUMENT: TYPE) -> TYPE = VALUE`."},
-    {"import", "Takes over the functions of another file."},
-    {"test", "A test without any simulator: `test \"name\" { given ... fire ... expect ... }`."},
+    {"import", "Imports the functions of another file."},
+    {"test", "A test without a simulator: `test \"name\" { given ... fire ... expect ... }`."},
     {"override", "Replaces something of the task that this one extends."},
-    {"allow", "Keeps the warnings of these codes from being given for what follows."},
+    {"allow", "Silences the warnings with these codes for what follows."},
 });
 constexpr auto kStatements = std::to_array<ExplainedWord>({
     {"let", "Gives a value a name: `let NAME = VALUE`."},
     {"reward", "Pays a named term; also the sum of the terms that this callback has paid so far."},
     {"reward rate", "Pays a named term per second."},
     {"if", "`if CONDITION { ... } else if CONDITION { ... } else { ... }`"},
-    {"else", "What is done if no condition before it held."},
+    {"else", "What is done if no condition before it holds."},
     {"for",
-     "Does the block for each element: `for NAME in links - feet { ... }`, `for i in 0..3 { ... "
+     "Runs the block for each element: `for NAME in links - feet { ... }`, `for i in 0..3 { ... "
      "}`."},
     {"once per",
-     "Does the block when the condition first holds: `once per action if CONDITION { ... }`."},
+     "Runs the block when the condition first holds: `once per action if CONDITION { ... }`."},
     {"end_episode", "Ends the episode: `end_episode failure \"why\"`."},
     {"truncate_episode",
-     "Ends the episode at a limit, from which the learner may go on: `truncate_episode \"why\"`."},
+     "Ends the episode at a limit, from which the learner may bootstrap: `truncate_episode "
+     "\"why\"`."},
     {"log", "A curve of any number: `log REDUCTION NAME = VALUE`."},
     {"require", "What must always hold: `require CONDITION \"why\"`."},
-    {"allow", "Keeps the warnings of these codes from being given for what follows."},
+    {"allow", "Silences the warnings with these codes for what follows."},
 });
 constexpr auto kTests = std::to_array<ExplainedWord>({
     {"given", "Sets a sensor, a param or a memory: `given NAME = VALUE`."},
-    {"fire", "Lets events happen: `fire end_of_time_step, 100 * end_of_time_step`."},
+    {"fire", "Fires events: `fire end_of_time_step, 100 * end_of_time_step`."},
     {"expect", "What must hold now: `expect CONDITION`, `expect end_episode failure \"why\"`."},
 });
 constexpr auto kBody = std::to_array<ExplainedWord>({
@@ -50,17 +51,17 @@ constexpr auto kBody = std::to_array<ExplainedWord>({
 constexpr auto kValues = std::to_array<ExplainedWord>({
     {"true", "The condition that always holds."},
     {"false", "The condition that never holds."},
-    {"not", "Turns a condition round."},
-    {"pi", "The circle's number."},
+    {"not", "Negates a condition."},
+    {"pi", "The number pi, 3.14159..."},
     {"reward", "The sum of the terms that this callback has paid so far."},
     {"time_step", "The length of this event's time step, `real [s]`."},
 });
 constexpr auto kOperators = std::to_array<ExplainedWord>({
-    {"and", "Both conditions."},
-    {"or", "One of two conditions."},
+    {"and", "Whether both conditions hold."},
+    {"or", "Whether one of two conditions holds."},
     {"in", "The range of a param or a sensor: `in LOW .. HIGH`; or the set of a loop."},
-    {"per", "When the memory gets its initial value again: `per action`."},
-    {"extends", "Takes over everything of another task: `task NAME extends \"FILE\"`."},
+    {"per", "When the memory is reset to its initial value: `per action`."},
+    {"extends", "Builds on another task: `task NAME extends \"FILE\"`."},
     {"for", "The robot: `task NAME for ROBOT`."},
 });
 constexpr auto kEvents = std::to_array<ExplainedWord>({
@@ -68,8 +69,8 @@ constexpr auto kEvents = std::to_array<ExplainedWord>({
     {"end_of_episode", "When an episode has ended."},
     {"start_of_action", "When the learner has chosen an action."},
     {"end_of_action", "When an action is done; the learner then gets the rewards since its start."},
-    {"start_of_time_step", "Before each step of the controller."},
-    {"end_of_time_step", "After each step of the controller."},
+    {"start_of_time_step", "Before each time step."},
+    {"end_of_time_step", "After each time step."},
     {"start_of_physics_step", "Before each step of the simulation."},
     {"end_of_physics_step", "After each step of the simulation."},
 });
@@ -81,8 +82,8 @@ constexpr auto kReductions = std::to_array<ExplainedWord>({
     {"mean", "The mean of all values."},
 });
 constexpr auto kScopes = std::to_array<ExplainedWord>({
-    {"action", "Anew in each action."},
-    {"episode", "Anew in each episode."},
+    {"action", "Reset in each action."},
+    {"episode", "Reset in each episode."},
     {"run", "Kept for the whole run."},
 });
 constexpr auto kOutcomes = std::to_array<ExplainedWord>({
@@ -91,10 +92,10 @@ constexpr auto kOutcomes = std::to_array<ExplainedWord>({
 });
 constexpr auto kOthers = std::to_array<ExplainedWord>({
     {"once",
-     "Does the block when the condition first holds: `once per action if CONDITION { ... }`."},
+     "Runs the block when the condition first holds: `once per action if CONDITION { ... }`."},
     {"rate", "A term that is paid per second."},
     {"bool", "A condition."},
-    {"int", "A whole number."},
+    {"int", "An integer."},
     {"real", "A number, which may have a unit."},
     {"vec2", "Two numbers: `.x`, `.y`."},
     {"vec3", "Three numbers: `.x`, `.y`, `.z`."},

@@ -29,7 +29,7 @@ void Allowances::End() {
     Diagnostic diagnostic =
         MakeDiagnostic(code::kMisplacedAllow, pending.span, "nothing follows this `allow`");
     diagnostic.help =
-        "it stands in the line above a declaration, a statement or the header of the task";
+        "it goes on the line above a declaration, a statement or the header of the task";
     report_.AddUnlessFaulty(std::move(diagnostic));
   }
 }

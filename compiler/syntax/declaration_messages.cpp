@@ -17,10 +17,10 @@ namespace {
 using grammar::TaskParser;
 
 constexpr std::string_view kFunctionHelp =
-    "a function is declared by `fn half(x: real) -> real = 0.5 * x`";
+    "a function is declared with `fn half(x: real) -> real = 0.5 * x`";
 constexpr std::string_view kImportHelp = "write `import \"NAME.task\"`";
 constexpr std::string_view kValueHelp =
-    "a value that can be turned is a `param`, one that the task changes a `memory`";
+    "a value that can be set from outside is a `param`, one that the task changes a `memory`";
 constexpr std::array<ForeignWord, 13> kForeignWords = {{
     {"def", kFunctionHelp, "fn"},
     {"func", kFunctionHelp, "fn"},
@@ -33,8 +33,8 @@ constexpr std::array<ForeignWord, 13> kForeignWords = {{
     {"var", kValueHelp},
     {"const", kValueHelp},
     {"state", kValueHelp, "memory"},
-    {"when", "events are declared by `on EVENT { ... }`", "on"},
-    {"event", "events are declared by `on EVENT { ... }`", "on"},
+    {"when", "events are declared with `on EVENT { ... }`", "on"},
+    {"event", "events are declared with `on EVENT { ... }`", "on"},
 }};
 
 constexpr const char* kHeaderHelp =
@@ -50,7 +50,7 @@ Help HelpForDeclaration(const antlr4::Token& word) {
 
 // `wrong`: the word in the place of `for`.
 Help RobotIs(const std::string& name, Span wrong) {
-  return {fmt::format("the robot is named by `for {}`", name), {{wrong, "for"}}};
+  return {fmt::format("the robot is named with `for {}`", name), {{wrong, "for"}}};
 }
 
 std::string PlaceOfStatement(TokenType type) {
@@ -71,11 +71,11 @@ std::string HelpForStatement(TokenType type) {
     case TaskParser::GIVEN:
     case TaskParser::FIRE:
     case TaskParser::EXPECT:
-      return "tests are declared by `test \"...\" { ... }`";
+      return "tests are declared with `test \"...\" { ... }`";
     case TaskParser::RETURN:
       return std::string(kFunctionHelp);
     default:
-      return "events are declared by `on EVENT { ... }`";
+      return "events are declared with `on EVENT { ... }`";
   }
 }
 
@@ -107,7 +107,7 @@ Description BadHeader(const Failure& failure) {
   }
   if (failure.rule != TaskParser::RuleFile || failure.is_at_line_start()) return std::nullopt;
   if (failure.type() == TaskParser::EXTENDS) {
-    return WithHelp(Expected(failure, "the end of the line"), "`extends` stands before `for`");
+    return WithHelp(Expected(failure, "the end of the line"), "`extends` comes before `for`");
   }
   const bool has_robot = failure.before_last->getType() == TaskParser::FOR;
   if (has_robot) return Expected(failure, "the end of the line");
@@ -197,14 +197,14 @@ Description BadDeclaration(const Failure& failure) {
   const std::string word = failure.found.getText();
   if (failure.type() == TaskParser::EXTENDS) {
     return WithHelp(MakeDiagnostic(code::kUnknownDeclaration, SpanOf(failure.found),
-                                   "`extends` stands only in the header"),
+                                   "`extends` is allowed only in the header"),
                     "write `task NAME extends \"BASE.task\"`");
   }
   if (IsStatementKeyword(failure.type()) || failure.type() == TaskParser::REWARD) {
-    return WithHelp(
-        MakeDiagnostic(code::kUnknownDeclaration, SpanOf(failure.found),
-                       fmt::format("`{}` stands only {}", word, PlaceOfStatement(failure.type()))),
-        HelpForStatement(failure.type()));
+    return WithHelp(MakeDiagnostic(code::kUnknownDeclaration, SpanOf(failure.found),
+                                   fmt::format("`{}` is allowed only {}", word,
+                                               PlaceOfStatement(failure.type()))),
+                    HelpForStatement(failure.type()));
   }
   return WithHelp(
       MakeDiagnostic(code::kUnknownDeclaration, SpanOf(failure.found),

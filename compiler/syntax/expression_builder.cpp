@@ -203,7 +203,7 @@ ExpressionBuilder::Built ExpressionBuilder::Call(TaskParser::CallContext& contex
 ExpressionBuilder::Built ExpressionBuilder::Set(TaskParser::PrimaryContext& context) {
   if (!is_in_index_) {
     Diagnostic diagnostic = MakeDiagnostic(code::kMisplacedSet, SpanOf(context),
-                                           "a set in braces stands only inside an index");
+                                           "a set in braces is allowed only inside an index");
     diagnostic.help = "pick elements with it: `contact[links - {body, head}]`";
     report_.Add(std::move(diagnostic));
   }

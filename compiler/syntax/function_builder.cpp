@@ -33,7 +33,7 @@ void FunctionBuilder::BuildBody(TaskParser::BodyContext& context, FunctionDeclar
   bool has_result = false;
   for (TaskParser::BodyStatementContext* statement : context.bodyStatement()) {
     if (has_result) {
-      ReportBody(SpanOf(*statement->getStart()), "this stands behind the `return`",
+      ReportBody(SpanOf(*statement->getStart()), "this comes after the `return`",
                  "`return` is the last statement of a function");
       return;
     }
@@ -48,7 +48,7 @@ void FunctionBuilder::BuildBody(TaskParser::BodyContext& context, FunctionDeclar
   }
   if (has_result || is_faulty) return;
   ReportBody(SpanOf(*context.getStop()), "expected `return`, found `}`",
-             "the last statement of a function says what it gives: `return x`");
+             "the last statement of a function returns its value: `return x`");
 }
 
 void FunctionBuilder::ReportBody(Span span, std::string message, std::string help) {

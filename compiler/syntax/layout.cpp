@@ -142,7 +142,7 @@ bool Layout::ExpectBlock(const antlr4::CommonToken& token, bool ends_line) {
   } else if (block_head_ != 0 && type == TaskParser::COLON && !IsInBrackets()) {
     Diagnostic diagnostic =
         MakeDiagnostic(code::kUnexpectedToken, SpanOf(token), "expected `{`, found `:`");
-    diagnostic.help = "blocks stand in braces";
+    diagnostic.help = "write blocks in braces";
     report_.AddUnlessFaulty(std::move(diagnostic));
     return !ends_line;  // else the end of the line opens the block
   }
@@ -156,7 +156,7 @@ void Layout::RejectForeignLoop(const antlr4::CommonToken& token) {
   if (!is_in_loop) return;
   Diagnostic diagnostic =
       MakeDiagnostic(code::kForeignSyntax, SpanOf(token), "a loop has no parentheses");
-  diagnostic.help = "it goes through a set: `for i in 0..3 { ... }`";
+  diagnostic.help = "it iterates over a set: `for i in 0..3 { ... }`";
   report_.Add(std::move(diagnostic));
   report_.IgnoreLine(SpanOf(token));
 }
@@ -251,7 +251,7 @@ void Layout::RejectBrokenLine(const antlr4::CommonToken& next) {
                      fmt::format("a line cannot begin with {}", Quoted(next.getType())));
   diagnostic.labels.push_back({SpanOf(*last_), "the statement ends here"});
   diagnostic.help =
-      "to continue the line above, put the sign at its end, or the whole in parentheses";
+      "to continue the line above, put the operator at its end, or the whole in parentheses";
   report_.Add(std::move(diagnostic));
 }
 

@@ -74,7 +74,7 @@ Diagnostic UnknownCharacter(const antlr4::Token& token, const SourceFile& source
   } else if (point.value >= 0x80) {
     diagnostic.help =
         "names consist of the letters a to z, digits and underscores; "
-        "comments and texts may hold any character";
+        "comments and strings may hold any character";
   }
   return diagnostic;
 }
@@ -111,8 +111,8 @@ bool RepairForeignSign(antlr4::CommonToken& token, const std::string& text, Synt
 
 bool RepairString(antlr4::CommonToken& token, SyntaxReport& report) {
   Diagnostic diagnostic =
-      MakeDiagnostic(code::kUnclosedString, SpanOf(token), "this text is not closed");
-  diagnostic.help = "close it with `\"` in the same line";
+      MakeDiagnostic(code::kUnclosedString, SpanOf(token), "this string is not closed");
+  diagnostic.help = "close it with `\"` on the same line";
   report.Add(std::move(diagnostic));
   token.setType(TaskLexer::STRING);
   return true;
@@ -130,7 +130,7 @@ bool RepairNumber(antlr4::CommonToken& token, const std::string& text, SyntaxRep
 bool RepairForeignString(antlr4::CommonToken& token, const std::string& text,
                          SyntaxReport& report) {
   Diagnostic diagnostic =
-      MakeDiagnostic(code::kForeignSyntax, SpanOf(token), "a text stands between double quotes");
+      MakeDiagnostic(code::kForeignSyntax, SpanOf(token), "a string is written in double quotes");
   diagnostic.help = "write `\"...\"`";
   const std::string inside = text.substr(1, text.size() - 2);
   if (inside.find_first_of("\"\\") == std::string::npos)
@@ -179,7 +179,7 @@ Diagnostic HiddenCharacter(char32_t value, Span span) {
     diagnostic.help = "remove it";
   } else {
     diagnostic.help =
-        "remove it: with it, a text can read otherwise than it is compiled; letters that are "
+        "remove it: with it, a file can read differently from what is compiled; letters that are "
         "written from right to left need no such character";
   }
   return diagnostic;

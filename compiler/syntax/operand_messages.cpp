@@ -51,7 +51,7 @@ Description MisplacedSet(const Failure& failure) {
     return std::nullopt;
   }
   return WithHelp(MakeDiagnostic(code::kMisplacedSet, SpanOf(failure.found),
-                                 "a set in braces stands only inside an index"),
+                                 "a set in braces is allowed only inside an index"),
                   "pick elements with it: `contact[links - {body, head}]`");
 }
 
@@ -90,12 +90,11 @@ Description MissingOperand(const Failure& failure) {
   if (failure.is_behind_last()) return diagnostic;
   if (IsUnit(failure.type())) {
     diagnostic.help =
-        fmt::format("`{0}` is a unit and stands behind a number: `1 {0}`", failure.found.getText());
+        fmt::format("`{0}` is a unit and comes after a number: `1 {0}`", failure.found.getText());
   } else if (failure.type() == TaskParser::NOT) {
-    diagnostic.help = "put `not` and what it denies in parentheses";
+    diagnostic.help = "put `not` and its operand in parentheses";
   } else if (failure.type() == TaskParser::PLUS) {
-    diagnostic.help = {"there is no plus sign in front of an operand",
-                       {{SpanOf(failure.found), ""}}};
+    diagnostic.help = {"there is no unary plus", {{SpanOf(failure.found), ""}}};
   }
   return diagnostic;
 }

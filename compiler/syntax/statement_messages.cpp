@@ -18,13 +18,13 @@ namespace {
 using grammar::TaskParser;
 
 constexpr std::string_view kLoopHelp =
-    "a loop goes through a set: `for i in 0..3 { ... }`; what repeats in time stands in an event";
+    "a loop iterates over a set: `for i in 0..3 { ... }`; what repeats in time belongs in an event";
 constexpr std::string_view kBranchHelp = "write `if ... { ... } else if ... { ... }`";
 constexpr std::string_view kLocalHelp =
     "a local value is `let x = ...`; what changes is a `memory`, declared outside of events";
 constexpr std::string_view kLogHelp = "write `log NAME = ...` to record a value as a curve";
 constexpr std::string_view kBreakHelp =
-    "a loop goes through its whole set: put what is skipped into an `if`";
+    "a loop iterates over its whole set: put what is skipped into an `if`";
 constexpr std::array<ForeignWord, 28> kForeignWords = {{
     {"while", kLoopHelp},
     {"loop", kLoopHelp},
@@ -131,7 +131,7 @@ Description BadLoop(const Failure& failure) {
       failure.rule == TaskParser::RuleName && failure.parent_rule == TaskParser::RuleLoop;
   if (failure.rule != TaskParser::RuleLoop && !is_variable) return std::nullopt;
   return WithHelp(Expected(failure, is_variable ? "a name" : "`in`"),
-                  "a loop goes through a set: `for i in 0..3 { ... }`");
+                  "a loop iterates over a set: `for i in 0..3 { ... }`");
 }
 
 Description BadOnce(const Failure& failure) {
@@ -202,7 +202,7 @@ Description UnknownStatement(const Failure& failure) {
   std::vector<std::string> keywords = StatementKeywords();
   keywords.push_back(Spelling(TaskParser::ELSE));
   if (help.empty()) help = Nearest(begin, keywords);
-  if (help.empty()) help = fmt::format("a memory is set by `{} = ...`", name);
+  if (help.empty()) help = fmt::format("a memory is set with `{} = ...`", name);
   return WithHelp(MakeDiagnostic(code::kUnknownStatement, SpanOf(begin),
                                  fmt::format("there is no statement `{}`", name)),
                   help);
@@ -219,16 +219,16 @@ Description BadStatement(const Failure& failure) {
     case TaskParser::GIVEN:
     case TaskParser::FIRE:
     case TaskParser::EXPECT:
-      return Misplaced(failure, "stands only in a test",
-                       "tests are declared by `test \"...\" { ... }`");
+      return Misplaced(failure, "is allowed only in a test",
+                       "tests are declared with `test \"...\" { ... }`");
     case TaskParser::RETURN:
-      return Misplaced(failure, "stands only in a function",
+      return Misplaced(failure, "is allowed only in a function",
                        "an event runs to its end: put what is skipped into an `if`");
     default:
       break;
   }
   if (IsDeclarationKeyword(failure.type())) {
-    return Misplaced(failure, "does not stand inside an event", "move it out of the braces");
+    return Misplaced(failure, "is not allowed inside an event", "move it out of the braces");
   }
   if (GoesOn(failure)) return BadEndOfStatement(failure);
   return Expected(failure, "a statement or `}`");
@@ -240,7 +240,7 @@ Description BadTestStatement(const Failure& failure) {
   }
   if (GoesOn(failure) && failure.type() != TaskParser::NAME) return BadEndOfStatement(failure);
   const std::string help = "a test holds `given`, `fire` and `expect`";
-  if (IsReserved(failure.type())) return Misplaced(failure, "does not stand in a test", help);
+  if (IsReserved(failure.type())) return Misplaced(failure, "is not allowed in a test", help);
   if (failure.type() != TaskParser::NAME) return Expected(failure, "a statement or `}`");
   const Help guess = Nearest(
       failure.found,
@@ -261,7 +261,7 @@ Description BadBodyStatement(const Failure& failure) {
   return WithHelp(
       MakeDiagnostic(code::kBadFunctionBody, SpanOf(failure.found),
                      is_reserved
-                         ? fmt::format("{} does not stand in a function", FoundText(failure))
+                         ? fmt::format("{} is not allowed in a function", FoundText(failure))
                          : fmt::format("expected `let` or `return`, found {}", FoundText(failure))),
       guess.empty() || is_reserved ? Help(help) : guess);
 }

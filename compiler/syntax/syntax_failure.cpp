@@ -67,7 +67,7 @@ std::string FoundText(const Failure& failure) {
     case TaskParser::LINE_END:
       return "the end of the line";
     case TaskParser::STRING:
-      return "a text";
+      return "a string";
     default:
       // Braces that the layout has added are empty.
       return failure.found.getText().empty() ? "the end of the line"

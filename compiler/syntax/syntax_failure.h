@@ -35,7 +35,7 @@ struct Failure {
 // `parser` stands in the rule that failed.
 Failure MakeFailure(antlr4::Parser& parser, antlr4::Token& found);
 
-// "`let`", "a text", "the end of the line"
+// "`let`", "a string", "the end of the line"
 std::string FoundText(const Failure& failure);
 
 // The empty span after the last token.

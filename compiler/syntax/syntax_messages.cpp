@@ -55,7 +55,7 @@ std::string TokenText(const Failure& failure, TokenType type) {
     case TaskParser::NUMBER:
       return "a number";
     case TaskParser::STRING:
-      return "a text in double quotes";
+      return "a string in double quotes";
     case TaskParser::LINE_END:
     case antlr4::Token::EOF:
       return "the end of the line";

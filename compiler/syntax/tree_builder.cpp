@@ -65,7 +65,7 @@ class TreeBuilder {
     if (first_ != nullptr) {
       Diagnostic diagnostic =
           MakeDiagnostic(code::kMissingHeader, task, "a task begins with its header");
-      diagnostic.labels.push_back({SpanOf(*first_->getStart()), "this stands before it"});
+      diagnostic.labels.push_back({SpanOf(*first_->getStart()), "this comes before it"});
       diagnostic.help = "move this line to the top of the file";
       report_.AddUnlessFaulty(std::move(diagnostic));
     }
@@ -98,7 +98,7 @@ class TreeBuilder {
     const antlr4::Token& word = *misplaced_->getStart();
     Diagnostic diagnostic =
         MakeDiagnostic(code::kNotInLibrary, SpanOf(word),
-                       fmt::format("`{}` does not stand in a library", word.getText()));
+                       fmt::format("`{}` is not allowed in a library", word.getText()));
     diagnostic.help = "a file without `task NAME` holds only imports and functions";
     report_.AddUnlessFaulty(std::move(diagnostic));
   }

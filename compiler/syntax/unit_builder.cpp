@@ -32,7 +32,7 @@ int BuildPower(TaskParser::UnitFactorContext& context, SyntaxReport& report) {
   const char* end = text.data() + text.size();
   const auto result = std::from_chars(text.data(), end, power);
   if (result.ec != std::errc() || result.ptr != end || power > kMaxPower) {
-    ReportNumber(report, SpanOf(*context.power), fmt::format("`{}` is no power of a unit", text),
+    ReportNumber(report, SpanOf(*context.power), fmt::format("`{}` is not a power of a unit", text),
                  "a power is an integer from -9 to 9");
     return 1;
   }
@@ -78,7 +78,7 @@ std::string BuildText(antlr4::Token& token, SyntaxReport& report) {
         Diagnostic diagnostic =
             MakeDiagnostic(code::kUnknownEscape, {span.begin + i - 1, span.begin + i + 1},
                            "there is no such escape sequence");
-        diagnostic.help = "a text knows `\\\"` and `\\\\`";
+        diagnostic.help = "a string has only the escapes `\\\"` and `\\\\`";
         report.Add(std::move(diagnostic));
       }
     }

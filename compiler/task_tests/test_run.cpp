@@ -63,7 +63,8 @@ class TestRun {
     if (end < 0) return failures_.push_back({span, "the episode has not ended", {}});
     const CheckedEndReason& reached = task_.ends[static_cast<size_t>(end)];
     if (reached.kind == expect.kind && reached.reason == expect.reason) return;
-    failures_.push_back({span, "it ended otherwise: " + EndText(reached.kind, reached.reason), {}});
+    failures_.push_back(
+        {span, "it ended differently: " + EndText(reached.kind, reached.reason), {}});
   }
 
   const CheckedTask& task_;

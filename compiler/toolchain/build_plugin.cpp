@@ -48,10 +48,10 @@ struct Trouble {
 constexpr Trouble kTroubles[] = {
     {"No space left on device", "the disk is full"},
     {"Disk quota exceeded", "your disk quota is used up"},
-    {"Killed signal terminated", "it was killed, probably because the memory ran out"},
-    {"out of memory", "the memory ran out"},
-    {"virtual memory exhausted", "the memory ran out"},
-    {"cannot execute", "its installation is incomplete; install it again"},
+    {"Killed signal terminated", "it was killed, probably because memory ran out"},
+    {"out of memory", "memory ran out"},
+    {"virtual memory exhausted", "memory ran out"},
+    {"cannot execute", "its installation is incomplete; reinstall it"},
 };
 
 std::optional<std::string_view> FindTrouble(const fs::path& folder, const std::string& output) {
@@ -70,17 +70,17 @@ std::optional<std::string_view> FindTrouble(const fs::path& folder, const std::s
   const std::string& program = child.command.front();
   std::string output = ReadWholeFile(child.output).value_or("");
   if (auto trouble = FindTrouble(folder.path(), output)) {
-    throw CallError(fmt::format("the C++ compiler {} could not work: {}", program, *trouble));
+    throw CallError(fmt::format("the C++ compiler {} failed: {}", program, *trouble));
   }
   if (status > 128) {
     throw CallError(
-        fmt::format("the C++ compiler {} was ended by signal {}", program, status - 128));
+        fmt::format("the C++ compiler {} was terminated by signal {}", program, status - 128));
   }
   WriteWholeFile(folder.path() / "command.txt",
                  fmt::format("{}\nexit status {}\n", fmt::join(child.command, " "), status));
   folder.KeepAs(evidence);
-  throw InternalError(fmt::format("the C++ compiler refused what taskc made of `{}`", task_name),
-                      evidence);
+  throw InternalError(
+      fmt::format("the C++ compiler rejected what taskc generated from `{}`", task_name), evidence);
 }
 
 }  // namespace

@@ -71,7 +71,7 @@ CxxCompiler FindCxxCompiler() {
   if (!command.empty()) {
     if (auto program = FindProgram(command.front())) return MakeCompiler(command, *program);
     throw CallError(fmt::format(
-        "the environment variable CXX names `{}`, which is no program; correct it or unset it",
+        "the environment variable CXX names `{}`, which is not a program; correct it or unset it",
         command.front()));
   }
   for (const char* name : {"g++", "c++"}) {

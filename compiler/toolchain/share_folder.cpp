@@ -19,7 +19,7 @@ std::string ReadShareFile(const std::filesystem::path& name) {
   std::optional<std::string> text = ReadWholeFile(file);
   if (text) return *text;
   throw CallError(
-      fmt::format("cannot read `{}`, which belongs to taskc; install taskc again", file.string()));
+      fmt::format("cannot read `{}`, which belongs to taskc; reinstall taskc", file.string()));
 }
 
 }  // namespace compiler

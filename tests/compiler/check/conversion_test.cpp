@@ -16,11 +16,11 @@ TEST(UnitHelp, ForALiteralWritesItsUnit) {
 
 TEST(UnitHelp, ForAnAngleDividesByTheRadian) {
   EXPECT_EQ(HelpForUnit(UnitOf("rad"), nullptr, {}).text,
-            "an angle is no plain number: divide by `1 rad`");
+            "an angle is not a plain number: divide by `1 rad`");
   EXPECT_EQ(HelpForUnit(UnitOf("m/s"), nullptr, UnitOf("m rad/s")).text,
-            "an angle is no plain number: multiply by `1 rad`");
+            "an angle is not a plain number: multiply by `1 rad`");
   EXPECT_EQ(HelpForUnit(UnitOf("rad^2"), nullptr, {}).text,
-            "an angle is no plain number: divide by `1 rad^2`");
+            "an angle is not a plain number: divide by `1 rad^2`");
 }
 
 TEST(UnitHelp, IsSilentWhereNothingGeneralCanBeSaid) {

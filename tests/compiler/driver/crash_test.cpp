@@ -48,7 +48,7 @@ TEST(Crash, AnExceptionIsReportedLikewise) {
   Outcome outcome = taskc.Run("build good.task", "CXX='" + taskc.path("refuse").string() + "'");
   EXPECT_EQ(outcome.status, 3);
   EXPECT_THAT(ReadWholeFile(FolderIn(outcome.error) / "report.txt").value_or("nothing"),
-              AllOf(HasSubstr("taskc build good.task\n"), HasSubstr("the C++ compiler refused")));
+              AllOf(HasSubstr("taskc build good.task\n"), HasSubstr("the C++ compiler rejected")));
 }
 
 }  // namespace

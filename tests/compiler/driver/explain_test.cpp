@@ -18,12 +18,13 @@ TEST(Explain, ShowsTheSectionOfACode) {
   TaskcProcess taskc;
   Outcome outcome = taskc.Run("explain E0103");
   EXPECT_EQ(outcome.status, 0);
-  EXPECT_EQ(outcome.out,
-            "E0103: a text is not closed\n\n"
-            "A text begins and ends with `\"` on the same line. A quotation mark inside is written "
-            "`\\\"`.\n\n"
-            "    truncate_episode \"time is up\n\n"
-            "    truncate_episode \"time is up\"\n");
+  EXPECT_EQ(
+      outcome.out,
+      "E0103: a string is not closed\n\n"
+      "A string begins and ends with `\"` on the same line. A quotation mark inside is written "
+      "`\\\"`.\n\n"
+      "    truncate_episode \"time is up\n\n"
+      "    truncate_episode \"time is up\"\n");
   EXPECT_EQ(taskc.Run("explain e0103").out, outcome.out);
 }
 

@@ -177,7 +177,7 @@ TEST(HoverText, ShowsTheLanguagesOwnWords) {
   EXPECT_THAT(editor.HoverAt(TaskWith("truncate_episode", "truncate|_episode")),
               HasSubstr("limit"));
   EXPECT_THAT(editor.HoverAt(TaskWith("on end_of_time_step", "on end_of|_time_step")),
-              HasSubstr("After each step"));
+              HasSubstr("After each time step"));
   EXPECT_EQ(editor.HoverAt(TaskWith("{", "|{")), "");
   EXPECT_EQ(editor.HoverAt(TaskWith("/// Move", "/// Mo|ve")), "");
 }

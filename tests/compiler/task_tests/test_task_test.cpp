@@ -123,7 +123,7 @@ TEST(TestTask, KnowsTheFirstEnd) {
         tested.task:21: expect truncate_episode "time is up"
             the episode has not ended
         tested.task:27: expect end_episode success "crosses the line"
-            it ended otherwise: truncate_episode "time is up"
+            it ended differently: truncate_episode "time is up"
 )");
 }
 
