@@ -53,8 +53,9 @@ TEST(Explain, SuggestsACodeForAnUnknownOne) {
   TaskcProcess taskc;
   Outcome outcome = taskc.Run("explain E02O3");
   EXPECT_EQ(outcome.status, 2);
-  EXPECT_EQ(outcome.error,
-            "taskc: there is no code `E02O3`; did you mean `E0203`? `taskc explain` lists them all\n");
+  EXPECT_EQ(
+      outcome.error,
+      "taskc: there is no code `E02O3`; did you mean `E0203`? `taskc explain` lists them all\n");
 }
 
 }  // namespace
