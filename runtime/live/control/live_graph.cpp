@@ -100,7 +100,7 @@ void LiveGraph::Promote(const std::string& name) {
 LiveGraph::ParameterName LiveGraph::Split(const std::string& parameter) const {
   const size_t dot = parameter.find('.');
   if (dot == std::string::npos) {
-    throw UserError(fmt::format("`{}` is no parameter: write MODULE.PARAMETER", parameter));
+    throw UserError(fmt::format("`{}` is not a parameter: write MODULE.PARAMETER", parameter));
   }
   return {&graph_.Find(parameter.substr(0, dot)), parameter.substr(dot + 1)};
 }

@@ -103,7 +103,7 @@ TEST_F(LiveGraphTest, ASwapThatDoesNotFitChangesNothing) {
             "test.task: the task `test` is for the robot `snake`, and this run has the robot "
             "`hopper`");
   EXPECT_EQ(Refusal([&] { live_.Rollback("task"); }),
-            "`task` has no previous task: it was not swapped yet");
+            "`task` has no previous task: it has not been swapped yet");
   live_.Swap("task", Instance("other", 2));
   EXPECT_STREQ(live_.active_task().plugin().name, "other");
   live_.Rollback("task");

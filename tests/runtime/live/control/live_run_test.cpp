@@ -92,7 +92,7 @@ TEST_F(LiveRunTest, WhatIsRefusedIsNeitherDoneNorWrittenDown) {
               HasSubstr("is for the robot `snake`"));
   EXPECT_THAT(run.Refusal("swap", Swap("for_snake", true)), HasSubstr("is for the robot `snake`"));
   EXPECT_EQ(run.Refusal("rollback", {{"name", "task"}}),
-            "`task` has no previous task: it was not swapped yet");
+            "`task` has no previous task: it has not been swapped yet");
   EXPECT_EQ(run.Refusal("set", {{"name", "task.gain"}}),
             "`set task.gain` needs a `value`, or `from`, `to` and `episodes` for a schedule");
   EXPECT_EQ(run.Refusal("set", {{"name", "task.gain"}, {"value", 1}, {"to", 2}}),
