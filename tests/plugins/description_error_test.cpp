@@ -121,8 +121,8 @@ const Mistake kMistakes[] = {
      "13:102: error: `stops_deg` of joint `hip`: the low stop is not below the high stop\n"
      "  help: write [low, high]"},
     {"StopsBeyondATurn", "[-90, 90]", "[-90, 200]",
-     "13:102: error: `stops_deg` of joint `hip` leave -180 to 180 degrees, the range a hinge can "
-     "measure\n"
+     "13:102: error: `stops_deg` of joint `hip` exceed -180 to 180 degrees, the range that a hinge "
+     "can measure\n"
      "  help: give [-180, 180] to a joint without stops"},
     {"AxisWithoutDirection", "axis = [0, 2, 0]", "axis = [0, 0, 0]",
      "14:62: error: `axis` of joint `knee` has no direction\n"

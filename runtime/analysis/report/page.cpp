@@ -21,7 +21,7 @@ std::string ReadPart(const std::filesystem::path& folder, std::string_view name)
   if (!in || text.empty()) {
     throw UserError(fmt::format(
         "{}: this part of the report's page is missing; build the target `web` (it needs "
-        "Node.js and npm), or install taskc again",
+        "Node.js and npm), or reinstall taskc",
         file.string()));
   }
   return text;

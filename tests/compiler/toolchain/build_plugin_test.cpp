@@ -167,12 +167,12 @@ TEST_F(BuildPluginTest, TakesTroubleOfTheMachineForWhatItIs) {
   }
   {
     ScopedEnvironment cxx("CXX", FakeCompiler("kill -TERM $$"));
-    EXPECT_THAT(CallErrorOfBuild(), HasSubstr("ended by signal 15"));
+    EXPECT_THAT(CallErrorOfBuild(), HasSubstr("terminated by signal 15"));
   }
   {
     ScopedEnvironment cxx("CXX", FakeCompiler("echo \"g++: fatal error: cannot execute 'cc1plus'\";"
                                               "exit 1"));
-    EXPECT_THAT(CallErrorOfBuild(), HasSubstr("install it again"));
+    EXPECT_THAT(CallErrorOfBuild(), HasSubstr("reinstall it"));
   }
   EXPECT_TRUE(NamesIn(cache_.path()).empty());
 }

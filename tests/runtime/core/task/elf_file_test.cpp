@@ -81,7 +81,7 @@ TEST(ElfDefect, FindsOtherMachinesAndKinds) {
   EXPECT_THAT(DefectAfter([](auto& header) { header.e_ident[EI_CLASS] = ELFCLASS32; }),
               Optional(other_machine));
   EXPECT_THAT(DefectAfter([](auto& header) { header.e_type = ET_REL; }),
-              Optional(HasSubstr("no shared object")));
+              Optional(HasSubstr("not a shared object")));
 }
 
 TEST(ElfDefect, FindsHeadersThatPointAnywhere) {

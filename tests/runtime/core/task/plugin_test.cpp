@@ -151,10 +151,10 @@ TEST_F(PluginTest, WhatIsNoFileIsRefused) {
 TEST_F(PluginTest, WhatIsNoSharedObjectIsRefused) {
   std::ofstream(folder_ / "text.so") << "task crawling for humanoid\n";
   EXPECT_EQ(MessageOfLoading(folder_ / "text.so"),
-            "text.so: is no shared object; build the task with `taskc build`");
+            "text.so: is not a shared object; build the task with `taskc build`");
   std::ofstream(folder_ / "empty.so");
   EXPECT_EQ(MessageOfLoading(folder_ / "empty.so"),
-            "empty.so: is no shared object; build the task with `taskc build`");
+            "empty.so: is not a shared object; build the task with `taskc build`");
 }
 
 TEST_F(PluginTest, GiantFileIsRefusedUnread) {
