@@ -6,7 +6,7 @@
 
 namespace runtime {
 
-// The value that a word of the command line stands for: as JSON where it is a number, a truth value
+// The value that a word of the command line stands for: as JSON where it is a number, a boolean
 // or a list, otherwise a text.
 nlohmann::json ValueOfWord(const std::string& word);
 

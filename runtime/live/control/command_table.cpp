@@ -68,15 +68,15 @@ const char* Wanted(ArgumentType type) {
   switch (type) {
     case kText:
     case kTaskFile:
-      return "a text";
+      return "a string";
     case kWhole:
-      return "a whole number";
+      return "an integer";
     case kNumber:
       return "a number";
     case kFlag:
       return "true or false";
     case kValue:
-      return "a number, a truth value, a text or a list of numbers";
+      return "a number, a boolean, a string or a list of numbers";
     case kObject:
       return "an object";
   }

@@ -98,7 +98,7 @@ class StudyReader {
   int64_t Whole(const toml::node& node, int64_t minimum) const {
     const auto* number = node.as_integer();
     if (number != nullptr && number->get() >= minimum) return number->get();
-    Fail(node.source(), fmt::format("expected a whole number, at least {}", minimum));
+    Fail(node.source(), fmt::format("expected an integer, at least {}", minimum));
   }
 
   std::vector<uint64_t> Seeds(const toml::node& node) const {

@@ -72,7 +72,7 @@ TEST_F(StudyTest, RunsOfAnotherAgentAreNotMixedIn) {
 
 TEST_F(StudyTest, MistakesAreReportedWithTheirPlace) {
   const std::pair<std::string, std::string> mistakes[] = {
-      {"episodes = 0\n[[experiments]]\n", "study.toml:1:12: expected a whole number, at least 1"},
+      {"episodes = 0\n[[experiments]]\n", "study.toml:1:12: expected an integer, at least 1"},
       {"seeds = '3..1'\n[[experiments]]\n", "study.toml:1:9: this is not a range of seeds"},
       {"[[experiments]]\nseeds = [1]\n", "study.toml:1:1: an experiment needs a `task`"},
       {"[[experiments]]\ntask = 'x.task'\n", "an experiment needs `seeds`"},

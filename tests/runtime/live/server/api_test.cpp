@@ -129,7 +129,7 @@ TEST_F(ApiTest, WrongRequestsAreExplained) {
       {"POST", "/api/pause", "[]", 400, "the arguments of `pause` must be a JSON object"},
       {"POST", "/api/pause", deep.c_str(), 400, "the JSON is nested too deeply"},
       {"POST", "/api/swap", R"({"name": "task"})", 400, "`swap` needs the argument `file`"},
-      {"POST", "/api/step", R"({"count": "3"})", 400, "`count` of `step` must be a whole number"},
+      {"POST", "/api/step", R"({"count": "3"})", 400, "`count` of `step` must be an integer"},
       {"POST", "/api/step", R"({"cuont": 3})", 400, "did you mean `count`?"},
       {"GET", "/api/get?name", "", 400, "write `name=VALUE` in the address"},
       {"GET", "/api/get?name=%4", "", 400, "two hexadecimal digits"},

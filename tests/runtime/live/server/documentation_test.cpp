@@ -15,15 +15,15 @@ const char* TypeText(ArgumentType type) {
   switch (type) {
     case ArgumentType::kText:
     case ArgumentType::kTaskFile:
-      return "text";
+      return "string";
     case ArgumentType::kWhole:
-      return "whole number";
+      return "integer";
     case ArgumentType::kNumber:
       return "number";
     case ArgumentType::kFlag:
-      return "true or false";
+      return "boolean";
     case ArgumentType::kValue:
-      return "number, truth value, text or list of numbers";
+      return "number, boolean, string or list of numbers";
     case ArgumentType::kObject:
       return "object";
   }
