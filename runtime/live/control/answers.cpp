@@ -82,7 +82,7 @@ nlohmann::json GraphAnswer(const LiveGraph& graph, const std::string& format) {
   if (format == "json") return {{"text", GraphJson(graph.graph())}};
   if (format == "dot") return {{"text", GraphDot(graph.graph())}};
   throw UserError(
-      fmt::format("`{}` is no format{}", format, Suggestion(format, {"text", "json", "dot"})));
+      fmt::format("`{}` is not a format{}", format, Suggestion(format, {"text", "json", "dot"})));
 }
 
 }  // namespace runtime

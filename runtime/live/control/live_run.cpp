@@ -46,7 +46,7 @@ LiveRun::LiveRun(const RunParts& run, Progress& progress, WhenDone when_done,
   if (journal_.bad_tasks().contains(run.record.tasks.front().id)) {
     throw UserError(fmt::format(
         "{}: the task that this run began with has crashed (`trainer show {}` tells when), so the "
-        "run cannot go on; start another one",
+        "run cannot continue; start another one",
         run.folder.string(), run.folder.string()));
   }
 }

@@ -46,7 +46,7 @@ void CheckSchedule(const ScheduleParameter& schedule, const Parameter& parameter
   if (!std::holds_alternative<double*>(parameter.target) &&
       !std::holds_alternative<int64_t*>(parameter.target) &&
       !std::holds_alternative<int*>(parameter.target)) {
-    throw UserError(fmt::format("`{}` is no number, so it has no schedule", name));
+    throw UserError(fmt::format("`{}` is not a number, so it has no schedule", name));
   }
   if (!parameter.is_live) {
     throw UserError(fmt::format("`{}` has no effect after the start of a run", name));

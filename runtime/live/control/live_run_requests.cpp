@@ -115,7 +115,8 @@ Json LiveRun::Step(const QueuedRequest& request) {
   const std::string unit = request.arguments.value("unit", std::string("step"));
   const int64_t count = request.arguments.value("count", int64_t{1});
   if (unit != "step" && unit != "episode") {
-    throw UserError(fmt::format("`{}` is no unit{}", unit, Suggestion(unit, {"step", "episode"})));
+    throw UserError(
+        fmt::format("`{}` is not a unit{}", unit, Suggestion(unit, {"step", "episode"})));
   }
   if (count < 1) throw UserError("`count` must be at least 1");
   CheckEpisodesAreLeft();

@@ -61,8 +61,7 @@ TEST(CommandTable, ArgumentsAreChecked) {
             "`swap` needs the argument `file`: a .task file, or a .so built by taskc");
   EXPECT_EQ(ErrorOf("swap", {{"name", "task"}, {"file", 3}}),
             "the argument `file` of `swap` must be a string");
-  EXPECT_EQ(ErrorOf("step", {{"count", 1.5}}),
-            "the argument `count` of `step` must be an integer");
+  EXPECT_EQ(ErrorOf("step", {{"count", 1.5}}), "the argument `count` of `step` must be an integer");
   EXPECT_EQ(ErrorOf("set", {{"name", "task.gain"}, {"value", nullptr}}),
             "the argument `value` of `set` must be a number, a boolean, a string or a list of "
             "numbers");

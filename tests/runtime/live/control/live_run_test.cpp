@@ -25,7 +25,8 @@ TEST_F(LiveRunTest, StandsStillWhereItIsTold) {
   run.Run(2, "episode");  // what is left of this one, and another
   EXPECT_EQ(run.Position(), std::pair(5L, 0L));
   EXPECT_EQ(run.Refusal("step", {{"count", 0}}), "`count` must be at least 1");
-  EXPECT_EQ(run.Refusal("step", {{"unit", "steps"}}), "`steps` is no unit: did you mean `step`?");
+  EXPECT_EQ(run.Refusal("step", {{"unit", "steps"}}),
+            "`steps` is not a unit: did you mean `step`?");
   EXPECT_THAT(run.events.Of("episode", "episode"), ElementsAre(1, 2, 3, 4));
 }
 
@@ -105,12 +106,13 @@ TEST_F(LiveRunTest, WhatIsRefusedIsNeitherDoneNorWrittenDown) {
   EXPECT_EQ(run.Refusal("set", schedule("task.gain", 2, 0)),
             "`episodes` must lie in 1 .. 1000000000, and 0 does not");
   EXPECT_EQ(run.Refusal("set", schedule("mind.mood", 2, 3)),
-            "`mind.mood` is no number, so it has no schedule");
+            "`mind.mood` is not a number, so it has no schedule");
   EXPECT_EQ(run.Refusal("set", schedule("mind.size", 2, 3)),
             "`mind.size` has no effect after the start of a run");
   EXPECT_EQ(run.Refusal("set", schedule("mind.steps", 1e300, 3)),
             "a schedule of `mind.steps` has no number as large as 1e+300");
-  EXPECT_EQ(run.Refusal("graph", {{"format", "dto"}}), "`dto` is no format: did you mean `dot`?");
+  EXPECT_EQ(run.Refusal("graph", {{"format", "dto"}}),
+            "`dto` is not a format: did you mean `dot`?");
   EXPECT_THAT(run.Changes(), IsEmpty());
   EXPECT_THAT(run.database().ReadRun().tasks, SizeIs(1));
 }
