@@ -46,7 +46,7 @@ void Run(const Profile& profile, unsigned seed, Averages& averages) {
   World world(Humanoid(), profile, Humanoid().poses[0]);
   RandomMotion motion(seed);
   std::vector<double> targets(Humanoid().joints.size());
-  const int time_steps = static_cast<int>(kSeconds / Humanoid().controller.time_step + 0.5);
+  const auto time_steps = std::lround(kSeconds / Humanoid().controller.time_step);
   double contacts = 0, links = 0, joint_speed = 0;
   for (int step = 0; step < time_steps; ++step) {
     motion.Next(targets);

@@ -10,6 +10,8 @@ template <class... Functions>
 struct Overloaded : Functions... {
   using Functions::operator()...;
 };
+template <class... Functions>
+Overloaded(Functions...) -> Overloaded<Functions...>;  // clang before 17 does not deduce it
 
 // `[](const OneOf<A, B> auto& each) {...}` is for A and for B.
 template <class Type, class... Types>

@@ -97,7 +97,7 @@ Agent ParseAgent(std::string_view text, const std::string& name);
 Agent Changed(Agent agent, const Agent& changes);
 // The same for two files that may both be changes of a third: what changes a module of neither is
 // kept.
-Agent Joined(Agent first, const Agent& second);
+Agent Joined(Agent agent, const Agent& changes);
 
 // `types` and the agent's own composites.
 ModuleTypes WithComposites(ModuleTypes types, const Agent& agent);

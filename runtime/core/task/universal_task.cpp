@@ -50,7 +50,7 @@ std::unique_ptr<TaskInstance> FirstInstance(const std::string& name, const Conte
 
 }  // namespace
 
-UniversalTask::UniversalTask(std::string name, const Context& context)
+UniversalTask::UniversalTask(const std::string& name, const Context& context)
     : UniversalTask(name, *context.robot, FirstInstance(name, context)) {}
 
 UniversalTask::UniversalTask(std::string name, const robot::RobotDescription& robot,

@@ -59,7 +59,7 @@ class UniversalTask : public Module {
   Signal<EpisodeEnd> end_of_episode{this, "end_of_episode"};
 
   // Throws UserError if the plugin does not fit Context::robot, or if there is none.
-  UniversalTask(std::string name, const Context& context);
+  UniversalTask(const std::string& name, const Context& context);
   UniversalTask(std::string name, const robot::RobotDescription& robot,
                 std::unique_ptr<TaskInstance> instance);
 

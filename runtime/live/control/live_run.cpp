@@ -58,7 +58,7 @@ LiveRun::~LiveRun() {
   }
 }
 
-void LiveRun::Publish(Json event) {
+void LiveRun::Publish(const Json& event) {
   if (events_ != nullptr) events_->Publish(event);
 }
 

@@ -71,7 +71,7 @@ class LiveRun : public RequestHandler, public TrainingHooks {
 
   void SetState(State state);
   bool stops() const { return stop_was_asked_for_ || stop_.signal() != 0; }
-  void Publish(nlohmann::json event);
+  void Publish(const nlohmann::json& event);
 
   // What was done from outside in an episode that need not be run again. Writes nothing.
   void RepeatEpisode(const EpisodeRecord& episode);
