@@ -7,16 +7,6 @@
 namespace compiler {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
-bool HasNumber(const Interval& x) { return x.low <= x.high; }
-
-Interval NoNumber(bool may_be_nan) {
-  Interval none = kNothing;
-  none.may_be_nan = may_be_nan;
-  return none;
-}
-
 // A function that never falls and is computed without error.
 template <typename Function>
 Interval RisingExactly(const Function& function, const Interval& x) {
@@ -92,10 +82,11 @@ Interval Pow(const Interval& x, const Interval& y) {
 Interval Tan(const Interval& angle) {
   if (!HasNumber(angle)) return angle;
   constexpr double kMargin = 1e-9;
-  const double branch = std::round((angle.low + angle.high) / 2 / kPi) * kPi;
+  const double branch =
+      std::round((angle.low + angle.high) / 2 / std::numbers::pi) * std::numbers::pi;
   const bool is_within_a_branch = Magnitude(angle) < 1e5 &&
-                                  angle.low > branch - kPi / 2 + kMargin &&
-                                  angle.high < branch + kPi / 2 - kMargin;
+                                  angle.low > branch - std::numbers::pi / 2 + kMargin &&
+                                  angle.high < branch + std::numbers::pi / 2 - kMargin;
   Interval tangent;
   if (is_within_a_branch) tangent = Widened({std::tan(angle.low), std::tan(angle.high)});
   tangent.may_be_nan = angle.may_be_nan || angle.may_be_infinite;

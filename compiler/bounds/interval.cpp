@@ -7,21 +7,10 @@
 namespace compiler {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 // Integers are the doubles' whole numbers up to here; sums of smaller ones do not wrap around.
 constexpr double kSafeInt = 4e18;  // a little less than 2^62
 // What is added to a counter: it would have to count for ages to wrap around.
 constexpr double kSmallInt = 2147483648;
-
-bool HasNumber(const Interval& x) { return x.low <= x.high; }
-
-// The result for an operand that is no number at all, or that does not exist.
-Interval NoNumber(bool may_be_nan) {
-  Interval none = kNothing;
-  none.may_be_nan = may_be_nan;
-  return none;
-}
 
 // The sign tells which: +inf belongs to an interval that has no upper end.
 bool MayBePlusInfinity(const Interval& x) { return x.may_be_infinite && x.high == kInfinity; }
@@ -133,13 +122,13 @@ Interval Wave(const Function& function, const Interval& x, double shift) {
   if (Magnitude(x) > kManyTurns) return result;
   const auto reaches = [&](double crest) {
     const double first = crest - shift;
-    const double turn = 2 * kPi;
+    const double turn = 2 * std::numbers::pi;
     const double next = first + turn * std::ceil((x.low - kMargin - first) / turn);
     return next <= x.high + kMargin;
   };
   const Interval ends = Widened(Join(Exactly(function(x.low)), Exactly(function(x.high))));
-  if (!reaches(-kPi / 2)) result.low = std::max(-1.0, ends.low);
-  if (!reaches(kPi / 2)) result.high = std::min(1.0, ends.high);
+  if (!reaches(-std::numbers::pi / 2)) result.low = std::max(-1.0, ends.low);
+  if (!reaches(std::numbers::pi / 2)) result.high = std::min(1.0, ends.high);
   return result;
 }
 
@@ -265,12 +254,12 @@ Interval Sin(const Interval& angle) {
 }
 
 Interval Cos(const Interval& angle) {
-  return Wave([](double value) { return std::cos(value); }, angle, kPi / 2);
+  return Wave([](double value) { return std::cos(value); }, angle, std::numbers::pi / 2);
 }
 
 Interval Atan2(const Interval& y, const Interval& x) {
   if (!HasNumber(y) || !HasNumber(x)) return NoNumber(y.may_be_nan || x.may_be_nan);
-  Interval result = Widened({-kPi, kPi});
+  Interval result = Widened({-std::numbers::pi, std::numbers::pi});
   // Where the origin and the cut behind it are not inside, the corners are the extremes.
   if (x.low > 0 || y.low > 0 || y.high < 0) {
     const auto [low, high] = std::minmax({std::atan2(y.low, x.low), std::atan2(y.low, x.high),

@@ -32,7 +32,13 @@ inline constexpr Interval kAnything{-kInfinity, kInfinity, true, true};
 inline constexpr Interval kNothing{kInfinity, -kInfinity};
 inline constexpr Interval kAnyBool{0, 1};
 
+// The result for an operand that is never a number, or that does not exist.
+inline constexpr Interval NoNumber(bool may_be_nan) {
+  return {kNothing.low, kNothing.high, false, may_be_nan};
+}
+
 inline Interval Exactly(double value) { return {value, value}; }
+inline bool HasNumber(const Interval& x) { return x.low <= x.high; }
 inline bool IsEmpty(const Interval& x) { return x.low > x.high && !x.may_be_nan; }
 inline bool IsExact(const Interval& x) { return x.low == x.high && !x.may_be_nan; }
 inline bool IsBounded(const Interval& x) { return x.low > -kInfinity && x.high < kInfinity; }

@@ -17,8 +17,6 @@ namespace {
 // whole small.
 constexpr size_t kLargestArgument = 2000;  // nodes
 
-constexpr double kPi = std::numbers::pi;
-
 const Type kReal{};
 const Type kVec3{.shape = Shape::kVector, .rows = 3};
 
@@ -68,9 +66,10 @@ class Expansion {
                     Call(Builtin::kDot, kReal, Argument(0), Argument(1)));
       case Composite::kWrap:
         return Subtract(Argument(0),
-                        Multiply(Number(2 * kPi), Call(Builtin::kCeil, kReal,
-                                                       Divide(Subtract(Argument(0), Number(kPi)),
-                                                              Number(2 * kPi)))));
+                        Multiply(Number(2 * std::numbers::pi),
+                                 Call(Builtin::kCeil, kReal,
+                                      Divide(Subtract(Argument(0), Number(std::numbers::pi)),
+                                             Number(2 * std::numbers::pi)))));
       case Composite::kTolerance:
         return Tolerance();
     }

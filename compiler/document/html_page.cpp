@@ -5,7 +5,7 @@
 namespace compiler {
 namespace {
 
-std::string Escaped(std::string_view text) {
+std::string EscapedHtml(std::string_view text) {
   std::string escaped;
   for (const char c : text) {
     switch (c) {
@@ -33,7 +33,7 @@ std::string Element(const std::string& name, const std::string& content) {
 }
 
 std::string ToHtml(const Piece& piece) {
-  const std::string text = Escaped(piece.text);
+  const std::string text = EscapedHtml(piece.text);
   switch (piece.face) {
     case Piece::kPlain:
       return text;
@@ -53,7 +53,7 @@ std::string ToHtml(const Text& text) {
   return html;
 }
 
-struct Writer {
+struct HtmlWriter {
   std::string operator()(const Heading& heading) const {
     return Element("h" + std::to_string(heading.level), ToHtml(heading.text));
   }
@@ -61,11 +61,11 @@ struct Writer {
     return Element("p", ToHtml(paragraph.text));
   }
   std::string operator()(const Formulas& formulas) const {
-    return Element("div class=\"math\"", Escaped(ToLatex(formulas)));
+    return Element("div class=\"math\"", EscapedHtml(ToLatex(formulas)));
   }
   std::string operator()(const Table& table) const {
     std::string head, body;
-    for (const std::string& name : table.header) head += Element("th", Escaped(name));
+    for (const std::string& name : table.header) head += Element("th", EscapedHtml(name));
     for (const auto& row : table.rows) {
       std::string cells;
       for (const Text& cell : row) cells += Element("td", ToHtml(cell));
@@ -89,10 +89,10 @@ void Replace(std::string& text, std::string_view mark, std::string_view with) {
 }  // namespace
 
 std::string ToHtml(const Page& page, const std::string& page_template) {
-  std::string content = Element("h1", Escaped(page.title)) + "\n";
-  for (const PageBlock& block : page.blocks) content += std::visit(Writer{}, block) + "\n";
+  std::string content = Element("h1", EscapedHtml(page.title)) + "\n";
+  for (const PageBlock& block : page.blocks) content += std::visit(HtmlWriter{}, block) + "\n";
   std::string html = page_template;
-  Replace(html, "{{title}}", Escaped(page.title));
+  Replace(html, "{{title}}", EscapedHtml(page.title));
   Replace(html, "{{content}}", content);
   return html;
 }

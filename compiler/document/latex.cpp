@@ -15,7 +15,7 @@ struct Sign {
 constexpr Sign kSigns[] = {
     {"time", "t"}, {"time_step", "\\Delta t"}, {"reward", "r"}, {"pi", "\\pi"}};
 
-std::string Escaped(std::string_view text) {
+std::string EscapedLatex(std::string_view text) {
   std::string escaped;
   for (const char c : text) {
     if (c == '\\') {
@@ -150,7 +150,7 @@ Formula WithoutMinus(const Formula& negation) {
   return {negation.text.substr(1), negation.behind_minus};
 }
 
-struct Writer {
+struct LatexWriter {
   Formula operator()(const NumberLiteral& node) const { return ToFormula(node); }
   Formula operator()(const BoolLiteral& node) const {
     return {node.value ? "\\mathrm{true}" : "\\mathrm{false}"};
@@ -180,7 +180,9 @@ struct Writer {
 
 }  // namespace
 
-Formula ToFormula(const Expression& expression) { return std::visit(Writer{}, expression.node); }
+Formula ToFormula(const Expression& expression) {
+  return std::visit(LatexWriter{}, expression.node);
+}
 
 Formula ToFormula(const std::vector<ExpressionPtr>& items) {
   const std::string set = SetToLatex(items);
@@ -252,10 +254,10 @@ std::string NameToLatex(std::string_view name) {
     if (sign.name == name) return std::string(sign.latex);
   }
   if (name.size() == 1) return std::string(name);
-  return "\\mathrm{" + Escaped(name) + "}";
+  return "\\mathrm{" + EscapedLatex(name) + "}";
 }
 
-std::string TextToLatex(std::string_view text) { return "\\text{" + Escaped(text) + "}"; }
+std::string TextToLatex(std::string_view text) { return "\\text{" + EscapedLatex(text) + "}"; }
 
 // The shortest digits that mean this number; powers of ten for the very large and small.
 std::string NumberToLatex(double value) {

@@ -8,7 +8,7 @@
 namespace compiler {
 namespace {
 
-using Formulas = std::vector<Formula>;
+using Arguments = std::vector<Formula>;
 
 Formula Around(const std::string& before, const Formula& argument, const std::string& after) {
   return {before + argument.text + after};
@@ -18,19 +18,19 @@ Formula WithExponent(const Formula& base, const std::string& exponent) {
   return {AtLeast(Binding::kAtom, base) + "^{" + exponent + "}", Binding::kPower};
 }
 
-Formula Between(const std::string& sign, const Formulas& arguments) {
+Formula Between(const std::string& sign, const Arguments& arguments) {
   return {AtLeast(Binding::kPower, arguments[0]) + " " + sign + " " +
               AtLeast(Binding::kPower, arguments[1]),
           Binding::kInnerProduct};
 }
 
-Formula Selection(const Formulas& arguments) {
+Formula Selection(const Arguments& arguments) {
   return {"\\begin{cases} " + arguments[1].text + " & \\text{if } " + arguments[0].text + " \\\\ " +
           arguments[2].text + " & \\text{otherwise} \\end{cases}"};
 }
 
 // `name`: as LaTeX sets it.
-Formula Called(const std::string& name, const Formulas& arguments) {
+Formula Called(const std::string& name, const Arguments& arguments) {
   std::string text;
   for (const Formula& argument : arguments) {
     if (!text.empty()) text += ",\\; ";
@@ -40,7 +40,7 @@ Formula Called(const std::string& name, const Formulas& arguments) {
 }
 
 // The function's own name, as operators are written.
-Formula CalledByName(std::string_view function, const Formulas& arguments) {
+Formula CalledByName(std::string_view function, const Arguments& arguments) {
   std::string name = "\\operatorname{";
   for (const char c : function) {
     if (c == '_') name += '\\';
@@ -129,7 +129,7 @@ struct BuiltinFormula {
   }
 
   std::string_view name;
-  const Formulas& arguments;
+  const Arguments& arguments;
 };
 
 bool Takes(const BuiltinDescription& builtin, size_t count) {
@@ -138,7 +138,7 @@ bool Takes(const BuiltinDescription& builtin, size_t count) {
 
 }  // namespace
 
-Formula CallFormula(std::string_view function, const Formulas& arguments) {
+Formula CallFormula(std::string_view function, const Arguments& arguments) {
   const BuiltinDescription* builtin = FindBuiltin(function);
   // What comes here need not be checked.
   if (builtin == nullptr || !Takes(*builtin, arguments.size())) {

@@ -7,7 +7,7 @@ namespace compiler {
 namespace {
 
 // As it is meant, whatever Markdown would see in it.
-std::string Escaped(std::string_view text) {
+std::string EscapedMarkdown(std::string_view text) {
   std::string escaped;
   for (const char c : text) {
     if (std::string_view("\\*_[]<>|$").find(c) != std::string_view::npos) escaped += '\\';
@@ -19,13 +19,13 @@ std::string Escaped(std::string_view text) {
 std::string ToMarkdown(const Piece& piece) {
   switch (piece.face) {
     case Piece::kPlain:
-      return Escaped(piece.text);
+      return EscapedMarkdown(piece.text);
     case Piece::kCode:
       return "`" + piece.text + "`";
     case Piece::kMath:
       return "$" + piece.text + "$";
     case Piece::kStrong:
-      return "**" + Escaped(piece.text) + "**";
+      return "**" + EscapedMarkdown(piece.text) + "**";
   }
   return "";
 }
@@ -43,7 +43,7 @@ std::string ToCell(const Text& text) {
   return cell;
 }
 
-struct Writer {
+struct MarkdownWriter {
   std::string operator()(const Heading& heading) const {
     return std::string(static_cast<size_t>(heading.level), '#') + " " + ToMarkdown(heading.text) +
            "\n";
@@ -75,8 +75,8 @@ struct Writer {
 }  // namespace
 
 std::string ToMarkdown(const Page& page) {
-  std::string markdown = "# " + Escaped(page.title) + "\n";
-  for (const PageBlock& block : page.blocks) markdown += "\n" + std::visit(Writer{}, block);
+  std::string markdown = "# " + EscapedMarkdown(page.title) + "\n";
+  for (const PageBlock& block : page.blocks) markdown += "\n" + std::visit(MarkdownWriter{}, block);
   return markdown;
 }
 

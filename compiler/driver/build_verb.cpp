@@ -10,13 +10,13 @@
 namespace compiler {
 namespace {
 
-struct Options {
+struct BuildOptions {
   std::string task;
   std::filesystem::path output;  // empty: leave the plugin in the cache and print its path
   std::filesystem::path cache;   // empty: the default
 };
 
-ExitStatus Build(const Options& options, Session& session) {
+ExitStatus Build(const BuildOptions& options, Session& session) {
   Analysis analysis = session.Analyze(options.task);
   if (!analysis.task) return ExitStatus::kWrongTask;
   std::filesystem::path cache = options.cache.empty() ? DefaultCacheFolder() : options.cache;
@@ -34,7 +34,7 @@ ExitStatus Build(const Options& options, Session& session) {
 }  // namespace
 
 Action DeclareBuild(Command& command, Session& session) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<BuildOptions>();
   AddTask(command, options->task);
   AddOutput(command, options->output, "FILE.so",
             "where to put the plugin; otherwise it stays in the cache and its path is printed");

@@ -11,7 +11,7 @@
 namespace compiler {
 namespace {
 
-struct Options {
+struct CheckOptions {
   std::vector<std::string> tasks;
   bool shows_bounds = false;
 };
@@ -60,7 +60,7 @@ ExitStatus CheckOne(const std::string& file, bool shows_bounds, Session& session
 }  // namespace
 
 Action DeclareCheck(Command& command, Session& session) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<CheckOptions>();
   AddTasks(command, options->tasks);
   command.AddFlag("--bounds", options->shows_bounds,
                   "show the lowest and highest value that each reward, metric and log can take");

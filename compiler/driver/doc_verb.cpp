@@ -13,13 +13,13 @@
 namespace compiler {
 namespace {
 
-struct Options {
+struct DocOptions {
   std::string task;
   std::filesystem::path output;  // empty: Markdown on the standard output
   bool is_json = false;          // instead of a page
 };
 
-ExitStatus Document(const Options& options, Session& session) {
+ExitStatus Document(const DocOptions& options, Session& session) {
   const std::filesystem::path kind = options.output.extension();
   if (!options.output.empty() && kind != ".md" && kind != ".html") {
     throw CallError(
@@ -45,7 +45,7 @@ ExitStatus Document(const Options& options, Session& session) {
 }  // namespace
 
 Action DeclareDoc(Command& command, Session& session) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<DocOptions>();
   AddTask(command, options->task);
   Option output = AddOutput(command, options->output, "FILE.md|FILE.html",
                             "where to write the page; otherwise Markdown is printed");

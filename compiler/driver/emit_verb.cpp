@@ -11,13 +11,13 @@
 namespace compiler {
 namespace {
 
-struct Options {
+struct EmitOptions {
   std::string task;
   std::filesystem::path output;  // empty: standard output
   bool map = false;
 };
 
-ExitStatus EmitOne(const Options& options, Session& session) {
+ExitStatus EmitOne(const EmitOptions& options, Session& session) {
   Analysis analysis = session.Analyze(options.task);
   if (!analysis.task) return ExitStatus::kWrongTask;
   EmittedText cpp = EmitWithOrigins(*analysis.task, analysis.sources);
@@ -33,7 +33,7 @@ ExitStatus EmitOne(const Options& options, Session& session) {
 }  // namespace
 
 Action DeclareEmit(Command& command, Session& session) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<EmitOptions>();
   AddTask(command, options->task);
   AddOutput(command, options->output, "FILE.cpp",
             "where to write the C++; otherwise it is printed");

@@ -12,7 +12,7 @@
 namespace compiler {
 namespace {
 
-struct Options {
+struct ExplainOptions {
   std::vector<std::string> codes;  // empty: list them all
 };
 
@@ -56,7 +56,7 @@ std::string SectionOf(const std::string& code, const std::string& page) {
   return section + "\n";
 }
 
-ExitStatus Explain(const Options& options) {
+ExitStatus Explain(const ExplainOptions& options) {
   if (options.codes.empty()) {
     for (const DiagnosticKind& kind : kDiagnosticTable) {
       text::Print("{}  {}\n", kind.code, kind.title);
@@ -74,7 +74,7 @@ ExitStatus Explain(const Options& options) {
 }  // namespace
 
 Action DeclareExplain(Command& command, Session&) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ExplainOptions>();
   command.AddOption("CODE", options->codes, "of errors and warnings; without one, all are listed")
       .ValueName("...");
   return [options](Session&) { return Explain(*options); };

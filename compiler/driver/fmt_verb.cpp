@@ -13,7 +13,7 @@
 namespace compiler {
 namespace {
 
-struct Options {
+struct FmtOptions {
   std::vector<std::string> tasks;  // "-": standard input
   bool check = false;
 };
@@ -50,7 +50,7 @@ ExitStatus FormatStandardInput(bool check, Session& session) {
 }  // namespace
 
 Action DeclareFmt(Command& command, Session& session) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<FmtOptions>();
   AddTasks(command, options->tasks);
   command.AddFlag("--check", options->check,
                   "change nothing, list the files that would change; status 1 if there are any");

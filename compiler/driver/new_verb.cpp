@@ -14,7 +14,7 @@
 namespace compiler {
 namespace {
 
-struct Options {
+struct NewOptions {
   std::string name;
   std::string robot;  // empty: none
 };
@@ -40,7 +40,7 @@ robot::RobotDescription GetRobot(const std::string& name, const std::filesystem:
   throw CallError(mistake.message + (mistake.help.empty() ? "" : "; " + mistake.help.text));
 }
 
-ExitStatus New(const Options& options, Session& session) {
+ExitStatus New(const NewOptions& options, Session& session) {
   std::filesystem::path file = options.name;
   if (file.extension() != ".task") file += ".task";
   const std::string name = file.stem();
@@ -58,7 +58,7 @@ ExitStatus New(const Options& options, Session& session) {
 }  // namespace
 
 Action DeclareNew(Command& command, Session& session) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<NewOptions>();
   command.AddOption("NAME", options->name, "name of the task; the file is NAME.task")
       .Required()
       .ValueName("");

@@ -10,7 +10,7 @@
 namespace compiler {
 namespace {
 
-struct Options {
+struct TestOptions {
   std::vector<std::string> tasks;
   std::string filter;           // empty: all tests
   std::filesystem::path cache;  // empty: the default
@@ -49,7 +49,7 @@ std::string Summary(const std::string& file, const TestReport& report) {
                      report.failed() == 0 ? "all ok" : fmt::format("{} failed", report.failed()));
 }
 
-ExitStatus TestOne(const std::string& file, const Options& options, Session& session) {
+ExitStatus TestOne(const std::string& file, const TestOptions& options, Session& session) {
   Analysis analysis = session.Analyze(file);
   if (!analysis.task) return ExitStatus::kWrongTask;
   const TestReport report = TestTask(*analysis.task, analysis.sources, options.filter,
@@ -62,7 +62,7 @@ ExitStatus TestOne(const std::string& file, const Options& options, Session& ses
 }  // namespace
 
 Action DeclareTest(Command& command, Session& session) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<TestOptions>();
   AddTasks(command, options->tasks);
   command.AddOption("--filter", options->filter, "run only tests whose names contain this")
       .ValueName("NAME");

@@ -20,7 +20,7 @@
 namespace compiler {
 namespace {
 
-struct Options {
+struct WatchOptions {
   std::vector<std::string> tasks;
   std::filesystem::path cache;  // empty: the default
 };
@@ -42,7 +42,8 @@ void CatchInterrupts() {
 using Files = std::set<std::filesystem::path>;
 
 // One task, built once. Says how it went in a line of its own.
-void BuildOne(const std::string& task, const Options& options, Session& session, Files& files) {
+void BuildOne(const std::string& task, const WatchOptions& options, Session& session,
+              Files& files) {
   files.insert(task);
   const Analysis analysis = session.Analyze(task);
   for (const SourceFile& file : analysis.sources.files()) files.insert(file.path());
@@ -55,7 +56,7 @@ void BuildOne(const std::string& task, const Options& options, Session& session,
 }
 
 // All tasks: a block with the time of day, what is wrong, and where the plugins are.
-void BuildAll(const Options& options, const Session& settings, Files& files) {
+void BuildAll(const WatchOptions& options, const Session& settings, Files& files) {
   text::Print("-- {:%H:%M:%S}\n", fmt::localtime(std::time(nullptr)));
   std::fflush(stdout);
   Session session = settings;
@@ -72,7 +73,7 @@ void BuildAll(const Options& options, const Session& settings, Files& files) {
   std::fflush(stdout);
 }
 
-ExitStatus Watch(const Options& options, const Session& session) try {
+ExitStatus Watch(const WatchOptions& options, const Session& session) try {
   CatchInterrupts();
   watch::FileWatch watch;
   Files files(options.tasks.begin(), options.tasks.end());
@@ -89,7 +90,7 @@ ExitStatus Watch(const Options& options, const Session& session) try {
 }  // namespace
 
 Action DeclareWatch(Command& command, Session& session) {
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<WatchOptions>();
   AddTasks(command, options->tasks);
   command.AddOption("--cache", options->cache, "folder for built plugins").ValueName("DIR");
   AddRobots(command, session);

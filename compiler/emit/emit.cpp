@@ -9,14 +9,12 @@
 namespace compiler {
 namespace {
 
-constexpr int kEventCount = TASKC_EVENT_COUNT;
-
 void EmitFunctions(const CheckedTask& task, const Sources& sources, const PluginNames& names,
                    TextWriter& writer, HelperSet& helpers) {
   FunctionEmitter functions(task, sources, names, writer, helpers);
   for (uint32_t i = 0; i < task.functions.size(); ++i) functions.EmitFunction(i);
   functions.EmitInitialize();
-  for (int event = 0; event < kEventCount; ++event) {
+  for (int event = 0; event < TASKC_EVENT_COUNT; ++event) {
     auto kind = static_cast<EventKind>(event);
     if (HasFunction(task, kind)) functions.EmitEvent(kind);
   }

@@ -63,7 +63,7 @@ std::string ReductionConstant(Reduction reduction) {
 }
 
 // A `taskc_place`.
-std::string Place(Span span, const Sources& sources) {
+std::string PlaceText(Span span, const Sources& sources) {
   return fmt::format("{{{}, {}}}", sources.IndexOf(span), sources.LineOf(span));
 }
 
@@ -86,7 +86,7 @@ std::string Row(const CheckedParam& param) {
 
 std::string Row(const CheckedTerm& term, const Sources& sources) {
   return fmt::format("{}, {}, {}", StringLiteral(term.name), StringLiteral(term.doc),
-                     Place(term.span, sources));
+                     PlaceText(term.span, sources));
 }
 
 std::string Row(const CheckedMetric& metric) {
@@ -98,16 +98,17 @@ std::string Row(const CheckedMetric& metric) {
 std::string Row(const CheckedLogValue& log, const Sources& sources) {
   return fmt::format("{}, {}, {}, {}, {}", StringLiteral(log.name), StringLiteral(log.doc),
                      StringLiteral(ToString(log.unit)), ReductionConstant(log.reduction),
-                     Place(log.span, sources));
+                     PlaceText(log.span, sources));
 }
 
 std::string Row(const CheckedEndReason& end, const Sources& sources) {
   return fmt::format("{}, {}, {}", StringLiteral(end.reason), EndConstant(end.kind),
-                     Place(end.span, sources));
+                     PlaceText(end.span, sources));
 }
 
 std::string Row(const CheckedRequirement& requirement, const Sources& sources) {
-  return fmt::format("{}, {}", StringLiteral(requirement.reason), Place(requirement.span, sources));
+  return fmt::format("{}, {}", StringLiteral(requirement.reason),
+                     PlaceText(requirement.span, sources));
 }
 
 // `row` gives the fields of an element. C++ has no empty arrays: no elements, no table.

@@ -31,14 +31,14 @@ class Completer {
         place_(FindCursorPlace(document.tokens(), offset)) {}
 
   Json Run() {
-    if (place_.expected != Expected::kNothing) Offer();
+    if (place_.expected != Expected::kAnyText) Offer();
     return std::move(items_);
   }
 
  private:
   void Offer() {
     switch (place_.expected) {
-      case Expected::kNothing:
+      case Expected::kAnyText:
         return;
       case Expected::kDeclaration:
         return OfferWords(DeclarationWords());

@@ -16,17 +16,17 @@ bool IsWordCharacter(char c) {
 // What is expected behind a keyword that begins a statement or declaration.
 const std::map<std::string_view, Expected>& AfterKeyword() {
   static const std::map<std::string_view, Expected> expected = {
-      {"task", Expected::kNothing},        {"sensor", Expected::kNothing},
-      {"param", Expected::kNothing},       {"memory", Expected::kNothing},
-      {"let", Expected::kNothing},         {"fn", Expected::kNothing},
-      {"test", Expected::kNothing},        {"import", Expected::kNothing},
-      {"extends", Expected::kNothing},     {"on", Expected::kEvent},
+      {"task", Expected::kAnyText},        {"sensor", Expected::kAnyText},
+      {"param", Expected::kAnyText},       {"memory", Expected::kAnyText},
+      {"let", Expected::kAnyText},         {"fn", Expected::kAnyText},
+      {"test", Expected::kAnyText},        {"import", Expected::kAnyText},
+      {"extends", Expected::kAnyText},     {"on", Expected::kEvent},
       {"start", Expected::kPose},          {"per", Expected::kScope},
       {"metric", Expected::kReduction},    {"log", Expected::kReduction},
       {"reward", Expected::kTerm},         {"end_episode", Expected::kOutcome},
       {"given", Expected::kTarget},        {"fire", Expected::kEvent},
       {"expect", Expected::kExpectation},  {"allow", Expected::kWarningCode},
-      {"override", Expected::kOverridden}, {"truncate_episode", Expected::kNothing}};
+      {"override", Expected::kOverridden}, {"truncate_episode", Expected::kAnyText}};
   return expected;
 }
 
@@ -183,14 +183,14 @@ class PlaceFinder {
 
   Expected Expect() {
     if (IsInText()) return InText();
-    if (IsInComment()) return Expected::kNothing;
+    if (IsInComment()) return Expected::kAnyText;
     const bool begins_with_digit =
         place_.word.begin < offset_ &&
         std::isdigit(static_cast<unsigned char>(tokens_.text()[place_.word.begin])) != 0;
-    if (begins_with_digit) return Expected::kNothing;
+    if (begins_with_digit) return Expected::kAnyText;
     if (Last() == ".") {
       place_.path = PathBefore(count_ - 1);
-      return place_.path.empty() ? Expected::kNothing : Expected::kMember;
+      return place_.path.empty() ? Expected::kAnyText : Expected::kMember;
     }
     const auto bracket = OpenBracket();
     if (bracket && tokens_.Is(*bracket, "[")) return InSquareBrackets(*bracket);
@@ -202,7 +202,7 @@ class PlaceFinder {
     const bool is_before = count_ > 0 && tokens_.KindOf(count_ - 1) == LexedKind::kText;
     const size_t text = is_before ? count_ - 1 : count_;
     if (text == 0 || !(tokens_.Is(text - 1, "import") || tokens_.Is(text - 1, "extends"))) {
-      return Expected::kNothing;
+      return Expected::kAnyText;
     }
     place_.word.begin = tokens_[text].span.begin + 1;
     return Expected::kFile;
@@ -213,15 +213,15 @@ class PlaceFinder {
     const std::string_view first = tokens_.TextOf(begin);
     const std::string_view last = Last();
     if (last == ":" || last == "->") return Expected::kType;
-    if (first == "fn" && is_in_parentheses && !HasToken(begin, "=")) return Expected::kNothing;
+    if (first == "fn" && is_in_parentheses && !HasToken(begin, "=")) return Expected::kAnyText;
     if (tokens_.KindOf(count_ - 1) == LexedKind::kNumber && !IsOnNewLine()) return Expected::kUnit;
     if (count_ - 1 == begin || last == "per" || last == "extends") {
-      if (first == "for") return Expected::kNothing;
+      if (first == "for") return Expected::kAnyText;
       const auto found = AfterKeyword().find(last);
       if (found != AfterKeyword().end()) return found->second;
     }
     if (first == "override" && count_ - 2 == begin) return AfterOverride(last);
-    if (last == "for") return first == "task" ? Expected::kRobot : Expected::kNothing;
+    if (last == "for") return first == "task" ? Expected::kRobot : Expected::kAnyText;
     if (first == "fire")
       return tokens_.ExpectsMore(count_ - 1) ? Expected::kEvent : Expected::kOperator;
     if (first == "allow" && last == ",") return Expected::kWarningCode;
@@ -234,7 +234,7 @@ class PlaceFinder {
     if (what == "metric") return Expected::kMetricName;
     if (what == "fn") return Expected::kFunctionName;
     const auto found = AfterKeyword().find(what);
-    return found == AfterKeyword().end() ? Expected::kNothing : found->second;
+    return found == AfterKeyword().end() ? Expected::kAnyText : found->second;
   }
 
   bool HasToken(size_t from, std::string_view spelling) const {

@@ -8,7 +8,7 @@
 namespace compiler {
 
 enum class Expected {
-  kNothing,  // a new name, a comment, a text
+  kAnyText,  // a new name, a comment, a text
   kDeclaration,
   kStatement,  // of an event
   kTestStatement,
@@ -38,7 +38,7 @@ enum class Expected {
 };
 
 struct CursorPlace {
-  Expected expected = Expected::kNothing;
+  Expected expected = Expected::kAnyText;
   std::string path;  // of kMember and kIndex: "base", "joint.angle"
   Span word;         // what has been written of the word already
 };

@@ -21,7 +21,7 @@ constexpr std::string_view kFunctionHelp =
 constexpr std::string_view kImportHelp = "write `import \"NAME.task\"`";
 constexpr std::string_view kValueHelp =
     "a value that can be set from outside is a `param`, one that the task changes a `memory`";
-constexpr std::array<ForeignWord, 13> kForeignWords = {{
+constexpr std::array<ForeignWord, 13> kForeignDeclarations = {{
     {"def", kFunctionHelp, "fn"},
     {"func", kFunctionHelp, "fn"},
     {"function", kFunctionHelp, "fn"},
@@ -41,7 +41,7 @@ constexpr const char* kHeaderHelp =
     "a file begins with the task's name and its robot: `task crawling for humanoid`";
 
 Help HelpForDeclaration(const antlr4::Token& word) {
-  Help help = HelpForForeign(word, kForeignWords);
+  Help help = HelpForForeign(word, kForeignDeclarations);
   const std::vector<std::string> keywords = DeclarationKeywords();
   if (help.empty()) help = Nearest(word, keywords);
   if (help.empty()) help = fmt::format("declarations begin with {}", fmt::join(keywords, ", "));

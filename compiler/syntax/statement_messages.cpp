@@ -25,7 +25,7 @@ constexpr std::string_view kLocalHelp =
 constexpr std::string_view kLogHelp = "write `log NAME = ...` to record a value as a curve";
 constexpr std::string_view kBreakHelp =
     "a loop iterates over its whole set: put what is skipped into an `if`";
-constexpr std::array<ForeignWord, 28> kForeignWords = {{
+constexpr std::array<ForeignWord, 28> kForeignStatements = {{
     {"while", kLoopHelp},
     {"loop", kLoopHelp},
     {"repeat", kLoopHelp},
@@ -193,7 +193,7 @@ Description UnknownStatement(const Failure& failure) {
     return WithHelp(Expected(failure, "`=`"),
                     fmt::format("a local value is `let {} = ...`, without a type", name));
   }
-  Help help = HelpForForeign(begin, kForeignWords);
+  Help help = HelpForForeign(begin, kForeignStatements);
   if (help.empty() && failure.type() == TaskParser::LEFT_PARENTHESIS) {
     return WithHelp(MakeDiagnostic(code::kUnknownStatement, SpanOf(begin),
                                    fmt::format("the value of `{}` is not used", name)),

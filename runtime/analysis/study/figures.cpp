@@ -1,8 +1,8 @@
 #include "runtime/analysis/study/figures.h"
 
 #include <cmath>
-#include <limits>
 
+#include "runtime/training/run/estimate.h"
 #include "runtime/training/run/run_settings.h"
 
 namespace runtime {
@@ -10,22 +10,21 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 constexpr double kSecondsInAMinute = 60;
 
 double ValueOf(const std::map<std::string, double>& values, const std::string& name) {
   const auto found = values.find(name);
-  return found == values.end() ? kNothing : found->second;
+  return found == values.end() ? kNoNumber : found->second;
 }
 
 double FinalReturn(const RunResult& run) { return run.final.episode_return; }
 
 double EpisodesToMost(const RunResult& run) {
-  return run.most_learned ? static_cast<double>(run.most_learned->episode) : kNothing;
+  return run.most_learned ? static_cast<double>(run.most_learned->episode) : kNoNumber;
 }
 
 double MinutesToMost(const RunResult& run) {
-  return run.most_learned ? run.most_learned->cpu_seconds / kSecondsInAMinute : kNothing;
+  return run.most_learned ? run.most_learned->cpu_seconds / kSecondsInAMinute : kNoNumber;
 }
 
 double Minutes(const RunResult& run) { return run.cpu_seconds / kSecondsInAMinute; }
@@ -56,7 +55,7 @@ Json TermsOf(const std::vector<TermRecord>& terms, const std::vector<RunResult>&
   }
   for (Json& term : json) {
     const Json& mean = term["value"]["mean"];
-    term["share"] = magnitudes > 0 ? mean.get<double>() / magnitudes : kNothing;
+    term["share"] = magnitudes > 0 ? mean.get<double>() / magnitudes : kNoNumber;
   }
   return json;
 }

@@ -15,9 +15,9 @@ namespace {
 
 using nlohmann::json;
 
-constexpr size_t kBudget = 6 << 20;  // of all poses and pictures [bytes], before base64
-constexpr size_t kMostThinned = 4;   // of so many frames one is kept
-constexpr int kStripHeight = 208;    // [px]: sharp where the page shows it half as large
+constexpr size_t kBudget = 6 << 20;    // of all poses and pictures [bytes], before base64
+constexpr size_t kMostThinned = 4;     // of so many frames one is kept
+constexpr int kPageStripHeight = 208;  // [px]: sharp where the page shows it half as large
 
 struct Replay {
   size_t experiment = 0;
@@ -82,7 +82,7 @@ void AddGroupRecordings(const std::vector<ExperimentResult>& results, json& expe
       continue;
     }
     const ExperimentResult& result = results[replay.experiment];
-    const GroupStrip strip = DrawGroupStrip(result, result.groups[replay.group], kStripHeight);
+    const GroupStrip strip = DrawGroupStrip(result, result.groups[replay.group], kPageStripHeight);
     used += strip.png.size();
     json& group = experiments[replay.experiment]["groups"][replay.group];
     group["recording"] = Encode(replay, step);

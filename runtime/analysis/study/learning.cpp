@@ -2,20 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+
+#include "runtime/training/run/estimate.h"
 
 namespace runtime {
 namespace {
 
 constexpr double kMost = 0.8;
 constexpr double kClear = 3;  // standard errors
-constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
-
 class Mean {
  public:
   void Add(double value) { Count(value, 1); }
   void Remove(double value) { Count(value, -1); }
-  double value() const { return count_ > 0 ? sum_ / count_ : kNothing; }
+  double value() const { return count_ > 0 ? sum_ / count_ : kNoNumber; }
 
  private:
   void Count(double value, int sign) {

@@ -1,12 +1,11 @@
 #include "runtime/analysis/study/rescored.h"
 
 #include <algorithm>
-#include <limits>
+
+#include "runtime/training/run/estimate.h"
 
 namespace runtime {
 namespace {
-
-constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
 using Values = std::vector<double>;
 
@@ -66,7 +65,7 @@ Rescored Rescore(const ExperimentResult& result, const Eigen::VectorXd& factors,
   Rescored rescored;
   for (size_t i = 0; i < result.runs.size(); ++i) {
     rescored.runs.push_back(
-        left_out[i] ? RunReturns{left_out[i], {kNothing, kNothing}, {kNothing, kNothing}}
+        left_out[i] ? RunReturns{left_out[i], {kNoNumber, kNoNumber}, {kNoNumber, kNoNumber}}
                     : RescoreRun(*result.runs[i].run, result.window, factors));
   }
   for (const BehaviorGroup& group : result.groups) {

@@ -5,21 +5,19 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 
 #include "runtime/analysis/study/group_notes.h"
 #include "runtime/base/user_error.h"
+#include "runtime/training/run/estimate.h"
 #include "runtime/training/run/return_statistics.h"
 
 namespace runtime {
 namespace {
 
-constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
-
 double BestReturn(const StudyRun& run) {
   ReturnStatistics statistics;
   for (const EpisodeRecord& episode : run.episodes) statistics.Add(episode);
-  return std::isfinite(statistics.best()) ? statistics.best() : kNothing;
+  return std::isfinite(statistics.best()) ? statistics.best() : kNoNumber;
 }
 
 RunResult Evaluate(const StudyRun& run, int64_t window) {
@@ -28,7 +26,7 @@ RunResult Evaluate(const StudyRun& run, int64_t window) {
   result.best_return = BestReturn(run);
   for (const EpisodeRecord& episode : run.episodes) result.cpu_seconds += episode.cpu_seconds;
   result.most_learned = FindMostLearned(run.episodes, window);
-  result.final.episode_return = kNothing;
+  result.final.episode_return = kNoNumber;
   if (!run.episodes.empty()) result.final = MeansAtTheEnd(run.record, run.episodes, window);
   return result;
 }

@@ -18,7 +18,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kDocumentName = "README.md";
-constexpr int kStripHeight = 120;  // [px]: a repository keeps every version of every picture
+constexpr int kDocumentStripHeight =
+    120;  // [px]: a repository keeps every version of every picture
 
 bool IsNumber(const Json& value) { return value.is_number() && std::isfinite(value.get<double>()); }
 
@@ -235,7 +236,7 @@ class Document {
 
   // Draws the strip of a group to `file` and shows it.
   std::string Strip(const ExperimentResult& result, size_t group, const std::string& file) const {
-    const GroupStrip strip = DrawGroupStrip(result, result.groups[group], kStripHeight);
+    const GroupStrip strip = DrawGroupStrip(result, result.groups[group], kDocumentStripHeight);
     WriteFile(output_ / file, strip.png);
     const StudyRun& run = *result.runs[result.groups[group].typical].run;
     return fmt::format("![Group {}: seed {}, episode {}, at {:.2f} s]({})\n", GroupName(group),

@@ -34,7 +34,7 @@ Json ToJson(const Module& module) {
   return json;
 }
 
-std::string Quoted(const std::string& name) { return ToText(ParameterValue(name)); }
+std::string DotName(const std::string& name) { return ToText(ParameterValue(name)); }
 
 }  // namespace
 
@@ -69,14 +69,15 @@ std::string GraphDot(const ModuleGraph& graph) {
       "digraph agent {\n  rankdir=LR;\n  node [shape=box, fontname=\"sans-serif\"];\n";
   text += "  edge [fontname=\"sans-serif\", fontsize=9];\n";
   for (const auto& module : graph.modules()) {
-    text += fmt::format("  {};\n", Quoted(module->name()));
+    text += fmt::format("  {};\n", DotName(module->name()));
   }
   for (const auto& module : graph.modules()) {
     ForEachConnection(*module, [&](const Port& from, const Port& to) {
       const bool is_value = from.kind() == PortKind::kOut;
-      text += fmt::format("  {} -> {} [taillabel={}, headlabel={}{}];\n",
-                          Quoted(from.owner().name()), Quoted(to.owner().name()),
-                          Quoted(from.name()), Quoted(to.name()), is_value ? ", style=dashed" : "");
+      text +=
+          fmt::format("  {} -> {} [taillabel={}, headlabel={}{}];\n", DotName(from.owner().name()),
+                      DotName(to.owner().name()), DotName(from.name()), DotName(to.name()),
+                      is_value ? ", style=dashed" : "");
     });
   }
   return text + "}\n";

@@ -15,14 +15,14 @@
 namespace runtime {
 namespace {
 
-constexpr const char* kName = "control.sock";
+constexpr const char* kSocketName = "control.sock";
 constexpr timeval kConnectTimeout = {5, 0};  // where more clients wait than the system lets wait
 
 sockaddr_un AddressIn(const Descriptor& folder) {
   sockaddr_un address{};
   address.sun_family = AF_UNIX;
   fmt::format_to_n(address.sun_path, sizeof(address.sun_path) - 1, "/proc/self/fd/{}/{}",
-                   folder.get(), kName);
+                   folder.get(), kSocketName);
   return address;
 }
 
@@ -36,13 +36,13 @@ int Connect(const Descriptor& socket, const Descriptor& folder) {
 Descriptor NewSocket(int flags) { return Descriptor(socket(AF_UNIX, SOCK_STREAM | flags, 0)); }
 
 [[noreturn]] void Fail(const std::filesystem::path& path, const std::string& what) {
-  throw UserError(fmt::format("{}: {}", (path / kName).string(), what));
+  throw UserError(fmt::format("{}: {}", (path / kSocketName).string(), what));
 }
 
 // Makes room for a new socket.
 void RemoveStale(const Descriptor& folder, const std::filesystem::path& path) {
   struct stat status {};
-  if (fstatat(folder.get(), kName, &status, AT_SYMLINK_NOFOLLOW) != 0) return;
+  if (fstatat(folder.get(), kSocketName, &status, AT_SYMLINK_NOFOLLOW) != 0) return;
   if (!S_ISSOCK(status.st_mode)) {
     Fail(path, "clients find the trainer by a socket of this name; move this file away");
   }
@@ -50,7 +50,7 @@ void RemoveStale(const Descriptor& folder, const std::filesystem::path& path) {
   if (error != ECONNREFUSED) {
     Fail(path, "another trainer listens here; end it, or choose another folder with `--out`");
   }
-  unlinkat(folder.get(), kName, 0);
+  unlinkat(folder.get(), kSocketName, 0);
 }
 
 Descriptor Listen(const Descriptor& folder, const std::filesystem::path& path) {
@@ -88,6 +88,6 @@ ControlSocket::ControlSocket(const Descriptor& folder, const std::filesystem::pa
   listener_ = Listen(folder, path);
 }
 
-ControlSocket::~ControlSocket() { unlinkat(folder_.get(), kName, 0); }
+ControlSocket::~ControlSocket() { unlinkat(folder_.get(), kSocketName, 0); }
 
 }  // namespace runtime

@@ -3,13 +3,10 @@
 #include <algorithm>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
-#include <limits>
 #include <nlohmann/json.hpp>
 
 namespace runtime {
 namespace {
-
-constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
 // Half the width of the interval that holds the mean with a probability of 95 %.
 double HalfWidth(const std::vector<double>& values, double mean) {
@@ -30,19 +27,19 @@ nlohmann::ordered_json ToJson(const Estimate& estimate) {
 Estimate EstimateMean(std::span<const double> values) {
   std::vector<double> known;
   std::ranges::copy_if(values, std::back_inserter(known), [](double v) { return !std::isnan(v); });
-  if (known.empty()) return {0, kNothing, kNothing, kNothing, kNothing, kNothing};
+  if (known.empty()) return {0, kNoNumber, kNoNumber, kNoNumber, kNoNumber, kNoNumber};
   double sum = 0;
   for (const double value : known) sum += value;
   const double mean = sum / static_cast<double>(known.size());
   // That of two values is so wide that it says nothing.
-  const double half = known.size() > 2 ? HalfWidth(known, mean) : kNothing;
+  const double half = known.size() > 2 ? HalfWidth(known, mean) : kNoNumber;
   const auto [least, greatest] = std::ranges::minmax(known);
   return {static_cast<int>(known.size()), mean, mean - half, mean + half, least, greatest};
 }
 
 double Median(std::vector<double> values) {
   std::erase_if(values, [](double value) { return std::isnan(value); });
-  if (values.empty()) return kNothing;
+  if (values.empty()) return kNoNumber;
   std::ranges::sort(values);
   const size_t half = values.size() / 2;
   return values.size() % 2 == 1 ? values[half] : (values[half - 1] + values[half]) / 2;

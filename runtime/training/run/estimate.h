@@ -1,10 +1,14 @@
 #pragma once
 
+#include <limits>
 #include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <vector>
 
 namespace runtime {
+
+// Stands where there is no number.
+inline constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 
 // The mean of independent values, and what is known of it.
 struct Estimate {

@@ -3,38 +3,36 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <string_view>
 
 #include "runtime/base/user_error.h"
+#include "runtime/training/run/estimate.h"
 #include "runtime/training/run/run_files.h"
 
 namespace runtime {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 constexpr std::string_view kPrefix = "evaluation-";
 constexpr std::string_view kSuffix = ".json";
-constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
-
 // What is not a number is null in JSON.
-double Number(const Json& json) { return json.is_null() ? kNothing : json.get<double>(); }
+double Number(const OrderedJson& json) { return json.is_null() ? kNoNumber : json.get<double>(); }
 
-std::map<std::string, double> Numbers(const Json& json) {
+std::map<std::string, double> Numbers(const OrderedJson& json) {
   std::map<std::string, double> numbers;
   for (const auto& [name, value] : json.items()) numbers[name] = Number(value);
   return numbers;
 }
 
-PolicyEvaluation FromJson(const Json& json) {
+PolicyEvaluation FromJson(const OrderedJson& json) {
   PolicyEvaluation evaluation;
   json.at("profile").get_to(evaluation.profile);
   json.at("learned_profile").get_to(evaluation.learned_profile);
   json.at("version").get_to(evaluation.version);
   json.at("checkpoint_episode").get_to(evaluation.checkpoint_episode);
   json.at("checkpoint").get_to(evaluation.checkpoint);
-  for (const Json& value : json.at("returns")) evaluation.returns.push_back(Number(value));
+  for (const OrderedJson& value : json.at("returns")) evaluation.returns.push_back(Number(value));
   evaluation.mean_return = Number(json.at("return"));
   evaluation.learned_return = Number(json.at("learned_return"));
   json.at("ends").get_to(evaluation.ends);
@@ -48,10 +46,10 @@ PolicyEvaluation FromJson(const Json& json) {
 double PolicyEvaluation::share() const { return ShareThatRemains(mean_return, learned_return); }
 
 double ShareThatRemains(double paid, double learned) {
-  return learned > 0 ? paid / learned : kNothing;
+  return learned > 0 ? paid / learned : kNoNumber;
 }
 
-Json ToJson(const PolicyEvaluation& evaluation) {
+OrderedJson ToJson(const PolicyEvaluation& evaluation) {
   return {{"profile", evaluation.profile},
           {"learned_profile", evaluation.learned_profile},
           {"version", evaluation.version},
@@ -93,8 +91,8 @@ std::filesystem::path EvaluationFile(const std::filesystem::path& run, const std
 
 PolicyEvaluation ReadEvaluation(const std::filesystem::path& file) {
   try {
-    return FromJson(Json::parse(ReadText(file)));
-  } catch (const Json::exception& error) {
+    return FromJson(OrderedJson::parse(ReadText(file)));
+  } catch (const OrderedJson::exception& error) {
     throw UserError(
         fmt::format("{}: this is not an evaluation of a run ({}); delete it, and evaluate "
                     "the run again with `trainer evaluate`",

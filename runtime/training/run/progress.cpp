@@ -18,17 +18,17 @@ std::string BestText(double best_return) {
   return std::isfinite(best_return) ? fmt::format("{:.4g}", best_return) : "none";
 }
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 // `values` under the names of their `records`.
 template <class Record>
-Json ByName(const std::vector<Record>& records, const std::vector<double>& values) {
-  Json json = Json::object();
+OrderedJson ByName(const std::vector<Record>& records, const std::vector<double>& values) {
+  OrderedJson json = OrderedJson::object();
   for (size_t i = 0; i < values.size(); ++i) json[records[i].name] = values[i];
   return json;
 }
 
-Json EvaluationJson(const Evaluation& evaluation, const TaskRecord& task) {
+OrderedJson EvaluationJson(const Evaluation& evaluation, const TaskRecord& task) {
   return {{"task", task.task},
           {"return", evaluation.episode_return},
           {"end", {{"kind", evaluation.end_kind}, {"reason", evaluation.end_reason}}},
@@ -61,7 +61,7 @@ std::string ProgressLine(const ProgressValues& values, size_t columns) {
 
 nlohmann::ordered_json EpisodeJson(const EpisodeRecord& episode, const RunRecord& run) {
   const Evaluation& active = episode.active;
-  Json json = {{"episode", episode.number}};
+  OrderedJson json = {{"episode", episode.number}};
   json.update(EvaluationJson(active, TaskWithId(run, active.task)));
   json.update({{"steps", episode.steps},
                {"actions", episode.actions},
@@ -70,7 +70,7 @@ nlohmann::ordered_json EpisodeJson(const EpisodeRecord& episode, const RunRecord
                {"cpu_seconds", episode.cpu_seconds},
                {"faults", active.faults},
                {"violations", active.violations},
-               {"learner", Json::object()}});
+               {"learner", OrderedJson::object()}});
   for (const NamedValue& each : episode.learner) json["learner"][each.name] = each.value;
   for (const Evaluation& shadow : episode.shadows) {
     const TaskRecord& task = TaskWithId(run, shadow.task);
@@ -98,8 +98,9 @@ void Progress::FinishEpisode(const EpisodeRecord& episode, const ReturnStatistic
   values_.remaining = values_.elapsed / static_cast<double>(episodes_here_) *
                       static_cast<double>(values_.episodes_planned - values_.episode);
   if (style_ == ProgressStyle::kJson) {
-    text::Print(output_, "{}\n",
-                EpisodeJson(episode, run_).dump(-1, ' ', false, Json::error_handler_t::replace));
+    text::Print(
+        output_, "{}\n",
+        EpisodeJson(episode, run_).dump(-1, ' ', false, OrderedJson::error_handler_t::replace));
     std::fflush(output_);
   }
   if (style_ != ProgressStyle::kText) return;

@@ -10,7 +10,7 @@ namespace runtime {
 namespace {
 
 // Of each task, in their order.
-std::vector<TaskRecord> ReadHeads(const SqliteDatabase& database) {
+std::vector<TaskRecord> ReadTaskHeads(const SqliteDatabase& database) {
   std::vector<TaskRecord> tasks;
   TableReader row(database, "task", "id, module, name, file, hash, plugin, compiler",
                   "ORDER BY id");
@@ -63,7 +63,7 @@ void ReadCurves(const SqliteDatabase& database, const char* table,
 }  // namespace
 
 std::vector<TaskRecord> ReadTasks(const SqliteDatabase& database) {
-  std::vector<TaskRecord> tasks = ReadHeads(database);
+  std::vector<TaskRecord> tasks = ReadTaskHeads(database);
   ReadParts(database, "source", "file, text", &TaskRecord::sources, tasks, [](TableReader& row) {
     return SourceRecord{row.Name(2), row.Text(3)};
   });

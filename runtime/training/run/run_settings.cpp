@@ -8,18 +8,18 @@
 namespace runtime {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
-Json ToJson(const std::vector<Setting>& settings) {
-  Json json = Json::array();
+OrderedJson ToJson(const std::vector<Setting>& settings) {
+  OrderedJson json = OrderedJson::array();
   for (const Setting& setting : settings) {
     json.push_back({{"name", setting.name}, {"value", setting.value}, {"origin", setting.origin}});
   }
   return json;
 }
 
-std::string Text(const Json& json) {
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+std::string Text(const OrderedJson& json) {
+  return json.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
 }
 
 // A word as a shell reads it.
@@ -37,9 +37,9 @@ std::string ShellWord(const std::string& word) {
 // The words of a call; none where the text is no list of texts.
 std::vector<std::string> WordsOf(const std::string& call) {
   std::vector<std::string> words;
-  const Json json = Json::parse(call, nullptr, false);
+  const OrderedJson json = OrderedJson::parse(call, nullptr, false);
   if (!json.is_array()) return words;
-  for (const Json& word : json) {
+  for (const OrderedJson& word : json) {
     if (word.is_string()) words.push_back(word.get<std::string>());
   }
   return words;
@@ -49,24 +49,24 @@ std::vector<std::string> WordsOf(const std::string& call) {
 
 std::string SettingsText(const std::vector<Setting>& settings) { return Text(ToJson(settings)); }
 
-std::string CallText(const std::vector<std::string>& words) { return Text(Json(words)); }
+std::string CallText(const std::vector<std::string>& words) { return Text(OrderedJson(words)); }
 
 std::vector<Setting> SettingsOf(const RunRecord& run) {
   std::vector<Setting> settings;
-  const Json json = Json::parse(run.settings, nullptr, false);
+  const OrderedJson json = OrderedJson::parse(run.settings, nullptr, false);
   if (!json.is_array()) return settings;
-  const auto text = [](const Json& setting, const char* key) {
+  const auto text = [](const OrderedJson& setting, const char* key) {
     const auto found = setting.find(key);
     return found != setting.end() && found->is_string() ? found->get<std::string>() : "";
   };
-  for (const Json& setting : json) {
+  for (const OrderedJson& setting : json) {
     if (!setting.is_object()) continue;
     settings.push_back({text(setting, "name"), text(setting, "value"), text(setting, "origin")});
   }
   return settings;
 }
 
-Json SettingsJson(const RunRecord& run) { return ToJson(SettingsOf(run)); }
+OrderedJson SettingsJson(const RunRecord& run) { return ToJson(SettingsOf(run)); }
 
 std::string TrainCommand(const RunRecord& run, int64_t runs) {
   std::vector<std::string> words = WordsOf(run.call);

@@ -6,7 +6,7 @@
 namespace runtime {
 namespace {
 
-constexpr size_t kUsualContacts = 30;
+constexpr size_t kUsualLinkContacts = 30;
 
 Vector6 RowAt(const Vector3& arm, const Vector3& direction) {
   Vector6 row;
@@ -17,8 +17,8 @@ Vector6 RowAt(const Vector3& arm, const Vector3& direction) {
 }  // namespace
 
 LinkContacts::LinkContacts(int links) : links_(links), impulses_(links) {
-  contacts_.reserve(kUsualContacts);
-  const size_t rows = 3 * kUsualContacts;
+  contacts_.reserve(kUsualLinkContacts);
+  const size_t rows = 3 * kUsualLinkContacts;
   active_.reserve(rows);
   parts_.reserve(rows * links_);
   matrix_.reserve(rows * rows);

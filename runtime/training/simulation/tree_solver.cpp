@@ -6,7 +6,7 @@
 namespace runtime {
 namespace {
 
-constexpr size_t kUsualContacts = 8;  // of a link with the ground
+constexpr size_t kUsualGroundContacts = 8;  // of a link with the ground
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 std::vector<TreeJoint> TreeJoints(const robot::RobotDescription& robot, double hold) {
@@ -49,7 +49,7 @@ TreeSolver::TreeSolver(const robot::RobotDescription& robot, const Profile& prof
       inertias_(robot.links.size()),
       momenta_(robot.links.size()),
       scratch_(robot.links.size()) {
-  ground_contacts_.reserve(kUsualContacts * robot.links.size());
+  ground_contacts_.reserve(kUsualGroundContacts * robot.links.size());
   for (int i = 0; i < body.link_count(); ++i) link_inertias_.push_back(InertiaOf(body.body(i)));
   for (const robot::Joint& joint : robot.joints) {
     const Vector3 anchor = ToEigen(joint.anchor.data());

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "tests/compiler/bounds/expect_ends.h"
 #include "tests/compiler/check/checked_source.h"
 
 namespace compiler {
@@ -26,12 +27,6 @@ TaskBounds BoundsOf(const std::string& declarations, const std::string& block) {
 // The bounds of `expression`, paid as a rate.
 Interval RateOf(const std::string& expression, const std::string& declarations = "") {
   return BoundsOf(declarations, "reward rate tested = " + expression).terms[0].rate.value();
-}
-
-void ExpectEnds(const Interval& x, double low, double high) {
-  EXPECT_DOUBLE_EQ(x.low, low);
-  EXPECT_DOUBLE_EQ(x.high, high);
-  EXPECT_FALSE(x.may_be_nan);
 }
 
 TEST(Bounds, OfATermComeFromTheSensors) {

@@ -10,6 +10,7 @@
 #include <random>
 
 #include "compiler/bounds/functions.h"
+#include "tests/compiler/bounds/expect_ends.h"
 
 namespace compiler {
 namespace {
@@ -18,12 +19,6 @@ using enum BinaryOperator;
 
 Interval Calculate(BinaryOperator op, const Interval& left, const Interval& right) {
   return Calculate(op, left, right, Scalar::kReal);
-}
-
-void ExpectEnds(const Interval& x, double low, double high) {
-  EXPECT_DOUBLE_EQ(x.low, low);
-  EXPECT_DOUBLE_EQ(x.high, high);
-  EXPECT_FALSE(x.may_be_nan);
 }
 
 TEST(Interval, OfAProductComesFromTheEnds) {

@@ -16,13 +16,13 @@ namespace compiler {
 namespace {
 
 const std::string kBegin = "```task\n";
-const std::string kEnd = "```";
+const std::string kFence = "```";
 
 std::vector<std::string> ExamplesOf(const std::string& text) {
   std::vector<std::string> examples;
   for (size_t i = text.find(kBegin); i != std::string::npos; i = text.find(kBegin, i)) {
     i += kBegin.size();
-    examples.push_back(text.substr(i, text.find(kEnd, i) - i));
+    examples.push_back(text.substr(i, text.find(kFence, i) - i));
   }
   return examples;
 }
@@ -49,7 +49,7 @@ std::string AsTask(const std::string& example) {
   return TaskText("", example);
 }
 
-std::vector<std::string> CodesOf(const std::string& example) {
+std::vector<std::string> CodesOfExample(const std::string& example) {
   const CheckedSource checked(AsTask(example));
   EXPECT_TRUE(checked.is_parsed) << checked.Messages();
   std::vector<std::string> codes;
@@ -66,8 +66,8 @@ TEST(DiagnosticsPage, ExamplesProvokeWhatTheyExplain) {
     if (examples.empty()) continue;  // too long to print
     ASSERT_EQ(examples.size(), 2u) << kind.code;
     const std::string code(kind.code);
-    EXPECT_THAT(CodesOf(examples[0]), testing::Contains(code)) << examples[0];
-    const auto better = CodesOf(examples[1]);
+    EXPECT_THAT(CodesOfExample(examples[0]), testing::Contains(code)) << examples[0];
+    const auto better = CodesOfExample(examples[1]);
     EXPECT_THAT(better, testing::Not(testing::Contains(code))) << examples[1];
     EXPECT_THAT(better, testing::Each(testing::StartsWith("W"))) << examples[1];
   }
@@ -88,7 +88,7 @@ TEST(Documentation, ExamplesAreFreeOfErrors) {
     const auto examples = ExamplesOf(golden::ReadFile(std::string(SOURCE_DIR) + page));
     EXPECT_GE(examples.size(), least) << page;
     for (const std::string& example : examples)
-      EXPECT_THAT(CodesOf(example), testing::Each(testing::StartsWith("W"))) << example;
+      EXPECT_THAT(CodesOfExample(example), testing::Each(testing::StartsWith("W"))) << example;
   }
 }
 

@@ -14,7 +14,7 @@
 namespace compiler {
 namespace {
 
-constexpr const char* kBadTask = "task good\non end_of_action {\n  reward a = nothing\n}\n";
+constexpr const char* kBrokenTask = "task good\non end_of_action {\n  reward a = nothing\n}\n";
 
 // `taskc watch good.task`, running beside the test; what it prints goes to the file `log`.
 class Watching {
@@ -62,7 +62,7 @@ TEST(Watch, BuildsAgainWhenAFileIsSaved) {
   taskc.Write("good.task", kGoodTask);
   Watching watching(taskc);
   ASSERT_TRUE(watching.Prints(".so\n", 1));
-  taskc.Write("good.task", kBadTask);
+  taskc.Write("good.task", kBrokenTask);
   ASSERT_TRUE(watching.Prints("E0201", 1));
   ASSERT_TRUE(watching.Prints("1 error", 1));
   taskc.Write("good.task", kGoodTask);
@@ -77,7 +77,7 @@ TEST(Watch, SeesAFileThatTakesTheOldOnesPlace) {
   taskc.Write("good.task", kGoodTask);
   Watching watching(taskc);
   ASSERT_TRUE(watching.Prints(".so\n", 1));
-  ReplaceFile(taskc.path("good.task"), kBadTask);
+  ReplaceFile(taskc.path("good.task"), kBrokenTask);
   ASSERT_TRUE(watching.Prints("E0201", 1));
   ReplaceFile(taskc.path("good.task"), kGoodTask);
   ASSERT_TRUE(watching.Prints(".so\n", 2));

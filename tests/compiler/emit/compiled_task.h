@@ -3,6 +3,7 @@
 
 #include <taskc/plugin.h>
 
+#include <limits>
 #include <map>
 #include <memory>
 #include <string>
@@ -11,6 +12,8 @@
 #include "tests/compiler/temporary_folder.h"
 
 namespace compiler {
+
+inline constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 // A loaded plugin.
 class CompiledTask {

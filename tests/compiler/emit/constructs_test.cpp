@@ -12,7 +12,7 @@ namespace {
 using testing::ElementsAre;
 using testing::StrEq;
 
-std::vector<double> Elements(const Instance& instance, const std::string& memory, size_t count) {
+std::vector<double> ElementsOf(const Instance& instance, const std::string& memory, size_t count) {
   std::vector<double> values;
   for (size_t i = 0; i < count; ++i) values.push_back(instance.Memory(memory, i));
   return values;
@@ -38,7 +38,7 @@ on end_of_action {
   instance.Fire(TASKC_END_OF_ACTION);
   EXPECT_EQ(instance.reward(), 1 + 9 + 16 + 100);
   EXPECT_EQ(instance.Memory("last"), 4);
-  EXPECT_THAT(Elements(instance, "marks", 5), ElementsAre(0, 11, 0, 31, 41));
+  EXPECT_THAT(ElementsOf(instance, "marks", 5), ElementsAre(0, 11, 0, 31, 41));
 }
 
 TEST(Constructs, ElementsAreSetByScalarsAndByElements) {
@@ -64,15 +64,15 @@ on start_of_action {
   instance.Sense("v", {5, 6, -1});
   instance.Sense("touch", {1, 1, 0});
   instance.Fire(TASKC_END_OF_ACTION);
-  EXPECT_THAT(Elements(instance, "place", 3), ElementsAre(6, 7, 7));
-  EXPECT_THAT(Elements(instance, "flags", 4), ElementsAre(0, 1, 0, 0));
-  EXPECT_THAT(Elements(instance, "trail", 4), ElementsAre(1, 0, 4, 4));
+  EXPECT_THAT(ElementsOf(instance, "place", 3), ElementsAre(6, 7, 7));
+  EXPECT_THAT(ElementsOf(instance, "flags", 4), ElementsAre(0, 1, 0, 0));
+  EXPECT_THAT(ElementsOf(instance, "trail", 4), ElementsAre(1, 0, 4, 4));
   EXPECT_EQ(instance.Memory("trail", 36), 4);
   EXPECT_EQ(instance.Memory("trail", 37), 3);
   EXPECT_EQ(instance.Memory("trail", 39), 0);
   instance.Fire(TASKC_START_OF_ACTION);
   // First (x, y) = (z, x) = (7, 6); then both rise by the x from before.
-  EXPECT_THAT(Elements(instance, "place", 3), ElementsAre(14, 13, 7));
+  EXPECT_THAT(ElementsOf(instance, "place", 3), ElementsAre(14, 13, 7));
 }
 
 TEST(Constructs, FunctionsTakeAndGiveValuesOfAllShapes) {
@@ -97,8 +97,8 @@ on end_of_action {
   instance.Sense("b", {1, 0, 0});
   instance.Fire(TASKC_END_OF_ACTION);
   // turned((1, 2, 4), 2) = (3, 6, -2); total + 1 = 8; turned((3, 6, -2), 8) = (45, -22, 26).
-  EXPECT_THAT(Elements(instance, "place", 3), ElementsAre(45, -22, 26));
-  EXPECT_THAT(Elements(instance, "flags", 3), ElementsAre(0, 0, 1));
+  EXPECT_THAT(ElementsOf(instance, "place", 3), ElementsAre(45, -22, 26));
+  EXPECT_THAT(ElementsOf(instance, "flags", 3), ElementsAre(0, 0, 1));
   EXPECT_EQ(instance.reward(), 0);
   instance.Measure();
   EXPECT_EQ(instance.Metric("sum_of_turned"), 16);

@@ -11,8 +11,6 @@
 namespace compiler {
 namespace {
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-
 struct Case {
   std::string expression;
   double expected;

@@ -16,7 +16,6 @@ namespace {
 using testing::DoubleNear;
 using testing::StrEq;
 
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kStep = 0.005;
 

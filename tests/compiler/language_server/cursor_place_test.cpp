@@ -22,7 +22,7 @@ TEST(CursorPlace, KnowsDeclarations) {
   EXPECT_EQ(ExpectedIn("|"), Expected::kDeclaration);
   EXPECT_EQ(ExpectedIn("task t\n\npar|"), Expected::kDeclaration);
   EXPECT_EQ(ExpectedIn("task t\non end_of_action { }\n|"), Expected::kDeclaration);
-  EXPECT_EQ(ExpectedIn("task |"), Expected::kNothing);
+  EXPECT_EQ(ExpectedIn("task |"), Expected::kAnyText);
   EXPECT_EQ(ExpectedIn("task t |"), Expected::kOperator);
   EXPECT_EQ(ExpectedIn("task t for |"), Expected::kRobot);
   EXPECT_EQ(ExpectedIn("task t\nstart s|"), Expected::kPose);
@@ -44,21 +44,21 @@ TEST(CursorPlace, KnowsStatements) {
   EXPECT_EQ(ExpectedInBlock("a = 1\nle|"), Expected::kStatement);
   EXPECT_EQ(ExpectedInBlock("if a { |"), Expected::kStatement);
   EXPECT_EQ(ExpectedInBlock("if a { b = 1 }\n|"), Expected::kStatement);
-  EXPECT_EQ(ExpectedInBlock("let |"), Expected::kNothing);
+  EXPECT_EQ(ExpectedInBlock("let |"), Expected::kAnyText);
   EXPECT_EQ(ExpectedInBlock("let a = |"), Expected::kValue);
   EXPECT_EQ(ExpectedInBlock("let a = b +\n|"), Expected::kValue);
   EXPECT_EQ(ExpectedInBlock("let a = b |"), Expected::kOperator);
   EXPECT_EQ(ExpectedInBlock("if |"), Expected::kValue);
   EXPECT_EQ(ExpectedInBlock("reward |"), Expected::kTerm);
   EXPECT_EQ(ExpectedInBlock("end_episode |"), Expected::kOutcome);
-  EXPECT_EQ(ExpectedInBlock("end_episode failure \"a |"), Expected::kNothing);
-  EXPECT_EQ(ExpectedInBlock("for |"), Expected::kNothing);
+  EXPECT_EQ(ExpectedInBlock("end_episode failure \"a |"), Expected::kAnyText);
+  EXPECT_EQ(ExpectedInBlock("for |"), Expected::kAnyText);
   EXPECT_EQ(ExpectedInBlock("for l in |"), Expected::kIndex);
   EXPECT_EQ(ExpectedInBlock("for l in links - |"), Expected::kIndex);
   EXPECT_EQ(ExpectedInBlock("for l in links { |"), Expected::kStatement);
   EXPECT_EQ(ExpectedInBlock("once per |"), Expected::kScope);
-  EXPECT_EQ(ExpectedInBlock("let a = 1 // |"), Expected::kNothing);
-  EXPECT_EQ(ExpectedInBlock("let a = 12|"), Expected::kNothing);
+  EXPECT_EQ(ExpectedInBlock("let a = 1 // |"), Expected::kAnyText);
+  EXPECT_EQ(ExpectedInBlock("let a = 12|"), Expected::kAnyText);
 }
 
 TEST(CursorPlace, KnowsExpressions) {
@@ -80,7 +80,7 @@ TEST(CursorPlace, KnowsTestsAndFunctions) {
   EXPECT_EQ(ExpectedIn("task t\ntest \"a\" {\nfire |"), Expected::kEvent);
   EXPECT_EQ(ExpectedIn("task t\ntest \"a\" {\nfire a, |"), Expected::kEvent);
   EXPECT_EQ(ExpectedIn("task t\ntest \"a\" {\nexpect |"), Expected::kExpectation);
-  EXPECT_EQ(ExpectedIn("fn f(|"), Expected::kNothing);
+  EXPECT_EQ(ExpectedIn("fn f(|"), Expected::kAnyText);
   EXPECT_EQ(ExpectedIn("fn f(a: |"), Expected::kType);
   EXPECT_EQ(ExpectedIn("fn f(a: real) -> |"), Expected::kType);
   EXPECT_EQ(ExpectedIn("fn f(a: real) -> real {\n|"), Expected::kBodyStatement);

@@ -12,7 +12,7 @@
 namespace compiler {
 namespace {
 
-const std::filesystem::path kFolder = SOURCE_DIR "/tests/compiler/syntax/messages";
+const std::filesystem::path kMessages = SOURCE_DIR "/tests/compiler/syntax/messages";
 constexpr uint32_t kOffset = 8;  // behind "task a\n"
 
 // A text as the only file of a task, and as its second.
@@ -31,7 +31,7 @@ struct Twice {
 };
 
 TEST(Places, OfErrorsCountOnFromTheFilesBefore) {
-  for (const auto& path : golden::FilesIn(kFolder, "fail_", ".task")) {
+  for (const auto& path : golden::FilesIn(kMessages, "fail_", ".task")) {
     const Twice twice(golden::ReadInput(path));
     EXPECT_EQ(Render(twice.first, twice.first_diagnostics, false),
               Render(twice.second, twice.second_diagnostics, false))

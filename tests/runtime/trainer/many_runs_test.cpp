@@ -63,10 +63,10 @@ TEST_F(ManyRunsTest, ShowTellsOfAllRunsOfAFolder) {
   const ProgramResult text = Trainer({"show", RunFolder("many")});
   EXPECT_THAT(text.output, HasSubstr("\nseed4     finished          2/2 "));
   EXPECT_THAT(text.output, HasSubstr("\n2 finished   4/4 episodes\n"));
-  const auto json = nlohmann::json::parse(Trainer({"show", RunFolder("many"), "--json"}).output);
-  ASSERT_EQ(json.size(), 2u);
-  EXPECT_EQ(json[1]["run"], "seed4");
-  EXPECT_EQ(json[1]["episodes"], 2);
+  const auto said = nlohmann::json::parse(Trainer({"show", RunFolder("many"), "--json"}).output);
+  ASSERT_EQ(said.size(), 2u);
+  EXPECT_EQ(said[1]["run"], "seed4");
+  EXPECT_EQ(said[1]["episodes"], 2);
 }
 
 TEST_F(ManyRunsTest, JsonNamesTheRunOfEachEpisode) {
@@ -74,8 +74,8 @@ TEST_F(ManyRunsTest, JsonNamesTheRunOfEachEpisode) {
   std::map<std::string, int> episodes;
   std::istringstream lines(result.output);
   for (std::string line; std::getline(lines, line);) {
-    const auto json = nlohmann::json::parse(line);
-    EXPECT_EQ(json["episode"], ++episodes[json["run"]]);
+    const auto said = nlohmann::json::parse(line);
+    EXPECT_EQ(said["episode"], ++episodes[said["run"]]);
   }
   EXPECT_EQ(episodes, (std::map<std::string, int>{{"seed3", 2}, {"seed4", 2}}));
 }

@@ -40,11 +40,11 @@ TEST_F(ShowTest, TellsChangesVersionsAndShadows) {
                             HasSubstr("change     episode 2: swap task: b.task\n"),
                             HasSubstr("change     episode 2, step 40: set task.gain = 2\n")));
   EXPECT_THAT(output, HasSubstr("distance: 0.75 m on average"));  // of the active task's episode
-  const auto json = nlohmann::json::parse(Trainer({"show", RunFolder("run"), "--json"}).output);
-  EXPECT_EQ(json["versions"].size(), 2u);
-  EXPECT_EQ(json["versions"][1]["first_episode"], 2);
-  EXPECT_EQ(json["shadows"]["task"]["last_return"], 0.2);
-  EXPECT_EQ(json["changes"][1]["step"], 40);
+  const auto shown = nlohmann::json::parse(Trainer({"show", RunFolder("run"), "--json"}).output);
+  EXPECT_EQ(shown["versions"].size(), 2u);
+  EXPECT_EQ(shown["versions"][1]["first_episode"], 2);
+  EXPECT_EQ(shown["shadows"]["task"]["last_return"], 0.2);
+  EXPECT_EQ(shown["changes"][1]["step"], 40);
 }
 
 TEST_F(ShowTest, TellsWhatTheLearnerShowedLast) {
@@ -59,8 +59,8 @@ TEST_F(ShowTest, TellsWhatTheLearnerShowedLast) {
   }
   EXPECT_THAT(Trainer({"show", RunFolder("run")}).output,
               HasSubstr("learner    rate: 0.25 in the last episode\n"));
-  const auto json = nlohmann::json::parse(Trainer({"show", RunFolder("run"), "--json"}).output);
-  EXPECT_EQ(json["learner"], (nlohmann::json{{"rate", 0.25}}));
+  const auto shown = nlohmann::json::parse(Trainer({"show", RunFolder("run"), "--json"}).output);
+  EXPECT_EQ(shown["learner"], (nlohmann::json{{"rate", 0.25}}));
 }
 
 TEST_F(ShowTest, TellsWhatWasSetAndHowToMakeTheRunAgain) {
@@ -74,9 +74,9 @@ TEST_F(ShowTest, TellsWhatWasSetAndHowToMakeTheRunAgain) {
                             HasSubstr("setting    learner.temperature = 2.0 (--set)\n"),
                             HasSubstr("setting    learner.trace_max = 1.0 (" + agent + ":3:1)\n"),
                             Not(HasSubstr("3.0"))));
-  const auto json = nlohmann::json::parse(Trainer({"show", RunFolder("run"), "--json"}).output);
-  EXPECT_EQ(json["settings"].size(), 3u);
-  const std::string command = json["command"];
+  const auto shown = nlohmann::json::parse(Trainer({"show", RunFolder("run"), "--json"}).output);
+  EXPECT_EQ(shown["settings"].size(), 3u);
+  const std::string command = shown["command"];
   EXPECT_THAT(output, HasSubstr("command    " + command + "\n"));
   ASSERT_THAT(command, testing::StartsWith("trainer train "));
   std::istringstream stream(command.substr(8) + " --quiet --out " + RunFolder("again"));
@@ -117,9 +117,9 @@ TEST_F(ShowTest, SendsNoEscapeSequenceToATerminal) {
   EXPECT_THAT(output, AllOf(Not(HasSubstr("\x1b")), Not(HasSubstr("\u202e"))));
   const std::string text = Trainer({"show", RunFolder("run"), "--json"}).output;
   EXPECT_THAT(text, AllOf(Not(HasSubstr("\x1b")), Not(HasSubstr("\u202e"))));
-  const auto json = nlohmann::json::parse(text);
-  EXPECT_EQ(json["task_file"], run.tasks.front().task_file);
-  EXPECT_EQ(json["ends"][0]["reason"], episode.active.end_reason);
+  const auto shown = nlohmann::json::parse(text);
+  EXPECT_EQ(shown["task_file"], run.tasks.front().task_file);
+  EXPECT_EQ(shown["ends"][0]["reason"], episode.active.end_reason);
   const ProgramResult refused = Trainer({"show", RunFolder("absent\x1b[31m")});
   EXPECT_THAT(refused.errors, AllOf(HasSubstr("absent\\u001b[31m"), Not(HasSubstr("\x1b"))));
 }

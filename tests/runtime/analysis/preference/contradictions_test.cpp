@@ -2,15 +2,13 @@
 
 #include <gmock/gmock.h>
 
+#include "tests/runtime/analysis/preference/over.h"
+
 namespace runtime {
 namespace {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
-
-Preference Over(const char* better, const char* worse) {
-  return {ParseBehaviorName(better), ParseBehaviorName(worse)};
-}
 
 Preference Tie(const char* one, const char* other) {
   return {ParseBehaviorName(one), ParseBehaviorName(other), true};

@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "runtime/training/run/run_files.h"
+#include "tests/runtime/analysis/preference/over.h"
 #include "tests/runtime/training/run/error_of.h"
 #include "tests/runtime/training/run/temporary_folder.h"
 
@@ -27,10 +28,6 @@ class PreferencesFileTest : public testing::Test {
  private:
   TemporaryFolder folder_;
 };
-
-Preference Over(const char* better, const char* worse) {
-  return {ParseBehaviorName(better), ParseBehaviorName(worse)};
-}
 
 TEST(BehaviorName, IsARunOrOneOfItsEpisodes) {
   EXPECT_EQ(ParseBehaviorName("crawling/seed1"), (BehaviorName{"crawling/seed1", {}}));

@@ -11,7 +11,7 @@
 namespace runtime {
 namespace {
 
-std::string ErrorOf(const char* command, const nlohmann::json& arguments) {
+std::string ErrorOfCall(const char* command, const nlohmann::json& arguments) {
   try {
     CheckArguments(FindCommand(command), arguments);
   } catch (const UserError& error) {
@@ -52,20 +52,21 @@ TEST(CommandTable, AMisspelledCommandIsToldTheNearest) {
 }
 
 TEST(CommandTable, ArgumentsAreChecked) {
-  EXPECT_EQ(ErrorOf("swap", {{"name", "task"}, {"file", "a.task"}, {"now", true}}), "");
-  EXPECT_EQ(ErrorOf("set", {{"name", "task.gain"}, {"value", 0.5}}), "");
-  EXPECT_EQ(ErrorOf("set", {{"name", "task.gain"}, {"value", "20 s"}}), "");
-  EXPECT_EQ(ErrorOf("status", nlohmann::json::array()),
+  EXPECT_EQ(ErrorOfCall("swap", {{"name", "task"}, {"file", "a.task"}, {"now", true}}), "");
+  EXPECT_EQ(ErrorOfCall("set", {{"name", "task.gain"}, {"value", 0.5}}), "");
+  EXPECT_EQ(ErrorOfCall("set", {{"name", "task.gain"}, {"value", "20 s"}}), "");
+  EXPECT_EQ(ErrorOfCall("status", nlohmann::json::array()),
             "the arguments of `status` must be a JSON object");
-  EXPECT_EQ(ErrorOf("swap", {{"name", "task"}}),
+  EXPECT_EQ(ErrorOfCall("swap", {{"name", "task"}}),
             "`swap` needs the argument `file`: a .task file, or a .so built by taskc");
-  EXPECT_EQ(ErrorOf("swap", {{"name", "task"}, {"file", 3}}),
+  EXPECT_EQ(ErrorOfCall("swap", {{"name", "task"}, {"file", 3}}),
             "the argument `file` of `swap` must be a string");
-  EXPECT_EQ(ErrorOf("step", {{"count", 1.5}}), "the argument `count` of `step` must be an integer");
-  EXPECT_EQ(ErrorOf("set", {{"name", "task.gain"}, {"value", nullptr}}),
+  EXPECT_EQ(ErrorOfCall("step", {{"count", 1.5}}),
+            "the argument `count` of `step` must be an integer");
+  EXPECT_EQ(ErrorOfCall("set", {{"name", "task.gain"}, {"value", nullptr}}),
             "the argument `value` of `set` must be a number, a boolean, a string or a list of "
             "numbers");
-  EXPECT_EQ(ErrorOf("unload", {{"name", "task"}, {"nmae", "task"}}),
+  EXPECT_EQ(ErrorOfCall("unload", {{"name", "task"}, {"nmae", "task"}}),
             "`unload` has no argument `nmae`: did you mean `name`?");
 }
 
