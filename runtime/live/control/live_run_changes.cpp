@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "runtime/live/control/answers.h"
 #include "runtime/live/control/live_run.h"
 #include "runtime/live/control/parameter_json.h"
+#include "runtime/live/control/replies.h"
 #include "runtime/live/control/versions.h"
 #include "runtime/training/run/change_text.h"
 #include "runtime/training/run/run_files.h"

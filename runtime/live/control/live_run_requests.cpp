@@ -7,8 +7,8 @@
 
 #include "runtime/base/overloaded.h"
 #include "runtime/base/suggestion.h"
-#include "runtime/live/control/answers.h"
 #include "runtime/live/control/live_run.h"
+#include "runtime/live/control/replies.h"
 
 namespace runtime {
 namespace {
@@ -80,7 +80,7 @@ Json LiveRun::Get(const Json& arguments) const {
 }
 
 Json LiveRun::Graph(const Json& arguments) const {
-  return GraphAnswer(graph_, arguments.value("format", std::string("text")));
+  return GraphReply(graph_, arguments.value("format", std::string("text")));
 }
 
 Json LiveRun::Pause(const QueuedRequest&) {

@@ -15,7 +15,7 @@ using testing::Not;
 class AccessTest : public ServerTest {
  protected:
   int Status(const std::string& header) const {
-    return Answer("POST", "/api/status", header).status;
+    return ResponseTo("POST", "/api/status", header).status;
   }
   std::string Bearer(const std::string& token) const {
     return Host() + "Authorization: Bearer " + token + "\r\n";
@@ -45,11 +45,11 @@ TEST_F(AccessTest, ATokenIsLongAndNewEachTime) {
 
 TEST_F(AccessTest, OnlyABrowserMayHaveTheTokenInItsAddress) {
   Start();
-  EXPECT_EQ(Answer("GET", "/?token=" + token_, Host()).status, 200);
-  EXPECT_EQ(Answer("GET", "/?token=" + token_.substr(1), Host()).status, 401);
-  EXPECT_EQ(Answer("GET", "/", Host()).status, 401);
-  EXPECT_EQ(Answer("GET", "/api/events?token=" + token_, Host()).status, 426);
-  EXPECT_EQ(Answer("GET", "/api/status?token=" + token_, Host()).status, 401);
+  EXPECT_EQ(ResponseTo("GET", "/?token=" + token_, Host()).status, 200);
+  EXPECT_EQ(ResponseTo("GET", "/?token=" + token_.substr(1), Host()).status, 401);
+  EXPECT_EQ(ResponseTo("GET", "/", Host()).status, 401);
+  EXPECT_EQ(ResponseTo("GET", "/api/events?token=" + token_, Host()).status, 426);
+  EXPECT_EQ(ResponseTo("GET", "/api/status?token=" + token_, Host()).status, 401);
   EXPECT_EQ(server_->page_address(),
             "http://127.0.0.1:" + std::to_string(port_) + "/?token=" + token_);
 }
@@ -131,7 +131,7 @@ TEST_F(AccessTest, TheControlFileSaysHowToReachTheTrainer) {
 
 TEST_F(AccessTest, AnErrorDoesNotShowTheToken) {
   Start();
-  const RawResponse response = Answer("POST", "/api/status", Host());
+  const RawResponse response = ResponseTo("POST", "/api/status", Host());
   EXPECT_THAT(ErrorIn(response), HasSubstr("control.json"));
   EXPECT_THAT(response.body + response.header, Not(HasSubstr(token_)));
 }

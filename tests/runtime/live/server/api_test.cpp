@@ -63,7 +63,7 @@ TEST_F(ApiTest, EveryCommandGoesThroughTheLoopback) {
     if (!IsEchoed(command)) continue;
     const json arguments = ArgumentsOf(command);
     const RawResponse response =
-        Answer("POST", std::string("/api/") + command.name, Credentials(), arguments.dump());
+        ResponseTo("POST", std::string("/api/") + command.name, Credentials(), arguments.dump());
     ASSERT_EQ(response.status, 200) << command.name << ": " << response.body;
     const json answer = json::parse(response.body);
     EXPECT_EQ(answer["ok"], true);
@@ -81,7 +81,7 @@ TEST_F(ApiTest, WhatOnlyLooksTakesGetAsWell) {
       target += (target.find('?') == std::string::npos ? "?" : "&") + std::string(argument.name) +
                 "=a%2Eb+c";
     }
-    const RawResponse response = Answer("GET", target, Credentials());
+    const RawResponse response = ResponseTo("GET", target, Credentials());
     ASSERT_EQ(response.status, command.changes() ? 405 : 200) << command.name;
     if (command.changes()) continue;
     const json answer = json::parse(response.body);
@@ -93,7 +93,7 @@ TEST_F(ApiTest, WhatOnlyLooksTakesGetAsWell) {
 
 TEST_F(ApiTest, ARequestWithoutABodyHasNoArguments) {
   Start();
-  const RawResponse response = Answer("POST", "/api/pause", Credentials());
+  const RawResponse response = ResponseTo("POST", "/api/pause", Credentials());
   EXPECT_EQ(response.status, 200);
   EXPECT_EQ(json::parse(response.body)["value"]["arguments"], json::object());
 }
@@ -103,7 +103,7 @@ TEST_F(ApiTest, ARefusalComesWithAllItsLines) {
   const Reply reply = Ask(folder(), {"unload", {{"name", "shadow"}}});
   EXPECT_FALSE(reply.ok);
   EXPECT_EQ(reply.error, "there is no task module `shadow`\nthere is `task`");
-  EXPECT_EQ(Answer("POST", "/api/unload", Credentials(), R"({"name": "shadow"})").status, 422);
+  EXPECT_EQ(ResponseTo("POST", "/api/unload", Credentials(), R"({"name": "shadow"})").status, 422);
 }
 
 TEST_F(ApiTest, WrongRequestsAreExplained) {
@@ -136,7 +136,7 @@ TEST_F(ApiTest, WrongRequestsAreExplained) {
       {"GET", "/api/get?nome=task", "", 400, "`get` needs the argument `name`"},
   };
   for (const Case& each : cases) {
-    const RawResponse response = Answer(each.method, each.target, Credentials(), each.body);
+    const RawResponse response = ResponseTo(each.method, each.target, Credentials(), each.body);
     ASSERT_EQ(response.status, each.status)
         << each.method << " " << each.target << " " << each.body;
     EXPECT_THAT(ErrorIn(response), HasSubstr(each.error));
@@ -146,7 +146,7 @@ TEST_F(ApiTest, WrongRequestsAreExplained) {
 
 TEST_F(ApiTest, ThePageIsMadeWhenItIsAskedFor) {
   Start();
-  const RawResponse response = Answer("GET", "/", Credentials());
+  const RawResponse response = ResponseTo("GET", "/", Credentials());
   EXPECT_EQ(response.status, 200);
   EXPECT_EQ(response.body, "<html>a page</html>");
   EXPECT_THAT(response.header, HasSubstr("Content-Type: text/html"));

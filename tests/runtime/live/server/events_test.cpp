@@ -126,9 +126,9 @@ TEST_F(EventsTest, AClientThatSendsTooMuchIsLetGo) {
 
 TEST_F(EventsTest, TheStreamNeedsTheTokenToo) {
   Start();
-  EXPECT_EQ(Answer("GET", "/api/events", Host() + kUpgrade).status, 401);
-  EXPECT_EQ(Answer("GET", "/api/events?token=" + token_,
-                   Host() + kUpgrade + "Origin: http://evil.example\r\n")
+  EXPECT_EQ(ResponseTo("GET", "/api/events", Host() + kUpgrade).status, 401);
+  EXPECT_EQ(ResponseTo("GET", "/api/events?token=" + token_,
+                       Host() + kUpgrade + "Origin: http://evil.example\r\n")
                 .status,
             403);
   RawClient client = OnPort();

@@ -22,7 +22,7 @@ class RobustnessTest : public ServerTest {
   std::string StatusRequest() const { return RequestText("POST", "/api/status", Credentials()); }
 
   void ExpectThatItStillAnswers() const {
-    EXPECT_EQ(Answer("POST", "/api/status", Credentials()).status, 200);
+    EXPECT_EQ(ResponseTo("POST", "/api/status", Credentials()).status, 200);
     EXPECT_TRUE(Ask(folder(), {"status", json::object()}).ok);
   }
 };
@@ -66,7 +66,7 @@ TEST_F(RobustnessTest, LargeBodiesAreRefused) {
   EXPECT_EQ(client.Receive().status, 413);
   EXPECT_TRUE(client.IsClosed());
   const RawResponse good =
-      Answer("POST", "/api/status", Credentials(), "{" + std::string(1'000'000, ' ') + "}");
+      ResponseTo("POST", "/api/status", Credentials(), "{" + std::string(1'000'000, ' ') + "}");
   EXPECT_EQ(good.status, 200);
   // Of unknown length, in chunks.
   RawClient chunks = OnPort();
@@ -173,7 +173,8 @@ TEST_F(RobustnessTest, AThousandConnectionsInARow) {
   Start();
   const int files = OpenFiles();
   for (int i = 0; i < 500; ++i) {
-    ASSERT_EQ(Answer("POST", "/api/status", Credentials() + "Connection: close\r\n").status, 200);
+    ASSERT_EQ(ResponseTo("POST", "/api/status", Credentials() + "Connection: close\r\n").status,
+              200);
     ASSERT_TRUE(Ask(folder(), {"status", json::object()}).ok);
   }
   EXPECT_TRUE(ComesDownTo(files));
@@ -209,7 +210,7 @@ TEST_F(RobustnessTest, OnlySoManyClientsAtATime) {
   clients.pop_back();
   int status = 503;
   for (const auto end = Clock::now() + 10s; status == 503 && Clock::now() < end;) {
-    status = Answer("POST", "/api/status", Credentials()).status;
+    status = ResponseTo("POST", "/api/status", Credentials()).status;
   }
   EXPECT_EQ(status, 200);
 }

@@ -45,8 +45,8 @@ class ServerTest : public testing::Test {
   std::string Credentials() const { return Host() + "Authorization: Bearer " + token_ + "\r\n"; }
 
   // On the loopback, in a connection of its own.
-  RawResponse Answer(std::string_view method, std::string_view target, const std::string& header,
-                     std::string_view body = "") const {
+  RawResponse ResponseTo(std::string_view method, std::string_view target,
+                         const std::string& header, std::string_view body = "") const {
     RawClient client = OnPort();
     client.Send(RequestText(method, target, header, body));
     return client.Receive();

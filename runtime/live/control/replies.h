@@ -23,6 +23,6 @@ nlohmann::json TaskJson(const std::string& module, const TaskRecord& task);
 nlohmann::json ParametersJson(const LiveGraph& graph, const std::string& name);
 
 // {"text"}: the graph as `text`, `json` or `dot`. Throws UserError for another format.
-nlohmann::json GraphAnswer(const LiveGraph& graph, const std::string& format);
+nlohmann::json GraphReply(const LiveGraph& graph, const std::string& format);
 
 }  // namespace runtime

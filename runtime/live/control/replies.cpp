@@ -1,4 +1,4 @@
-#include "runtime/live/control/answers.h"
+#include "runtime/live/control/replies.h"
 
 #include <fmt/format.h>
 
@@ -77,7 +77,7 @@ nlohmann::json ParametersJson(const LiveGraph& graph, const std::string& name) {
   return ParameterJson(module, module.FindParameter(name.substr(dot + 1)));
 }
 
-nlohmann::json GraphAnswer(const LiveGraph& graph, const std::string& format) {
+nlohmann::json GraphReply(const LiveGraph& graph, const std::string& format) {
   if (format == "text") return {{"text", GraphText(graph.graph())}};
   if (format == "json") return {{"text", GraphJson(graph.graph())}};
   if (format == "dot") return {{"text", GraphDot(graph.graph())}};
