@@ -10,7 +10,7 @@
 namespace compiler {
 namespace {
 
-// A length as written in the brackets of an array type; nothing if it is no number.
+// A length as written in the brackets of an array type; nothing if it is not a number.
 std::optional<uint64_t> LengthOf(const std::string& text) {
   if (text.empty() || !std::ranges::all_of(text, [](char c) { return c >= '0' && c <= '9'; }))
     return std::nullopt;

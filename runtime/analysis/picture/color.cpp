@@ -5,7 +5,7 @@
 namespace runtime {
 namespace {
 
-// Of a value from 0 to 1; what is no number counts as 0.
+// Of a value from 0 to 1; what is not a number counts as 0.
 uint8_t ByteOf(double value) {
   if (!(value > 0)) return 0;
   return static_cast<uint8_t>(std::floor(255 * std::min(value, 1.) + 0.5));

@@ -23,7 +23,7 @@ constexpr int kDocumentStripHeight =
 
 bool IsNumber(const Json& value) { return value.is_number() && std::isfinite(value.get<double>()); }
 
-// About four significant digits; "–" for what is no number.
+// About four significant digits; "–" for what is not a number.
 std::string Number(const Json& value) {
   if (!IsNumber(value)) return "–";
   const auto number = value.get<double>();

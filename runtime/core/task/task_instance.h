@@ -27,7 +27,7 @@ struct Incidents {
   double first_time = 0;  // [s] since the start of the episode
 };
 
-// A plugin's memory, its params, and what it has paid and measured in the present episode. It knows
+// A plugin's memory, its params, and what it has paid and measured in the current episode. It knows
 // no ports: whoever owns it keeps the sensors' data up to date.
 class TaskInstance {
  public:
@@ -73,7 +73,7 @@ class TaskInstance {
   // Goes on where `old` is, as far as the two have variables of the same name, type and unit: the
   // params that differ from their initial value there, where they lie in the range here, and the
   // memory of the run. `in_episode`: also all other memory, and what was paid, measured and logged
-  // in the present episode.
+  // in the current episode.
   void TakeOver(const TaskInstance& old, bool in_episode);
 
   // The values of the params and of the variables that live as long as the run.

@@ -4,7 +4,7 @@
 
 namespace runtime {
 
-// The folder of the one run under `root` on which a trainer is at work. Throws UserError where
+// The folder of the one run under `root` on which a trainer is running. Throws UserError where
 // there is none, or more than one: then it names them.
 std::filesystem::path FindTrainer(const std::filesystem::path& root);
 

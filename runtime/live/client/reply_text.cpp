@@ -12,7 +12,7 @@ namespace {
 
 using nlohmann::json;
 
-// Members in the order in which people want them; all others follow by the alphabet.
+// Members in the order in which people want them; all others follow in alphabetical order.
 constexpr std::string_view kOrder[] = {
     "number",      "run",         "robot",       "module",  "name",          "type",
     "task",        "role",        "state",       "value",   "takes_effect",  "from",

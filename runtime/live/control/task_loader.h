@@ -30,7 +30,7 @@ class TaskLoader {
   explicit TaskLoader(std::filesystem::path run_folder);
   TaskLoader(const TaskLoader&) = delete;
   TaskLoader& operator=(const TaskLoader&) = delete;
-  // Kills the compiler where it is at work; the handlers of what is not loaded are called with an
+  // Kills the compiler where it is running; the handlers of what is not loaded are called with an
   // error.
   ~TaskLoader();
 

@@ -218,7 +218,7 @@ void RunTablePrinter::Refresh(bool at_once) {
   std::fflush(output_);
 }
 
-// Where not all runs have room, those at work, as many as have.
+// Where not all runs have room, those that are running, as many as have.
 std::string RunTablePrinter::FittingTable() const {
   constexpr size_t kBesidesRuns = 3;  // the head, the summary and the cursor's line
   const size_t rows = std::max(live_.rows(), kBesidesRuns) - kBesidesRuns;

@@ -48,12 +48,12 @@ class SupervisorListener {
   virtual void OnLine(const RunProgress& run, std::string_view json) = 0;
   // What a worker prints on standard error, and what became of it.
   virtual void OnMessage(const RunProgress& run, std::string_view text) = 0;
-  // The workers were asked to end after their present episodes, or `at_once`.
+  // The workers were asked to end after their current episodes, or `at_once`.
   virtual void OnStopping(bool at_once) = 0;
 };
 
 // The words after `trainer` with which a worker takes up a run. It prints a line of JSON for each
-// episode, goes on where it was when it is called again, and ends after the present episode when it
+// episode, goes on where it was when it is called again, and ends after the current episode when it
 // is asked to.
 using WorkerWords = std::function<std::vector<std::string>(const RunProgress& run)>;
 
@@ -69,7 +69,7 @@ class Supervisor {
   ~Supervisor();
 
   // Until all runs are finished or given up, or a stop is requested: then the workers end after
-  // their present episode, or at once where it is urgent, and everything can be gone on with.
+  // their current episode, or at once where it is urgent, and everything can be gone on with.
   // Returns whether all are finished.
   bool Run(const StopRequest& stop);
 

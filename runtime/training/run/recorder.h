@@ -1,4 +1,4 @@
-// Keeps the poses of the present episode, so that it can be stored if it turns out to be worth it.
+// Keeps the poses of the current episode, so that it can be stored if it turns out to be worth it.
 #pragma once
 
 #include <cstddef>

@@ -34,7 +34,7 @@ class Training {
   // deletes the episodes that came after it. They will come again, bit for bit.
   void Restore();
 
-  // Runs the episodes that are left. Where a stop is requested, ends after the present episode;
+  // Runs the episodes that are left. Where a stop is requested, ends after the current episode;
   // returns whether all are done. Throws UserError where an episode cannot be saved.
   bool Run(const StopRequest& stop);
 

@@ -17,7 +17,7 @@ nlohmann::json ToJson(const WrittenNumber& number);
 
 // Nothing where no parameter can have it, such as null. Numbers that no int64_t holds are reals.
 std::optional<ParameterValue> ValueFromJson(const nlohmann::json& json);
-// Nothing where it is no number.
+// Nothing where it is not a number.
 std::optional<WrittenNumber> NumberFromJson(const nlohmann::json& json);
 
 }  // namespace runtime
