@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/variant/overloaded.h"
 #include "compiler/bounds/builtin_bounds.h"
 
 namespace compiler {
@@ -13,13 +14,6 @@ constexpr int kMostCalls = 2000;
 constexpr int kDeepestCall = 50;
 
 Interval Anything(Scalar scalar) { return scalar == Scalar::kReal ? kAnything : AnyOf(scalar); }
-
-template <typename... Functions>
-struct Overloaded : Functions... {
-  using Functions::operator()...;
-};
-template <typename... Functions>
-Overloaded(Functions...) -> Overloaded<Functions...>;  // clang before 17 does not deduce it
 
 }  // namespace
 
@@ -40,7 +34,7 @@ Interval ExpressionBounds::Of(const CheckedExpression& expression) {
 
 Box ExpressionBounds::AllOf(const CheckedExpression& expression) {
   const Type& type = expression.type;
-  return std::visit(Overloaded{
+  return std::visit(variant::Overloaded{
                         [](const Constant& node) { return Box(Exactly(node.value)); },
                         [&](const SensorRead& node) { return values_.sensors[node.sensor]; },
                         [&](const ParamRead& node) { return values_.params[node.param]; },
@@ -105,7 +99,7 @@ Box ExpressionBounds::Calculate(const FunctionCall& call, const Type& type) {
 bool IsSameRead(const CheckedExpression& a, const CheckedExpression& b) {
   if (a.node.index() != b.node.index()) return false;
   return std::visit(
-      Overloaded{
+      variant::Overloaded{
           [&](const SensorRead& node) {
             return node.sensor == std::get<SensorRead>(b.node).sensor;
           },

@@ -7,9 +7,9 @@
 #include <cstdlib>
 #include <utility>
 
+#include "base/variant/overloaded.h"
 #include "compiler/emit/chain.h"
 #include "compiler/emit/cpp_literal.h"
-#include "compiler/emit/overloaded.h"
 
 namespace compiler {
 namespace {
@@ -27,7 +27,7 @@ std::vector<const CheckedExpression*> PointersTo(const std::vector<CheckedExpres
 // What the expression is made of, one level down.
 std::vector<const CheckedExpression*> Operands(const CheckedExpression& expression) {
   using Result = std::vector<const CheckedExpression*>;
-  return std::visit(Overloaded{
+  return std::visit(variant::Overloaded{
                         [](const Elements& node) { return Result{node.operand.get()}; },
                         [](const CheckedUnary& node) { return Result{node.operand.get()}; },
                         [](const CheckedBinary& node) {
@@ -213,7 +213,7 @@ CppText ExpressionEmitter::Element(const CheckedExpression& expression, const In
     return Subscript(named->second, type, index);
   }
   return std::visit(
-      Overloaded{
+      variant::Overloaded{
           [&](const Constant& node) { return LiteralText(node, type.scalar); },
           [&](const SensorRead& node) {
             return Subscript(values_.sensors[node.sensor], type, index);
@@ -274,7 +274,7 @@ CppText ExpressionEmitter::ElementOf(const BuiltinCall& node, const CheckedExpre
   const Scalar scalar = expression.type.scalar;
   const bool is_int = scalar == Scalar::kInt;
   if (const auto chain = ChainOf(node)) return Reduced(node, *chain, scalar);
-  return std::visit(Overloaded{
+  return std::visit(variant::Overloaded{
                         [&](const Chain& chain) { return Joined(node, chain.join, scalar, index); },
                         [&](const CompilerFunction& function) {
                           return CallText(is_int ? function.integer : function.real,
@@ -336,7 +336,7 @@ std::vector<CppText> ExpressionEmitter::Arguments(const FunctionCall& call) {
 
 std::string ExpressionEmitter::ArrayOf(const CheckedExpression& expression) const {
   if (auto named = named_.find(&expression); named != named_.end()) return named->second;
-  return std::visit(Overloaded{
+  return std::visit(variant::Overloaded{
                         [&](const SensorRead& node) { return values_.sensors[node.sensor]; },
                         [&](const MemoryRead& node) { return values_.memory[node.memory]; },
                         [&](const LocalRead& node) { return values_.locals[node.local]; },

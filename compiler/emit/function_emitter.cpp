@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include "compiler/check/memory_reset.h"
-#include "compiler/emit/overloaded.h"
 #include "compiler/syntax/words.h"
 
 namespace compiler {

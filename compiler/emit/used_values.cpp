@@ -1,7 +1,7 @@
 #include "compiler/emit/used_values.h"
 
+#include "base/variant/overloaded.h"
 #include "compiler/check/traversal.h"
-#include "compiler/emit/overloaded.h"
 
 namespace compiler {
 
@@ -16,7 +16,7 @@ bool Reads(const CheckedExpression& expression, uint32_t memory) {
 
 void UsedValues::Add(const CheckedExpression& expression) {
   ForEachPart(expression, [this](const CheckedExpression& part) {
-    std::visit(Overloaded{
+    std::visit(variant::Overloaded{
                    [this](const SensorRead& node) { sensors.insert(node.sensor); },
                    [this](const ParamRead& node) { params.insert(node.param); },
                    [this](const MemoryRead&) { memory = true; },

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "runtime/base/overloaded.h"
+#include "base/variant/overloaded.h"
 #include "runtime/base/suggestion.h"
 
 namespace runtime {
@@ -117,7 +117,7 @@ void Parameter::CheckRange(const std::string& full_name, double value) const {
 }
 
 std::string ToText(const ParameterValue& value) {
-  return std::visit(Overloaded{
+  return std::visit(variant::Overloaded{
                         [](bool flag) -> std::string { return flag ? "true" : "false"; },
                         [](int64_t integer) { return std::to_string(integer); },
                         [](double real) { return RealToText(real); },
@@ -157,10 +157,10 @@ void Module::Set(std::string_view parameter, const ParameterValue& value) {
 }
 
 ParameterValue Module::Get(std::string_view parameter) const {
-  return std::visit(Overloaded{[](const int* integer) -> ParameterValue {
-                                 return static_cast<int64_t>(*integer);
-                               },
-                               [](const auto* other) -> ParameterValue { return *other; }},
+  return std::visit(variant::Overloaded{[](const int* integer) -> ParameterValue {
+                                          return static_cast<int64_t>(*integer);
+                                        },
+                                        [](const auto* other) -> ParameterValue { return *other; }},
                     FindParameter(parameter).target);
 }
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "runtime/base/overloaded.h"
+#include "base/variant/overloaded.h"
 
 namespace runtime {
 namespace {
@@ -94,11 +94,13 @@ void Journal::Quarantine(const RunPosition& position, const ChangeRecord& change
 
 bool CanBeBlamed(const ChangeRecord& change) {
   return std::visit(
-      Overloaded{
-          [](const OneOf<UnloadShadow, RemoveModule, PutInQuarantine> auto&) { return false; },
-          [](const OneOf<SwapTask, LoadShadow, RollBackTask, PromoteTask, SetParameter,
-                         ScheduleParameter, ConnectPorts, DisconnectPorts, AddModule,
-                         UnknownChange> auto&) { return true; },
+      variant::Overloaded{
+          [](const variant::OneOf<UnloadShadow, RemoveModule, PutInQuarantine> auto&) {
+            return false;
+          },
+          [](const variant::OneOf<SwapTask, LoadShadow, RollBackTask, PromoteTask, SetParameter,
+                                  ScheduleParameter, ConnectPorts, DisconnectPorts, AddModule,
+                                  UnknownChange> auto&) { return true; },
       },
       change.change);
 }

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "runtime/base/overloaded.h"
+#include "base/variant/overloaded.h"
 #include "runtime/training/run/progress.h"
 #include "runtime/training/run/record_error.h"
 
@@ -20,13 +20,12 @@ constexpr std::chrono::milliseconds kBetweenLooks{100};  // for a signal, during
 std::optional<std::string> ComingOrGoing(const Change& change) {
   using Result = std::optional<std::string>;
   return std::visit(
-      Overloaded{
-          [](const OneOf<LoadShadow, UnloadShadow, AddModule, RemoveModule> auto& each) -> Result {
-            return each.module;
-          },
-          [](const OneOf<SwapTask, RollBackTask, PromoteTask, SetParameter, ScheduleParameter,
-                         ConnectPorts, DisconnectPorts, PutInQuarantine, UnknownChange> auto&)
-              -> Result { return std::nullopt; },
+      variant::Overloaded{
+          [](const variant::OneOf<LoadShadow, UnloadShadow, AddModule, RemoveModule> auto& each)
+              -> Result { return each.module; },
+          [](const variant::OneOf<SwapTask, RollBackTask, PromoteTask, SetParameter,
+                                  ScheduleParameter, ConnectPorts, DisconnectPorts, PutInQuarantine,
+                                  UnknownChange> auto&) -> Result { return std::nullopt; },
       },
       change);
 }

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "runtime/base/overloaded.h"
+#include "base/variant/overloaded.h"
 #include "runtime/base/suggestion.h"
 #include "runtime/live/control/live_run.h"
 #include "runtime/live/control/replies.h"
@@ -40,7 +40,7 @@ void LiveRun::ServeQueue() {
 void LiveRun::Serve(const QueuedRequest& request) {
   const auto done = [&](Json value) { request.reply({true, std::move(value), ""}); };
   try {
-    std::visit(Overloaded{
+    std::visit(variant::Overloaded{
                    [&](LookHandler look) { done((this->*look)(request.arguments)); },
                    [&](ChangeHandler change) { done((this->*change)(request)); },
                    [&](LateHandler change) { (this->*change)(request); },

@@ -3,7 +3,7 @@
 // change_text.cpp.
 //
 // Whoever asks something of a change says what holds for each kind, by std::visit without a case
-// for the rest (runtime/base/overloaded.h): where a new kind was forgotten, that does not compile.
+// for the rest (base/variant/overloaded.h): where a new kind was forgotten, that does not compile.
 #pragma once
 
 #include <cstdint>

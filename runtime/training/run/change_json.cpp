@@ -5,7 +5,7 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 
-#include "runtime/base/overloaded.h"
+#include "base/variant/overloaded.h"
 #include "runtime/base/user_error.h"
 #include "runtime/training/run/value_json.h"
 
@@ -17,50 +17,50 @@ using Json = nlohmann::json;
 // What each kind says, for the writer and the reader at once. All of it must be there, except flags
 // that are false, `Values` that are none, and what is called optional.
 
-void Members(auto& members, OneOf<SwapTask> auto& change) {
+void Members(auto& members, variant::OneOf<SwapTask> auto& change) {
   members.Text("name", change.module);
   members.Task("task", change.task);
   members.Flag("forget", change.forget);
 }
 
-void Members(auto& members, OneOf<LoadShadow, RollBackTask> auto& change) {
+void Members(auto& members, variant::OneOf<LoadShadow, RollBackTask> auto& change) {
   members.Text("name", change.module);
   members.Task("task", change.task);
 }
 
-void Members(auto& members, OneOf<PromoteTask> auto& change) {
+void Members(auto& members, variant::OneOf<PromoteTask> auto& change) {
   members.Text("name", change.module);
   members.Flag("forget", change.forget);
 }
 
-void Members(auto& members, OneOf<UnloadShadow, RemoveModule> auto& change) {
+void Members(auto& members, variant::OneOf<UnloadShadow, RemoveModule> auto& change) {
   members.Text("name", change.module);
 }
 
-void Members(auto& members, OneOf<SetParameter> auto& change) {
+void Members(auto& members, variant::OneOf<SetParameter> auto& change) {
   members.Text("name", change.parameter);
   members.Value("value", change.value);
 }
 
-void Members(auto& members, OneOf<ScheduleParameter> auto& change) {
+void Members(auto& members, variant::OneOf<ScheduleParameter> auto& change) {
   members.Text("name", change.parameter);
   members.Real("from", change.from);
   members.Real("to", change.to);
   members.Count("episodes", change.episodes);
 }
 
-void Members(auto& members, OneOf<ConnectPorts, DisconnectPorts> auto& change) {
+void Members(auto& members, variant::OneOf<ConnectPorts, DisconnectPorts> auto& change) {
   members.Text("first", change.first);
   members.Text("second", change.second);
 }
 
-void Members(auto& members, OneOf<AddModule> auto& change) {
+void Members(auto& members, variant::OneOf<AddModule> auto& change) {
   members.Text("type", change.type);
   members.Text("name", change.module);
   members.Values("parameters", change.parameters);
 }
 
-void Members(auto& members, OneOf<PutInQuarantine> auto& change) {
+void Members(auto& members, variant::OneOf<PutInQuarantine> auto& change) {
   members.OptionalTask("task", change.task);
   members.OptionalCount("change", change.change);
   members.Text("why", change.why);
@@ -185,7 +185,7 @@ std::optional<Change> ReadAsAny(const std::string& kind, const Json& json, int64
 }  // namespace
 
 std::string ChangeData(const Change& change) {
-  return std::visit(Overloaded{
+  return std::visit(variant::Overloaded{
                         [](const UnknownChange& unknown) { return unknown.data; },
                         []<class Known>(Known known) {  // a copy, because readers fill it in
                           Writer writer(Known::kKind);

@@ -4,7 +4,7 @@
 
 #include <type_traits>
 
-namespace runtime {
+namespace variant {
 
 template <class... Functions>
 struct Overloaded : Functions... {
@@ -17,4 +17,4 @@ Overloaded(Functions...) -> Overloaded<Functions...>;  // clang before 17 does n
 template <class Type, class... Types>
 concept OneOf = (std::is_same_v<Type, Types> || ...);
 
-}  // namespace runtime
+}  // namespace variant
