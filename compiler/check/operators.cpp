@@ -71,7 +71,8 @@ class BinaryCheck {
   CheckedExpression& right() { return right_.expression; }
 
   std::optional<CheckedExpression> CheckLogic() {
-    const bool fits = IsCondition(left()) & IsCondition(right());  // both, for their messages
+    const bool left_fits = IsCondition(left());  // both are checked, for their messages
+    const bool fits = IsCondition(right()) && left_fits;
     return fits ? Build(ScalarType(Scalar::kBool), {}) : std::nullopt;
   }
 

@@ -1,6 +1,7 @@
 #include "runtime/training/run/live_text.h"
 
 #include <gmock/gmock.h>
+#include <poll.h>
 #include <pty.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
@@ -11,6 +12,7 @@
 namespace runtime {
 namespace {
 
+constexpr int kTimeout = 20000;  // [ms]
 const std::vector<LineField> kFields = {{"one 1.25", 0}, {"two 2.5", 2}, {"three 3.75", 1}};
 
 TEST(FittingLine, DropsWholeFieldsByTheirRanks) {
@@ -46,10 +48,17 @@ class LiveTextTest : public testing::Test {
     const winsize size{24, columns, 0, 0};
     ioctl(terminal_, TIOCSWINSZ, &size);
   }
-  std::string Printed() const {
-    char bytes[1000];
-    const ssize_t size = read(terminal_, bytes, sizeof bytes);
-    return {bytes, static_cast<size_t>(std::max<ssize_t>(size, 0))};
+  // A terminal hands on what was printed in parts, each when it comes to it.
+  void ExpectPrinted(const std::string& expected) const {
+    std::string printed;
+    pollfd readable = {terminal_, POLLIN, 0};
+    while (printed.size() < expected.size() && poll(&readable, 1, kTimeout) == 1) {
+      char bytes[1000];
+      const ssize_t size = read(terminal_, bytes, sizeof bytes);
+      if (size <= 0) break;
+      printed.append(bytes, static_cast<size_t>(size));
+    }
+    EXPECT_EQ(printed, expected);
   }
 
   int terminal_ = -1;
@@ -62,13 +71,13 @@ TEST_F(LiveTextTest, TakesThePlaceOfWhatWasShown) {
   EXPECT_EQ(text.columns(), 39u);
   EXPECT_EQ(text.rows(), 24u);
   text.Show("a\nb\n");
-  EXPECT_EQ(Printed(), "a\x1b[K\r\nb\x1b[K\r\n");
+  ExpectPrinted("a\x1b[K\r\nb\x1b[K\r\n");
   text.Show("c\n");
-  EXPECT_EQ(Printed(), "\x1b[2A\rc\x1b[K\r\n\x1b[K\r\n\x1b[1A");
+  ExpectPrinted("\x1b[2A\rc\x1b[K\r\n\x1b[K\r\n\x1b[1A");
   text.Erase();
-  EXPECT_EQ(Printed(), "\x1b[1A\r\x1b[K\r\n\x1b[1A");
+  ExpectPrinted("\x1b[1A\r\x1b[K\r\n\x1b[1A");
   text.Show("d\n");
-  EXPECT_EQ(Printed(), "d\x1b[K\r\n");
+  ExpectPrinted("d\x1b[K\r\n");
 }
 
 // The terminal has wrapped the 30 characters into three rows, the 10 into one and the empty line
@@ -76,11 +85,12 @@ TEST_F(LiveTextTest, TakesThePlaceOfWhatWasShown) {
 TEST_F(LiveTextTest, ErasesWhatANarrowerWindowHasWrapped) {
   LiveText text(output_);
   text.Show(std::string(30, 'x') + "\n" + std::string(10, 'y') + "\n\n");
-  Printed();
+  ExpectPrinted(std::string(30, 'x') + "\x1b[K\r\n" + std::string(10, 'y') +
+                "\x1b[K\r\n\x1b[K\r\n");
   Narrow(11);
   EXPECT_EQ(text.columns(), 10u);
   text.Show("z\n");
-  EXPECT_EQ(Printed(), "\x1b[5A\rz\x1b[K\r\n\x1b[K\r\n\x1b[K\r\n\x1b[K\r\n\x1b[K\r\n\x1b[4A");
+  ExpectPrinted("\x1b[5A\rz\x1b[K\r\n\x1b[K\r\n\x1b[K\r\n\x1b[K\r\n\x1b[K\r\n\x1b[4A");
 }
 
 TEST(LiveText, HasRoomForEverythingWithoutATerminal) {
