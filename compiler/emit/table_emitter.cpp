@@ -54,7 +54,7 @@ std::string EventBits(uint32_t bits) {
   for (size_t event = 0; event < kEventCount; ++event) {
     if ((bits >> event & 1) != 0) events.push_back(fmt::format("1u << {}", EventConstant(event)));
   }
-  if ((bits >> TASKC_MEASURE & 1) != 0) events.push_back("1u << TASKC_MEASURE");
+  if ((bits >> TASKC_MEASURE & 1) != 0) events.emplace_back("1u << TASKC_MEASURE");
   return events.empty() ? "0" : fmt::format("{}", fmt::join(events, " | "));
 }
 
@@ -220,7 +220,7 @@ void EmitEntry(const CheckedTask& task, const Sources& sources, TextWriter& writ
   std::vector<std::string> fields = IdentityFields(task, sources);
   for (std::string& field : TableFields(task, sources)) fields.push_back(std::move(field));
   fields.push_back(task.memory.empty() ? ".memory_size = 0" : ".memory_size = sizeof(Memory)");
-  fields.push_back(".initialize = initialize");
+  fields.emplace_back(".initialize = initialize");
   std::vector<std::string_view> functions;
   for (size_t event = 0; event < kEventCount; ++event) {
     auto kind = static_cast<EventKind>(event);

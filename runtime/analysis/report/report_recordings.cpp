@@ -61,7 +61,7 @@ void AddRecordings(const RunDatabase& database, const std::string& body,
       WithSizes(ListRecordings(database, episodes), frame_size);
   if (entries.empty()) return;
   if (frame_size == 0) {
-    notes.push_back("The run does not record the robot's shapes, so there is no replay.");
+    notes.emplace_back("The run does not record the robot's shapes, so there is no replay.");
     return;
   }
   const std::vector<size_t> chosen = ChooseRecordings(entries, kBudget, kMaximumCount);

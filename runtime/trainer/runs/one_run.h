@@ -15,9 +15,10 @@ namespace runtime {
 // Both return the exit status, and throw UserError or CallError. `types`: what the agent's modules
 // can be made of.
 
-// `folder`: empty for runs/TASK-PROFILE-seedSEED.
-int TrainOneRun(const TaskOptions& task, const RunPlan& plan, const std::filesystem::path& folder,
-                const SessionOptions& session, const ModuleTypes& types = ProgramModuleTypes());
+// `named_folder`: empty for runs/TASK-PROFILE-seedSEED.
+int TrainOneRun(const TaskOptions& options, const RunPlan& plan,
+                const std::filesystem::path& named_folder, const SessionOptions& session,
+                const ModuleTypes& types = ProgramModuleTypes());
 
 // `episodes`: how many the run is to have in all, if not as many as planned.
 int ResumeOneRun(const std::filesystem::path& folder, std::optional<int64_t> episodes,

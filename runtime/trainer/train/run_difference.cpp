@@ -45,7 +45,7 @@ void AddAgents(const std::string& there, const std::string& here,
     differences.push_back(fmt::format("`{}` is {} there and {} here", name, old_value, new_value));
   }
   if (count > kMostNamed) differences.push_back(fmt::format("and {} more", count - kMostNamed));
-  if (count == 0) differences.push_back("the agent's connections or composites");
+  if (count == 0) differences.emplace_back("the agent's connections or composites");
 }
 
 }  // namespace
@@ -53,9 +53,9 @@ void AddAgents(const std::string& there, const std::string& here,
 std::vector<std::string> DifferencesOf(const RunRecord& there, const RunRecord& here) {
   std::vector<std::string> differences;
   if (there.tasks.front().task_hash != here.tasks.front().task_hash) {
-    differences.push_back("the text of the task");
+    differences.emplace_back("the text of the task");
   }
-  if (there.robot_description != here.robot_description) differences.push_back("the robot");
+  if (there.robot_description != here.robot_description) differences.emplace_back("the robot");
   if (there.agent != here.agent) AddAgents(there.agent, here.agent, differences);
   return differences;
 }
