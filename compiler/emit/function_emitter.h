@@ -34,9 +34,9 @@ class FunctionEmitter {
   FunctionEmitter(const CheckedTask& task, const Sources& sources, const PluginNames& names,
                   TextWriter& writer, HelperSet& helpers);
 
-  void EmitFunction(uint32_t function);
+  void EmitFunction(uint32_t index);
   void EmitInitialize();
-  void EmitEvent(EventKind event);
+  void EmitEvent(EventKind kind);
   void EmitMeasure();
 
  private:

@@ -22,8 +22,8 @@ class Evaluator {
 
   // Gives all memory its initial value.
   void Initialize();
-  // Runs what the task does at `event`.
-  void Fire(EventKind event, double time_step);
+  // Runs what the task does at an event of this kind.
+  void Fire(EventKind kind, double time_step);
   // Computes all metrics.
   void Measure();
 

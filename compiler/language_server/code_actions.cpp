@@ -8,13 +8,14 @@ namespace {
 
 using protocol::Json;
 
+constexpr const char* kAnyKind = "";
 constexpr const char* kQuickFix = "quickfix";
 
 bool IsWanted(const Json& params) {
   const Json only = params.value(Json::json_pointer("/context/only"), Json());
   if (!only.is_array()) return true;
-  return std::ranges::any_of(only,
-                             [](const Json& kind) { return kind == "" || kind == kQuickFix; });
+  return std::ranges::any_of(
+      only, [](const Json& kind) { return kind == kAnyKind || kind == kQuickFix; });
 }
 
 std::pair<uint32_t, uint32_t> PlaceIn(const Json& position) {

@@ -34,13 +34,14 @@ void Diagnostics::Add(Diagnostic diagnostic) {
   assert(IsInTable(diagnostic.code));
   if (diagnostic.severity == Severity::kError) has_errors_ = true;
   const auto begin = [](const Diagnostic& other) { return other.span.begin; };
-  const auto here = std::ranges::equal_range(list_, begin(diagnostic), {}, begin);
+  const auto first = std::ranges::lower_bound(list_, begin(diagnostic), {}, begin);
+  const auto last = std::ranges::upper_bound(list_, begin(diagnostic), {}, begin);
   const auto says_the_same = [&](const Diagnostic& other) {
     return other.code == diagnostic.code && other.span == diagnostic.span &&
            other.message == diagnostic.message;
   };
-  if (std::ranges::any_of(here, says_the_same)) return;
-  list_.insert(here.end(), std::move(diagnostic));
+  if (std::any_of(first, last, says_the_same)) return;
+  list_.insert(last, std::move(diagnostic));
 }
 
 }  // namespace compiler
