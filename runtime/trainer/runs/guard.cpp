@@ -15,6 +15,7 @@
 #include <cstring>
 #include <fstream>
 #include <new>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -117,6 +118,24 @@ bool WaitForEnd(pid_t child, const PluginWatch& watch) {
   return is_killed;
 }
 
+// Signals that come while the child is made wait until they can be passed on to it: it may have
+// printed something, and a user may have answered, before this process is ready.
+class HeldSignals {
+ public:
+  HeldSignals() {
+    sigset_t held;
+    sigemptyset(&held);
+    for (const int signal : {SIGINT, SIGTERM, SIGTSTP}) sigaddset(&held, signal);
+    sigprocmask(SIG_BLOCK, &held, &before_);
+  }
+  ~HeldSignals() { sigprocmask(SIG_SETMASK, &before_, nullptr); }
+  HeldSignals(const HeldSignals&) = delete;
+  HeldSignals& operator=(const HeldSignals&) = delete;
+
+ private:
+  sigset_t before_;
+};
+
 struct End {
   int status = 0;  // as waitpid() gives it
   bool was_looping = false;
@@ -126,10 +145,12 @@ struct End {
 End RunChild(bool& is_child) {
   const pid_t parent = getpid();
   std::fflush(nullptr);  // or else both would print what waits
+  std::optional<HeldSignals> held(std::in_place);
   const pid_t child = fork();
   if (child < 0) throw UserError(fmt::format("cannot start a process: {}", std::strerror(errno)));
   if (child == 0) {
     is_child = true;
+    held.reset();
     setpgid(0, 0);
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (getppid() != parent) _exit(1);
@@ -138,6 +159,7 @@ End RunChild(bool& is_child) {
   }
   guarded_child = child;
   const PassedSignals passed_signals;
+  held.reset();
   End end;
   end.was_looping = WaitForEnd(child, shared_page->watch);
   while (waitpid(child, &end.status, 0) < 0 && errno == EINTR) {
