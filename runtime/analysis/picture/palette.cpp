@@ -73,10 +73,10 @@ class Bin {
 
   // The colors below the mean of that channel, and the others.
   std::pair<Bin, Bin> Split() const {
-    const auto upper = std::ranges::partition(colors_, [&](const Color& color) {
+    const auto upper = std::partition(colors_.begin(), colors_.end(), [&](const Color& color) {
       return color.values[widest_] * count_ < sums_[widest_];
     });
-    const size_t lower = colors_.size() - upper.size();
+    const auto lower = static_cast<size_t>(upper - colors_.begin());
     return {Bin(colors_.first(lower)), Bin(colors_.subspan(lower))};
   }
 

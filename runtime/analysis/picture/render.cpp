@@ -40,7 +40,9 @@ std::array<Vector3d, kParts> PartsOfLamp(const Vector3d& lamp) {
 
 // From the middle of a pixel to its sample `i`, in pixels.
 Eigen::Vector2d SampleOffset(int i) {
-  return {(i % kGrid + 0.5) / kGrid - 0.5, (i / kGrid + 0.5) / kGrid - 0.5};
+  const int column = i % kGrid;
+  const int row = i / kGrid;
+  return {(column + 0.5) / kGrid - 0.5, (row + 0.5) / kGrid - 0.5};
 }
 
 // The part of the floor in a pixel: a parallelogram.

@@ -26,7 +26,7 @@ struct TaskParams {
 
 // All functions throw UserError.
 
-TaskParams ParseTaskParams(const std::string& json);
+TaskParams ParseTaskParams(const std::string& text);
 // Of the task's sources as the run's record holds them: whatever has become of the files.
 TaskParams ReadTaskParams(const TaskRecord& task);
 TaskParams ReadTaskParams(const std::filesystem::path& task_file);

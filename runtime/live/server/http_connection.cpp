@@ -174,7 +174,7 @@ void HttpConnection::Do(Route route) {
 // The reply may come on any thread, and when neither connection nor server are there any more.
 void HttpConnection::Pass(Request request) {
   service_.handler.Handle(std::move(request), [service = service_.weak_from_this(),
-                                               self = weak_from_this()](Reply reply) {
+                                               self = weak_from_this()](const Reply& reply) {
     if (const auto living = service.lock()) SendLater(*living, self, ResponseOf(reply));
   });
 }

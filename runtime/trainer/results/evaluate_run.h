@@ -26,11 +26,11 @@ bool HasCheckpoint(const std::filesystem::path& run);
 std::optional<PolicyEvaluation> FindEvaluation(const std::filesystem::path& run,
                                                const EvaluationPlan& plan);
 
-// Lets what the run had learned at its last checkpoint act in the plan's profile, without learning
-// on, and writes the evaluation to its folder. It may be in training: its record is only read.
-// Nothing if a stop was requested. `types`: what the agent's modules can be made of. Throws
-// UserError.
-std::optional<PolicyEvaluation> EvaluateRun(const std::filesystem::path& run,
+// Lets what the run in `folder` had learned at its last checkpoint act in the plan's profile,
+// without learning on, and writes the evaluation to that folder. It may be in training: its record
+// is only read. Nothing if a stop was requested. `types`: what the agent's modules can be made of.
+// Throws UserError.
+std::optional<PolicyEvaluation> EvaluateRun(const std::filesystem::path& folder,
                                             const EvaluationPlan& plan, ProgressStyle style,
                                             const StopRequest& stop,
                                             const ModuleTypes& types = ProgramModuleTypes());
