@@ -25,7 +25,7 @@ file : (allow | header | declaration)* EOF ;
 header : TASK name (EXTENDS base=STRING)? (FOR robot=name)? LINE_END? ;
 
 declaration
-    : ( start | sensor | param | memory | metric | event | function | imported | test | change )
+    : ( start | sensor | param | memory | goal | metric | event | function | imported | test | change )
       LINE_END?
     ;
 
@@ -43,6 +43,9 @@ param : PARAM name ':' type '=' expression range? ;
 
 // memory fallen: bool = false per action
 memory : MEMORY name ':' type '=' expression (PER scope=NAME)? ;
+
+// goal side: int = choose(0, 1), goal velocity: vec2 [m/s] = uniform(-1 m/s, 1 m/s) per 3 s .. 8 s
+goal : GOAL name ':' type '=' value=expression (PER shortest=expression ('..' longest=expression)?)? ;
 
 // metric max height = base.position.z
 metric : METRIC reduction=word? name '=' expression ;
@@ -69,10 +72,13 @@ bodyStatement : ( let | RETURN expression ) LINE_END? ;
 
 // ---- What a task changes of the one that it extends ---------------------------------------------
 
-change : OVERRIDE ( start | newDefault | metric | reward | event | function ) ;
+change : OVERRIDE ( start | newDefault | newGoal | metric | reward | event | function ) ;
 
 // override param direction = -1
 newDefault : PARAM name '=' expression range? ;
+
+// override goal velocity = uniform(0 m/s, 2 m/s)
+newGoal : GOAL name '=' value=expression (PER shortest=expression ('..' longest=expression)?)? ;
 
 // ---- Tests --------------------------------------------------------------------------------------
 
@@ -104,7 +110,7 @@ type : name ('[' (index=name | length=NUMBER) ']')? ('[' unit ']')? ;
 block : '{' (allow | statement)* '}' ;
 
 statement
-    : ( let | assignment | branches | loop | once | reward | end | log | require ) LINE_END?
+    : ( let | assignment | branches | loop | once | reward | end | log | require | redraw ) LINE_END?
     ;
 
 // let speed = norm(base.velocity)
@@ -136,6 +142,9 @@ log : LOG reduction=word? name '=' expression ;
 
 // require norm(base.position) < 100 m "stays near"
 require : REQUIRE expression STRING? ;
+
+// redraw velocity
+redraw : REDRAW name ;
 
 // ---- Expressions --------------------------------------------------------------------------------
 
@@ -242,6 +251,8 @@ EXPECT : 'expect' ;
 ONCE : 'once' ;
 LOG : 'log' ;
 REQUIRE : 'require' ;
+GOAL : 'goal' ;
+REDRAW : 'redraw' ;
 RETURN : 'return' ;
 
 MIN : 'min' ;

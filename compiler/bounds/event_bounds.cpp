@@ -132,6 +132,15 @@ void EventBounds::Run(const CheckedLog& log, Reached& values) {
   AddCauses(bounds.causes, CausesOf(task_, *values, local_causes_, log.value));
 }
 
+void EventBounds::Run(const CheckedRedraw& redraw, Reached& values) {
+  const CheckedGoal& goal = task_.goals[redraw.goal];
+  values->memory[goal.memory] = GoalBounds(task_, *values, goal);
+  if (goal.interval)
+    values->memory[goal.interval->left] =
+        ExpressionBounds(task_, *values).AllOf(goal.interval->length);
+  values->memory[goal.draws] = Box(Interval{0, kInfinity});
+}
+
 // A callback goes on where what it requires does not hold.
 void EventBounds::Run(const CheckedRequire& require, Reached& values) {
   const Interval truth = ExpressionBounds(task_, *values).Of(require.condition);

@@ -35,6 +35,7 @@ class EventBounds {
   void Run(const CheckedEnd& end, Reached& values);
   void Run(const CheckedLog& log, Reached& values);
   void Run(const CheckedRequire& require, Reached& values);
+  void Run(const CheckedRedraw& redraw, Reached& values);
 
   bool Assume(const CheckedExpression& condition, bool truth, Values& values) const;
   void Note(const CheckedExpression& condition, bool may_be_true, bool may_be_false,

@@ -13,6 +13,9 @@ namespace {
 constexpr int kMostCalls = 2000;
 constexpr int kDeepestCall = 50;
 
+// A normal number is made of two uniform ones with 53 bits: sqrt(-2 log(2^-53)), rounded up.
+constexpr double kMostDeviations = 8.572;
+
 Interval Anything(Scalar scalar) { return scalar == Scalar::kReal ? kAnything : AnyOf(scalar); }
 
 }  // namespace
@@ -56,6 +59,7 @@ Box ExpressionBounds::AllOf(const CheckedExpression& expression) {
                         },
                         [&](const BuiltinCall& node) { return Calculate(node, type); },
                         [&](const FunctionCall& node) { return Calculate(node, type); },
+                        [&](const Draw& node) { return Calculate(node, type); },
                         [&](const TestRead&) { return Box(Anything(type.scalar)); },
                         [&](const IntToReal& node) { return AllOf(*node.operand); },
                     },
@@ -84,6 +88,24 @@ Box ExpressionBounds::Calculate(const BuiltinCall& call, const Type& type) {
   return BuiltinBounds(call, arguments, type);
 }
 
+Box ExpressionBounds::Calculate(const Draw& draw, const Type& type) {
+  std::vector<Box> arguments;
+  for (const CheckedExpressionPtr& argument : draw.arguments) arguments.push_back(AllOf(*argument));
+  std::vector<Interval> elements(type.size());
+  for (uint32_t i = 0; i < type.size(); ++i) {
+    Interval& element = elements[i] = arguments[0][i];
+    if (draw.distribution == Distribution::kNormal) {
+      const Interval deviations =
+          compiler::Calculate(BinaryOperator::kMultiply, arguments[1][i],
+                              {-kMostDeviations, kMostDeviations}, Scalar::kReal);
+      element = compiler::Calculate(BinaryOperator::kAdd, element, deviations, Scalar::kReal);
+      continue;
+    }
+    for (const Box& argument : arguments) element = Join(element, argument[i]);
+  }
+  return MakeBox(std::move(elements));
+}
+
 Box ExpressionBounds::Calculate(const FunctionCall& call, const Type& type) {
   if (++calls_ > kMostCalls || depth_ >= kDeepestCall) return Box(Anything(type.scalar));
   const CheckedFunction& function = task_.functions[call.function];
@@ -94,6 +116,12 @@ Box ExpressionBounds::Calculate(const FunctionCall& call, const Type& type) {
   ExpressionBounds body(task_, inside, calls_, depth_ + 1);
   for (const CheckedLet& let : function.lets) inside.locals[let.local] = body.AllOf(let.value);
   return body.AllOf(function.value);
+}
+
+Box GoalBounds(const CheckedTask& task, const Values& values, const CheckedGoal& goal) {
+  const Box value = ExpressionBounds(task, values).AllOf(goal.value);
+  const bool is_each = goal.value.type.shape == Shape::kScalar;
+  return is_each ? MakeBox(std::vector<Interval>(goal.type.size(), value[0])) : value;
 }
 
 bool IsSameRead(const CheckedExpression& a, const CheckedExpression& b) {

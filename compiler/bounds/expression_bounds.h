@@ -27,6 +27,7 @@ class ExpressionBounds {
   Box Calculate(const CheckedBinary& binary);
   Box Calculate(const Elements& elements);
   Box Calculate(const BuiltinCall& call, const Type& type);
+  Box Calculate(const Draw& draw, const Type& type);
   Box Calculate(const FunctionCall& call, const Type& type);
 
   const CheckedTask& task_;
@@ -35,6 +36,9 @@ class ExpressionBounds {
   int& calls_;
   int depth_;
 };
+
+// What a goal can become when it is drawn: the bounds of each of its elements.
+Box GoalBounds(const CheckedTask& task, const Values& values, const CheckedGoal& goal);
 
 // Are these reads of the same value?
 bool IsSameRead(const CheckedExpression& a, const CheckedExpression& b);

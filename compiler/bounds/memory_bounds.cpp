@@ -36,7 +36,9 @@ Box ParamBox(const CheckedParam& param, double without_range) {
 bool SetsMemory(const CheckedEvent& event) {
   bool sets = false;
   ForEachStatement(event.body, [&](const CheckedStatement& statement) {
-    if (std::holds_alternative<CheckedAssign>(statement.node)) sets = true;
+    if (std::holds_alternative<CheckedAssign>(statement.node) ||
+        std::holds_alternative<CheckedRedraw>(statement.node))
+      sets = true;
   });
   return sets;
 }
@@ -85,14 +87,16 @@ class MemoryFixpoint {
   }
 
  private:
+  // Goals are drawn as soon as all else has its first value.
   std::vector<Box> Initial() const {
-    std::vector<Box> initial;
-    const Values values = ValuesAtStart(task_, EventKind::kStartOfEpisode, without_range_);
+    Values values = ValuesAtStart(task_, EventKind::kStartOfEpisode, without_range_);
     for (const CheckedMemory& memory : task_.memory) {
       const Interval first = ExpressionBounds(task_, values).Of(memory.initial);
-      initial.push_back(MakeBox(std::vector<Interval>(memory.type.size(), first)));
+      values.memory.push_back(MakeBox(std::vector<Interval>(memory.type.size(), first)));
     }
-    return initial;
+    for (const CheckedGoal& goal : task_.goals)
+      values.memory[goal.memory] = GoalBounds(task_, values, goal);
+    return values.memory;
   }
 
   // Also reset, or left alone by what sets nothing.

@@ -29,10 +29,12 @@ const Symbol* FindMemory(const Identifier& target, const TaskScope& scope) {
   }
   if (!symbol->is_valid) return nullptr;
   if (symbol->kind == SymbolKind::kMemory) return symbol;
-  Report(
-      scope.diagnostics, code::kNotAssignable, target.span,
-      fmt::format("`{}` is {} and cannot be set by the task", target.text, WhatIs(symbol->kind)),
-      {.help = "declare a `memory` for what changes", .labels = {{symbol->span, "declared here"}}});
+  const bool is_goal = symbol->kind == SymbolKind::kGoal;
+  Report(scope.diagnostics, code::kNotAssignable, target.span,
+         fmt::format("`{}` is {} and cannot be set by the task", target.text, WhatIs(symbol->kind)),
+         {.help = is_goal ? fmt::format("to draw it anew, write `redraw {}`", target.text)
+                          : "declare a `memory` for what changes",
+          .labels = {{symbol->span, "declared here"}}});
   return nullptr;
 }
 

@@ -4,6 +4,7 @@
 
 #include "compiler/check/declarations.h"
 #include "compiler/check/functions.h"
+#include "compiler/check/goals.h"
 #include "compiler/check/sensor_use.h"
 #include "compiler/check/statements.h"
 #include "compiler/check/task_scope.h"
@@ -41,9 +42,11 @@ std::optional<CheckedTask> Check(const SyntaxTree& tree, const robot::RobotDescr
   DeclareFunctions(tree, scope);
   CheckParams(tree, scope, task);
   CheckMemory(tree, scope, task);
+  CheckGoals(tree, scope, task);
   CheckFunctions(tree, scope, task);
   CheckMetrics(tree, scope, task);
   CheckEvents(tree, scope, task);
+  AddGoalStatements(task);
   CheckTests(tree, scope, task);
   if (diagnostics.has_errors()) return std::nullopt;
 

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -122,6 +123,18 @@ struct TestRead {
   Kind kind = kTotal;
   uint32_t index = 0;
 };
+// A random number, only in the equation of a goal. Of several, each element is drawn by itself; a
+// scalar argument then applies to each. Only a choice among values with a shape is one choice.
+enum class Distribution {
+  kUniform,  // from the first argument to the second
+  kNormal,   // with the first as its mean and the second as its standard deviation
+  kChoice    // one of the arguments, each as likely
+};
+struct Draw {
+  Distribution distribution = Distribution::kUniform;
+  uint32_t site = 0;  // its number among those of the goal
+  std::vector<CheckedExpressionPtr> arguments;
+};
 struct IntToReal {  // inserted by the checker; there are no casts in the language
   CheckedExpressionPtr operand;
 };
@@ -131,8 +144,8 @@ struct CheckedExpression {
   Type type;
   Unit unit;
   std::variant<Constant, SensorRead, ParamRead, MemoryRead, LocalRead, ArgumentRead, RewardSoFar,
-               TimeStep, Elements, CheckedUnary, CheckedBinary, BuiltinCall, FunctionCall, TestRead,
-               IntToReal>
+               TimeStep, Elements, CheckedUnary, CheckedBinary, BuiltinCall, FunctionCall, Draw,
+               TestRead, IntToReal>
       node;
 };
 
@@ -186,10 +199,15 @@ struct CheckedRequire {
   CheckedExpression condition;
 };
 
+// Draws a goal anew, unless the host has set it.
+struct CheckedRedraw {
+  uint32_t goal = 0;
+};
+
 struct CheckedStatement {
   Span span;
   std::variant<CheckedLet, CheckedAssign, CheckedIf, CheckedFor, CheckedReward, CheckedEnd,
-               CheckedLog, CheckedRequire>
+               CheckedLog, CheckedRequire, CheckedRedraw>
       node;
 };
 
@@ -224,6 +242,26 @@ struct CheckedMemory {
   Span span;
   std::string doc{};
   bool is_declared = true;  // false: made for a `once`
+};
+// A goal lives in memory: its value, whether the host holds it, how often it was drawn in this
+// episode, and the time that is left until it is drawn again. It is drawn when memory is
+// initialized, and by CheckedRedraw.
+struct CheckedGoal {
+  std::string name;
+  std::string doc;
+  Type type;
+  Unit unit;
+  uint32_t memory = 0;      // of its value
+  uint32_t held = 0;        // memory: the host sets it, it is not drawn
+  uint32_t draws = 0;       // memory: how often it was drawn
+  uint32_t stream = 0;      // of random numbers: the hash of its name
+  CheckedExpression value;  // or a scalar, for each of its elements
+  struct Interval {
+    uint32_t left = 0;  // memory: the time until it is drawn again [s]
+    CheckedExpression length;
+  };
+  std::optional<Interval> interval;  // nothing: once per episode
+  Span span{};
 };
 struct CheckedTerm {
   std::string name;
@@ -280,9 +318,9 @@ struct CheckedFunction {
 // ---- Tests --------------------------------------------------------------------------------------
 
 struct CheckedGiven {
-  enum Target { kSensor, kParam, kMemory, kTimeStep };
+  enum Target { kSensor, kParam, kMemory, kGoal, kTimeStep };
   Target target = kSensor;
-  uint32_t index = 0;              // into the task's sensors, params or memory
+  uint32_t index = 0;              // into the task's sensors, params, memory or goals
   std::vector<uint32_t> elements;  // empty: all
   CheckedExpression value;         // a constant for each element, or one scalar for all of them
 };
@@ -317,6 +355,7 @@ struct CheckedTask {
   std::vector<CheckedSensor> sensors;  // those that something reads
   std::vector<CheckedParam> params;
   std::vector<CheckedMemory> memory;
+  std::vector<CheckedGoal> goals;
   std::vector<CheckedTerm> terms;
   std::vector<CheckedMetric> metrics;
   std::vector<CheckedLogValue> logs;

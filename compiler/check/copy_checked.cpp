@@ -25,6 +25,7 @@ CheckedBinary CopyOf(const CheckedBinary& node) {
 }
 BuiltinCall CopyOf(const BuiltinCall& node) { return {node.function, CopyOf(node.arguments)}; }
 FunctionCall CopyOf(const FunctionCall& node) { return {node.function, CopyOf(node.arguments)}; }
+Draw CopyOf(const Draw& node) { return {node.distribution, node.site, CopyOf(node.arguments)}; }
 IntToReal CopyOf(const IntToReal& node) { return {CopyOf(node.operand)}; }
 // All others are plain values.
 template <typename Node>

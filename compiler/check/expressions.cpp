@@ -9,6 +9,7 @@
 #include "compiler/check/builtin_call.h"
 #include "compiler/check/builtins.h"
 #include "compiler/check/conversion.h"
+#include "compiler/check/draws.h"
 #include "compiler/check/elements.h"
 #include "compiler/check/fold.h"
 #include "compiler/check/function_call.h"
@@ -95,15 +96,19 @@ class ExpressionChecker {
   Result CheckNode(const CallExpression& call, const Expression& expression) const {
     if (place_.kind == Place::kExpect && IsTestFunction(call.function.text))
       return CheckTestRead(call, expression.span, place_, scope_);
+    const bool is_draw = place_.kind == Place::kGoal && IsDrawFunction(call.function.text);
     const BuiltinDescription* builtin = FindBuiltin(call.function.text);
     const FunctionSignature* function = nullptr;
-    if (builtin == nullptr) function = ResolveFunction(call.function, place_, scope_);
+    if (builtin == nullptr && !is_draw) function = ResolveFunction(call.function, place_, scope_);
     std::vector<Operand> arguments;
     for (const ExpressionPtr& argument : call.arguments) {
       auto checked = Check(*argument);
       if (checked) arguments.push_back({std::move(*checked), argument.get()});
     }
     if (arguments.size() < call.arguments.size()) return std::nullopt;
+    if (is_draw)
+      return CheckDraw(call.function, expression.span, std::move(arguments), *place_.draws,
+                       scope_.diagnostics);
     if (builtin != nullptr)
       return CheckBuiltin(*builtin, expression.span, std::move(arguments), scope_.diagnostics);
     if (function == nullptr) return std::nullopt;

@@ -233,6 +233,10 @@ void ForEachOuterCall(CheckedTask& task, const Visit& visit) {
       ForEachExpression(statement, visit_parts);
     });
   for (CheckedMetric& metric : task.metrics) visit_parts(metric.value);
+  for (CheckedGoal& goal : task.goals) {
+    visit_parts(goal.value);
+    if (goal.interval) visit_parts(goal.interval->length);
+  }
   for (CheckedTest& test : task.tests)
     for (CheckedTestStatement& statement : test.statements)
       if (auto* expect = std::get_if<CheckedExpect>(&statement.node))

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "compiler/check/builtins.h"
+#include "compiler/check/draws.h"
 #include "compiler/check/report.h"
 #include "compiler/check/type.h"
 
@@ -52,6 +53,7 @@ std::optional<CheckedExpression> ReadOf(const Symbol& symbol, const Identifier& 
       read.node = ParamRead{symbol.index};
       break;
     case SymbolKind::kMemory:
+    case SymbolKind::kGoal:
       read.node = MemoryRead{symbol.index};
       break;
     case SymbolKind::kLocal:
@@ -84,6 +86,13 @@ std::nullopt_t NotConstant(std::string_view name, Span span, const Place& place,
                       ? "a test gives constants"
                       : "constants are allowed here; a memory may also start with the value of a "
                         "param"});
+  return std::nullopt;
+}
+
+std::nullopt_t NotInGoal(std::string_view sensor, Span span, const TaskScope& scope) {
+  Report(scope.diagnostics, code::kSensorInGoal, span,
+         fmt::format("`{}` is a sensor, and a goal is drawn from params and memory", sensor),
+         {.help = "keep what the goal needs in a `memory`, and `redraw` it where that is set"});
   return std::nullopt;
 }
 
@@ -243,6 +252,8 @@ ReferenceKind ReferenceKindOf(SymbolKind kind) {
       return ReferenceKind::kParam;
     case SymbolKind::kMemory:
       return ReferenceKind::kMemory;
+    case SymbolKind::kGoal:
+      return ReferenceKind::kGoal;
     case SymbolKind::kLocal:
       return ReferenceKind::kLocal;
     case SymbolKind::kLoopPart:
@@ -301,6 +312,7 @@ std::optional<ResolvedPath> ResolvePath(const std::vector<Identifier>& path, con
     const Span span = SpanOf(path, length);
     if (scope.sensors.IsInvalid(name)) return std::nullopt;
     if (place.is_constant()) return NotConstant(name, span, place, scope);
+    if (place.kind == Place::kGoal) return NotInGoal(name, span, scope);
     const uint32_t index = *scope.sensors.Find(name);
     const CheckedSensor& sensor = scope.sensors.list()[index];
     NoteSensor(name, span, sensor, scope);
@@ -321,6 +333,8 @@ std::string_view WhatIs(SymbolKind kind) {
       return "a param";
     case SymbolKind::kMemory:
       return "a memory";
+    case SymbolKind::kGoal:
+      return "a goal";
     case SymbolKind::kLocal:
       return "the result of a `let`";
     case SymbolKind::kLoopPart:
@@ -353,6 +367,12 @@ const FunctionSignature* ResolveFunction(const Identifier& name, const Place& pl
   for (const FunctionSignature& function : scope.functions) functions.push_back(function.name.text);
   if (place.kind == Place::kExpect)
     for (const std::string_view of_test : {kTotal, kValue}) functions.emplace_back(of_test);
+  if (IsDrawFunction(name.text)) {
+    Report(scope.diagnostics, code::kMisplacedDraw, name.span,
+           fmt::format("`{}` draws a random number, which only a goal does", name.text),
+           {.help = "declare a goal and read it here: `goal NAME: TYPE = ...`"});
+    return nullptr;
+  }
   Help help = Suggest(name.span, name.text, functions, "functions");
   if (help.empty()) help = fmt::format("the functions are {}", List(functions));
   if (IsTestFunction(name.text)) help = "it is known only after the `expect` of a test";

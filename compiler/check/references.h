@@ -14,6 +14,7 @@ enum class ReferenceKind {
   kSensor,
   kParam,
   kMemory,
+  kGoal,
   kLocal,     // of a `let`
   kLoop,      // the variable of a `for`
   kArgument,  // of a function

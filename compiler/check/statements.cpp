@@ -8,6 +8,7 @@
 #include "compiler/check/assignment.h"
 #include "compiler/check/expressions.h"
 #include "compiler/check/fold.h"
+#include "compiler/check/goals.h"
 #include "compiler/check/log_table.h"
 #include "compiler/check/loop.h"
 #include "compiler/check/names.h"
@@ -251,6 +252,11 @@ class EventChecker {
     if (found != list.end()) return static_cast<uint32_t>(found - list.begin());
     list.push_back(std::move(entry));
     return static_cast<uint32_t>(list.size() - 1);
+  }
+
+  void CheckNode(const RedrawStatement& redraw, Span span, CheckedBlock& block) {
+    if (const auto goal = FindGoal(redraw.goal, scope_, task_))
+      block.push_back({span, CheckedRedraw{*goal}});
   }
 
   void CheckNode(const EndStatement& end, Span span, CheckedBlock& block) {

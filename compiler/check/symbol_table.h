@@ -15,6 +15,7 @@ namespace compiler {
 enum class SymbolKind {
   kParam,
   kMemory,
+  kGoal,
   kLocal,
   kLoopPart,    // of a loop over links or joints: one of them
   kLoopNumber,  // of a loop over numbers: an `int` constant
@@ -26,8 +27,8 @@ struct Symbol {
   SymbolKind kind = SymbolKind::kParam;
   Span span{};           // of the name where it is declared
   bool is_valid = true;  // false: its declaration is wrong, what depends on it is not reported
-  // Among the task's params, memory or functions, the event's or function's locals, or the
-  // function's arguments; or the value of a loop's variable.
+  // Among the task's params, memory (of a goal: its value) or functions, the event's or function's
+  // locals, or the function's arguments; or the value of a loop's variable.
   uint32_t index = 0;
   Type type{};  // of a kLoopPart only `index` counts: "link" or "joint"
   Unit unit{};

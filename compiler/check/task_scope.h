@@ -59,12 +59,14 @@ struct Place {
     kMetric,
     kEvent,
     kFunction,
+    kGoal,   // what it is drawn from
     kGiven,  // the value of a `given`: a constant
     kExpect
   };
   Kind kind = kConstant;
   EventKind event = EventKind::kStartOfEpisode;  // of a kEvent
   const CheckedTask* tested = nullptr;           // of a kExpect
+  uint32_t* draws = nullptr;                     // of a kGoal: how many random numbers it has
 
   bool is_constant() const { return kind == kConstant || kind == kGiven; }
 

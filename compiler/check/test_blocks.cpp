@@ -64,11 +64,11 @@ class TestChecker {
   Whole CannotBeGiven(const Identifier& name) {
     Report(scope_.diagnostics, code::kNotGivable, name.span,
            fmt::format("`{}` cannot be given", name.text),
-           {.help = "a test gives sensors, params, memory and `time_step`"});
+           {.help = "a test gives sensors, params, memory, goals and `time_step`"});
     return std::nullopt;
   }
 
-  static void Identify(const CheckedExpression& whole, CheckedGiven& given) {
+  void Identify(const CheckedExpression& whole, CheckedGiven& given) const {
     if (const auto* sensor = std::get_if<SensorRead>(&whole.node)) {
       given.target = CheckedGiven::kSensor;
       given.index = sensor->sensor;
@@ -76,8 +76,10 @@ class TestChecker {
       given.target = CheckedGiven::kParam;
       given.index = param->param;
     } else if (const auto* memory = std::get_if<MemoryRead>(&whole.node)) {
-      given.target = CheckedGiven::kMemory;
-      given.index = memory->memory;
+      const auto goal = std::ranges::find(task_.goals, memory->memory, &CheckedGoal::memory);
+      const bool is_goal = goal != task_.goals.end();
+      given.target = is_goal ? CheckedGiven::kGoal : CheckedGiven::kMemory;
+      given.index = is_goal ? static_cast<uint32_t>(goal - task_.goals.begin()) : memory->memory;
     } else {
       given.target = CheckedGiven::kTimeStep;
     }

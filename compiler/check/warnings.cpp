@@ -43,6 +43,10 @@ class Uses {
       ForEachStatement(event.body, [&](const CheckedStatement& statement) { Add(statement); });
     for (const CheckedMetric& metric : task.metrics) AddReads(metric.value, nullptr);
     for (const CheckedMemory& memory : task.memory) AddReads(memory.initial, nullptr);
+    for (const CheckedGoal& goal : task.goals) {
+      AddReads(goal.value, nullptr);
+      if (goal.interval) AddReads(goal.interval->length, nullptr);
+    }
   }
 
   bool IsParamRead(uint32_t param) const { return read_params_.contains(param); }
@@ -89,6 +93,15 @@ void WarnOfUnused(const CheckedTask& task, Diagnostics& diagnostics) {
              {.help = "what never changes can be a `param`"});
     }
   }
+}
+
+void WarnOfUnusedGoals(const CheckedTask& task, Diagnostics& diagnostics) {
+  const Uses uses(task);
+  for (const CheckedGoal& goal : task.goals)
+    if (!uses.IsMemoryRead(goal.memory))
+      Report(diagnostics, code::kUnusedGoal, goal.span,
+             fmt::format("the goal `{}` is never used", goal.name),
+             {.note = "nothing that the task pays or measures depends on it"});
 }
 
 // The parameters and local values that a function does not read.
@@ -243,6 +256,7 @@ void WarnOfNoEnd(const CheckedTask& task, const SyntaxTree& tree, Diagnostics& d
 
 void Warn(const CheckedTask& task, const SyntaxTree& tree, Diagnostics& diagnostics) {
   WarnOfUnused(task, diagnostics);
+  WarnOfUnusedGoals(task, diagnostics);
   WarnOfUnusedSensors(task, tree, diagnostics);
   WarnOfUnusedFunctions(task, tree, diagnostics);
   WarnOfNoEnd(task, tree, diagnostics);

@@ -23,6 +23,8 @@ std::string_view KindOf(const SensorDeclaration&) { return "sensor"; }
 std::string_view KindOf(const ParamDeclaration&) { return "param"; }
 std::string_view KindOf(const ParamOverride&) { return "param"; }
 std::string_view KindOf(const MemoryDeclaration&) { return "memory"; }
+std::string_view KindOf(const GoalDeclaration&) { return "goal"; }
+std::string_view KindOf(const GoalOverride&) { return "goal"; }
 std::string_view KindOf(const MetricDeclaration&) { return "metric"; }
 std::string_view KindOf(const RewardOverride&) { return "reward"; }
 std::string_view KindOf(const EventDeclaration&) { return "on"; }
@@ -153,6 +155,8 @@ class Extension {
       ReportNothing(declaration, InheritedNames(KindOf(declaration)));
     } else if (auto* param = std::get_if<ParamOverride>(&declaration.node)) {
       OverrideParam(*param, std::get<ParamDeclaration>(overridden->node));
+    } else if (auto* goal = std::get_if<GoalOverride>(&declaration.node)) {
+      std::get<GoalDeclaration>(overridden->node).draw = std::move(goal->draw);
     } else {
       Replace(std::move(declaration), *overridden);
     }
@@ -216,6 +220,7 @@ class Extension {
     if (const auto nearest = text::NearestName(name.text, names)) {
       diagnostic.help = DidYouMean(name.span, *nearest);
     } else if (!std::holds_alternative<ParamOverride>(declaration.node) &&
+               !std::holds_alternative<GoalOverride>(declaration.node) &&
                !std::holds_alternative<RewardOverride>(declaration.node)) {
       diagnostic.help = {"to add it, leave out `override`", {Without(*declaration.override_span)}};
     }
@@ -283,9 +288,9 @@ class Extension {
     diagnostic.labels = {{NameOf(inherited).span, "declared here"}};
     if (kind == "memory" || kind == "sensor") {
       diagnostic.help = "use the base's, or take another name";
-    } else if (kind == "param") {
+    } else if (kind == "param" || kind == "goal") {
       diagnostic.help =
-          fmt::format("to give it another value: `override param {} = ...`", name.text);
+          fmt::format("to give it another value: `override {} {} = ...`", kind, name.text);
     } else {
       const uint32_t begin = declaration.span.begin;
       diagnostic.help = {fmt::format("to replace it, write `override {} {}`", kind, name.text),

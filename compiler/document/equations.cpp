@@ -185,6 +185,8 @@ void AddStatement(const Statement& statement, const Conditions& conditions,
         {{require->reason, ToFormula(require->condition).text}, condition});
   } else if (const auto* end = std::get_if<EndStatement>(&statement.node)) {
     equations.ends.push_back({end->kind, end->reason, condition});
+  } else if (const auto* redraw = std::get_if<RedrawStatement>(&statement.node)) {
+    equations.redraws.push_back({redraw->goal.text, condition});
   } else if (const auto* assign = std::get_if<AssignStatement>(&statement.node);
              assign != nullptr && !PaymentOf(statement)) {
     equations.memory.push_back(
@@ -204,7 +206,8 @@ EventEquations EquationsOf(const EventDeclaration& event) {
                            .memory = {},
                            .logs = {},
                            .requirements = {},
-                           .ends = {}};
+                           .ends = {},
+                           .redraws = {}};
   std::vector<const Block*> blocks = {&event.body};
   for (const Block& appended : event.appended) blocks.push_back(&appended);
   std::vector<std::string> terms;

@@ -28,6 +28,12 @@ struct ConditionalEnd {
   std::string condition;  // empty: always
 };
 
+// A goal that is drawn anew.
+struct ConditionalRedraw {
+  std::string goal;       // its name
+  std::string condition;  // empty: always
+};
+
 struct EventEquations {
   EventKind event;
   std::string event_name;
@@ -39,6 +45,7 @@ struct EventEquations {
   std::vector<ConditionalEquation> logs;
   std::vector<ConditionalEquation> requirements;  // left: the reason; right: the condition
   std::vector<ConditionalEnd> ends;
+  std::vector<ConditionalRedraw> redraws;
 };
 
 EventEquations EquationsOf(const EventDeclaration& event);

@@ -50,6 +50,13 @@ Json ToJson(const CheckedMetric& metric) {
           {"doc", metric.doc}};
 }
 
+Json ToJson(const CheckedGoal& goal) {
+  return {{"name", goal.name},
+          {"type", ToString(goal.type)},
+          {"unit", ToString(goal.unit)},
+          {"doc", goal.doc}};
+}
+
 }  // namespace
 
 Json ToJson(const Analysis& analysis) {
@@ -61,10 +68,12 @@ Json ToJson(const Analysis& analysis) {
                {"hash", analysis.sources.Hash()},
                {"robot", task.robot.empty() ? Json() : Json(task.robot)},
                {"params", Json::array()},
+               {"goals", Json::array()},
                {"terms", Json::array()},
                {"metrics", Json::array()}};
   for (size_t i = 0; i < task.params.size(); ++i)
     json["params"].push_back(ToJson(task.params[i], weights.params[i], task));
+  for (const CheckedGoal& goal : task.goals) json["goals"].push_back(ToJson(goal));
   for (size_t i = 0; i < task.terms.size(); ++i)
     json["terms"].push_back(ToJson(task.terms[i], weights.terms[i], task));
   for (const CheckedMetric& metric : task.metrics) json["metrics"].push_back(ToJson(metric));

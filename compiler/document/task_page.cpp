@@ -88,6 +88,7 @@ class PageWriter {
     Requirements();
     Metrics();
     Params();
+    Goals();
     Memory();
     Logs();
     Functions();
@@ -249,6 +250,37 @@ class PageWriter {
       if (!text.empty()) text.push_back({Piece::kPlain, ", "});
       text.push_back({Piece::kCode, task_.terms[term].name});
     }
+    return text;
+  }
+
+  void Goals() {
+    Table table{{"goal", "type", "drawn from", "drawn", "meaning"}, {}};
+    for (const GoalDeclaration* goal : All<GoalDeclaration>(tree_)) {
+      table.rows.push_back({Code(goal->name.text), Code(TypeOf(goal->name.text)),
+                            Math(ToFormula(goal->draw.value).text), IntervalOf(goal->draw),
+                            FromDoc(goal->doc)});
+    }
+    if (table.rows.empty()) return;
+    AddHeading("Goals");
+    AddTable(std::move(table));
+    Table redraws{{"drawn anew", "when", "event"}, {}};
+    for (const EventDeclaration* event : All<EventDeclaration>(tree_)) {
+      for (const ConditionalRedraw& redraw : EquationsOf(*event).redraws) {
+        redraws.rows.push_back({Code(redraw.goal),
+                                redraw.condition.empty() ? Plain("always") : Math(redraw.condition),
+                                Code(event->name.text)});
+      }
+    }
+    if (!redraws.rows.empty()) AddTable(std::move(redraws));
+  }
+
+  static Text IntervalOf(const GoalDraw& draw) {
+    if (!draw.shortest) return Plain("once per episode");
+    Text text = Plain("every ");
+    text.push_back({Piece::kMath, ToFormula(*draw.shortest).text});
+    if (!draw.longest) return text;
+    text.push_back({Piece::kPlain, " to "});
+    text.push_back({Piece::kMath, ToFormula(*draw.longest).text});
     return text;
   }
 

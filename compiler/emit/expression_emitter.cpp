@@ -36,6 +36,7 @@ std::vector<const CheckedExpression*> Operands(const CheckedExpression& expressi
                         [](const IntToReal& node) { return Result{node.operand.get()}; },
                         [](const BuiltinCall& node) { return PointersTo(node.arguments); },
                         [](const FunctionCall& node) { return PointersTo(node.arguments); },
+                        [](const Draw& node) { return PointersTo(node.arguments); },
                         [](const auto&) { return Result{}; },
                     },
                     expression.node);
@@ -111,6 +112,8 @@ void ExpressionEmitter::Prepare(const CheckedExpression& expression, Use use) {
     PrepareCall(expression, *call);
   } else if (const auto* function = std::get_if<FunctionCall>(&expression.node)) {
     PrepareCall(expression, *function);
+  } else if (const auto* draw = std::get_if<Draw>(&expression.node)) {
+    PrepareDraw(expression, *draw);
   } else if (const auto* elements = std::get_if<Elements>(&expression.node)) {
     Prepare(*elements->operand, HasRepetition(elements->indices) ? Use::kRepeatedly : Use::kOnce);
     if (elements->indices.size() > kWrittenOut && !IsContiguous(elements->indices)) {
@@ -151,6 +154,35 @@ void ExpressionEmitter::PrepareCall(const CheckedExpression& expression, const F
     if (!IsScalarValue(*argument) && ArrayOf(*argument).empty()) NameValue(*argument);
   }
   if (!IsScalarValue(expression)) NameResult(expression, call);
+}
+
+void ExpressionEmitter::PrepareDraw(const CheckedExpression& expression, const Draw& draw) {
+  PrepareElementwise(expression);
+  helpers_.Use(Helper::kDrawPlace);
+  helpers_.Use(Helper::kRandomUnit);
+  if (draw.distribution == Distribution::kNormal) {
+    helpers_.Use(Helper::kLog);
+    helpers_.Use(Helper::kCos);
+  }
+  if (draw.distribution == Distribution::kChoice) NameChoice(expression, draw);
+}
+
+// Which value is chosen: a number, or one for each element.
+void ExpressionEmitter::NameChoice(const CheckedExpression& expression, const Draw& draw) {
+  const bool is_each = IsScalarValue(*draw.arguments.front()) && !IsScalarValue(expression);
+  std::string name = names_.Add("choice");
+  const std::string_view choose = helpers_.Use(Helper::kChoose);
+  const size_t count = draw.arguments.size();
+  if (is_each) {
+    const uint32_t size = expression.type.size();
+    parts_.push_back(fmt::format("int {}[{}];", name, size));
+    parts_.push_back(fmt::format("for (int i = 0; i < {}; ++i) {}[i] = {}(draw, i, {}, {});", size,
+                                 name, choose, draw.site, count));
+  } else {
+    parts_.push_back(
+        fmt::format("const int {} = {}(draw, 0, {}, {});", name, choose, draw.site, count));
+  }
+  choices_[&expression] = {name, is_each};
 }
 
 void ExpressionEmitter::NameValue(const CheckedExpression& expression) {
@@ -233,6 +265,7 @@ CppText ExpressionEmitter::Element(const CheckedExpression& expression, const In
           [&](const CheckedBinary& node) { return ElementOf(node, index); },
           [&](const BuiltinCall& node) { return ElementOf(node, expression, index); },
           [&](const FunctionCall& node) { return Call(node); },
+          [&](const Draw& node) { return ElementOf(node, expression, index); },
           [&](const IntToReal& node) { return AsReal(*node.operand, index); },
           [](const TestRead&) { return CppText{}; },  // only in tests, which plugins do not hold
       },
@@ -319,6 +352,33 @@ CppText ExpressionEmitter::Written(WrittenOut form, const BuiltinCall& call, Sca
       return AsReal(*call.arguments[index.number], {});
   }
   std::abort();
+}
+
+CppText ExpressionEmitter::ElementOf(const Draw& node, const CheckedExpression& expression,
+                                     const Index& index) {
+  std::string element = index.variable.empty() ? std::to_string(index.number) : index.variable;
+  if (node.distribution == Distribution::kChoice) return Chosen(node, expression, index, element);
+  if (IsScalarValue(expression)) element = "0";
+  const bool is_uniform = node.distribution == Distribution::kUniform;
+  return CallText(helpers_.Use(is_uniform ? Helper::kUniform : Helper::kNormal),
+                  {{"draw"},
+                   {element},
+                   {std::to_string(node.site)},
+                   Element(*node.arguments[0], index),
+                   Element(*node.arguments[1], index)});
+}
+
+CppText ExpressionEmitter::Chosen(const Draw& node, const CheckedExpression& expression,
+                                  const Index& index, const std::string& element) {
+  const Choice& choice = choices_.at(&expression);
+  const std::string number =
+      choice.is_each ? fmt::format("{}[{}]", choice.name, element) : choice.name;
+  std::string text = Element(*node.arguments.back(), index).text;
+  for (size_t i = node.arguments.size() - 1; i-- > 0;) {
+    text =
+        fmt::format("{} == {} ? {} : {}", number, i, Element(*node.arguments[i], index).text, text);
+  }
+  return {"(" + text + ")"};
 }
 
 CppText ExpressionEmitter::Call(const FunctionCall& call) {

@@ -58,6 +58,8 @@ class ExpressionEmitter {
   void PrepareElementwise(const CheckedExpression& expression);
   void PrepareCall(const CheckedExpression& expression, const BuiltinCall& call);
   void PrepareCall(const CheckedExpression& expression, const FunctionCall& call);
+  void PrepareDraw(const CheckedExpression& expression, const Draw& draw);
+  void NameChoice(const CheckedExpression& expression, const Draw& draw);
   void NameValue(const CheckedExpression& expression);
   void NameResult(const CheckedExpression& expression, const FunctionCall& call);
   void NameLongChain(const CheckedExpression& expression, const BuiltinCall& call,
@@ -72,6 +74,9 @@ class ExpressionEmitter {
   CppText ElementOf(const CheckedBinary& node, const Index& index);
   CppText ElementOf(const BuiltinCall& node, const CheckedExpression& expression,
                     const Index& index);
+  CppText ElementOf(const Draw& node, const CheckedExpression& expression, const Index& index);
+  CppText Chosen(const Draw& node, const CheckedExpression& expression, const Index& index,
+                 const std::string& element);
   CppText Call(const FunctionCall& call);
   std::vector<CppText> Arguments(const FunctionCall& call);
   // The C++ array that holds the whole value; empty where there is none.
@@ -91,6 +96,12 @@ class ExpressionEmitter {
   std::unordered_map<const CheckedExpression*, std::string> named_;  // values that have a name
   std::unordered_map<const CheckedExpression*, std::string>
       indices_;  // arrays of Elements::indices
+  // Which value a draw has chosen: a number, or an array of them.
+  struct Choice {
+    std::string name;
+    bool is_each = false;
+  };
+  std::unordered_map<const CheckedExpression*, Choice> choices_;
 };
 
 }  // namespace compiler

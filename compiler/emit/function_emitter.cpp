@@ -54,6 +54,7 @@ PluginNames::PluginNames(const CheckedTask& task) {
   for (const CheckedFunction& function : task.functions) {
     functions.push_back(taken.Add("fn_" + function.name));
   }
+  for (const CheckedGoal& goal : task.goals) draws.push_back(taken.Add("draw_" + goal.name));
   UniqueNames members;
   for (const CheckedMemory& variable : task.memory) memory.push_back(members.Add(variable.name));
 }
@@ -117,6 +118,36 @@ void FunctionEmitter::EmitInitialize() {
   used.memory = !task_.memory.empty();
   Begin("initialize", FirstLineOfMemory(), used);
   for (uint32_t i = 0; i < task_.memory.size(); ++i) EmitReset(task_.memory[i], i);
+  for (uint32_t i = 0; i < task_.goals.size(); ++i) {
+    Emit(CheckedRedraw{i}, LineOf(task_.goals[i].span));
+  }
+  End();
+}
+
+void FunctionEmitter::EmitDraw(uint32_t index) {
+  const CheckedGoal& goal = task_.goals[index];
+  const SourceLine line = LineOf(goal.span);
+  UsedValues used;
+  used.Add(goal.value);
+  if (goal.interval) used.Add(goal.interval->length);
+  used.memory = true;
+  Begin(names_.draws[index], line, used);
+  writer_.Line(fmt::format("if ({}) return;", function_.values.memory[goal.held]), line);
+  const std::string& draws = function_.values.memory[goal.draws];
+  writer_.Line(fmt::format("{} draw{{frame->seed, {}u, (taskc_uint32){}}};",
+                           helpers_.Use(Helper::kDrawPlace), goal.stream, draws),
+               line);
+  const uint32_t size = goal.type.size();
+  const std::vector<CppText> elements = expressions_->EmitElements(goal.value, size);
+  WriteLines(expressions_->TakeParts(), line);
+  EmitStore(goal.memory, "=", elements, AllIndices(size), line);
+  if (goal.interval) {
+    const CppText length = expressions_->EmitScalar(goal.interval->length);
+    WriteLines(expressions_->TakeParts(), line);
+    writer_.Line(fmt::format("{} = {};", function_.values.memory[goal.interval->left], length.text),
+                 line);
+  }
+  writer_.Line(fmt::format("++{};", draws), line);
   End();
 }
 
@@ -323,6 +354,10 @@ void FunctionEmitter::Emit(const CheckedRequire& require, SourceLine line) {
   writer_.Line(fmt::format("{}(frame, {}, {});", helpers_.Use(Helper::kRequire),
                            require.requirement, condition.text),
                line);
+}
+
+void FunctionEmitter::Emit(const CheckedRedraw& redraw, SourceLine line) {
+  writer_.Line(fmt::format("{}(frame);", names_.draws[redraw.goal]), line);
 }
 
 void FunctionEmitter::EmitReset(const CheckedMemory& memory, uint32_t index) {

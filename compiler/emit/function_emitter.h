@@ -22,6 +22,7 @@ struct PluginNames {
   std::vector<std::string> terms;      // enumerators: "term_fall"
   std::vector<std::string> logs;       // enumerators: "log_speed"
   std::vector<std::string> functions;  // "fn_shape"
+  std::vector<std::string> draws;      // of each goal, the function that draws it: "draw_velocity"
   std::vector<std::string> memory;     // members of the struct
 };
 
@@ -35,6 +36,8 @@ class FunctionEmitter {
                   TextWriter& writer, HelperSet& helpers);
 
   void EmitFunction(uint32_t index);
+  // What draws a goal.
+  void EmitDraw(uint32_t goal);
   void EmitInitialize();
   void EmitEvent(EventKind kind);
   void EmitMeasure();
@@ -71,6 +74,7 @@ class FunctionEmitter {
   void Emit(const CheckedFor& loop, SourceLine line);
   void Emit(const CheckedLog& log, SourceLine line);
   void Emit(const CheckedRequire& require, SourceLine line);
+  void Emit(const CheckedRedraw& redraw, SourceLine line);
   void EmitReset(const CheckedMemory& memory, uint32_t index);
   // Sets all elements of a variable, or those with these indices.
   void EmitStore(uint32_t memory, std::string_view op, const std::vector<CppText>& values,

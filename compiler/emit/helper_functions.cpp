@@ -84,6 +84,50 @@ void Note(taskc_frame* frame, int log, double value) {
 void Require(taskc_frame* frame, int requirement, bool holds) {
   if (!holds && frame->violation < 0) frame->violation = requirement;
 })"},
+    {Helper::kDrawPlace, "DrawPlace",
+     R"(// Where a goal is drawn; see taskc_goal.
+struct DrawPlace {
+  taskc_uint64 seed;
+  taskc_uint32 stream;
+  taskc_uint32 draw;
+};)"},
+    {Helper::kRandomUnit, "RandomUnit",
+     R"(// 53 random bits as a number from 0 to below 1: two of the four words of Philox4x32-10.
+double RandomUnit(const DrawPlace& place, taskc_uint32 element, taskc_uint32 site, int second) {
+  taskc_uint32 key[] = {(taskc_uint32)place.seed, (taskc_uint32)(place.seed >> 32)};
+  taskc_uint32 word[] = {place.draw, element, site, place.stream};
+  for (int round = 0; round < 10; ++round) {
+    const taskc_uint64 a = 0xD2511F53ull * word[0];
+    const taskc_uint64 b = 0xCD9E8D57ull * word[2];
+    word[0] = (taskc_uint32)(b >> 32) ^ word[1] ^ key[0];
+    word[1] = (taskc_uint32)b;
+    word[2] = (taskc_uint32)(a >> 32) ^ word[3] ^ key[1];
+    word[3] = (taskc_uint32)a;
+    key[0] += 0x9E3779B9u;
+    key[1] += 0xBB67AE85u;
+  }
+  return ((word[2 * second] >> 5) * 67108864.0 + (word[2 * second + 1] >> 6)) * 0x1p-53;
+})"},
+    {Helper::kUniform, "Uniform",
+     R"(double Uniform(const DrawPlace& place, taskc_uint32 element, taskc_uint32 site, double low,
+               double high) {
+  const double number = low + (high - low) * RandomUnit(place, element, site, 0);
+  // The sum may have been rounded to beyond the end.
+  return (number > high) == (low < high) ? high : number;
+})"},
+    {Helper::kNormal, "Normal",
+     R"(// By the Box-Muller transform.
+double Normal(const DrawPlace& place, taskc_uint32 element, taskc_uint32 site, double mean,
+              double deviation) {
+  const double radius = __builtin_sqrt(-2 * Log(1 - RandomUnit(place, element, site, 0)));
+  const double turn = Cos(6.283185307179586 * RandomUnit(place, element, site, 1));
+  return mean + deviation * (radius * turn);
+})"},
+    {Helper::kChoose, "Choose",
+     R"(// 0 .. count - 1
+int Choose(const DrawPlace& place, taskc_uint32 element, taskc_uint32 site, int count) {
+  return (int)(RandomUnit(place, element, site, 0) * count);
+})"},
 }};
 
 constexpr bool IsInOrder() {

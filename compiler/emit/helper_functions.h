@@ -30,6 +30,11 @@ enum class Helper {
   kEnd,
   kNote,
   kRequire,
+  kDrawPlace,
+  kRandomUnit,
+  kUniform,
+  kNormal,
+  kChoose,
   kCount
 };
 inline constexpr int kHelperCount = static_cast<int>(Helper::kCount);

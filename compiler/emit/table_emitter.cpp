@@ -169,6 +169,7 @@ std::vector<std::string> TableFields(const CheckedTask& task, const Sources& sou
   EmitTableFields("sensors", task.sensors.size(), pointers, counts);
   EmitTableFields("params", task.params.size(), pointers, counts);
   EmitTableFields("memory", task.memory.size(), pointers, counts);
+  EmitTableFields("goals", task.goals.size(), pointers, counts);
   EmitTableFields("terms", task.terms.size(), pointers, counts);
   EmitTableFields("metrics", task.metrics.size(), pointers, counts);
   EmitTableFields("logs", task.logs.size(), pointers, counts);
@@ -209,6 +210,16 @@ void EmitTables(const CheckedTask& task, const Sources& sources, const PluginNam
                        names.memory[index]);
   };
   EmitTable("taskc_memory", "memory_table", task.memory, memory_row, writer);
+  auto goal_row = [&](const CheckedGoal& goal) {
+    const auto offset = [&](uint32_t memory) {
+      return fmt::format("__builtin_offsetof(Memory, {})", names.memory[memory]);
+    };
+    return fmt::format("{}, {}, {}, {}, {}, {}, {}, {}", StringLiteral(goal.name),
+                       StringLiteral(goal.doc), StringLiteral(ToString(goal.type)),
+                       StringLiteral(ToString(goal.unit)), TypeFields(goal.type),
+                       offset(goal.memory), offset(goal.held), offset(goal.draws));
+  };
+  EmitTable("taskc_goal", "goals_table", task.goals, goal_row, writer);
   EmitTable("taskc_reward_term", "terms_table", task.terms, row, writer);
   EmitTable("taskc_metric", "metrics_table", task.metrics, kRow, writer);
   EmitTable("taskc_log", "logs_table", task.logs, row, writer);

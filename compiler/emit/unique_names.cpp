@@ -107,7 +107,7 @@ constexpr std::string_view kKeywords[] = {"alignas",
                                           "xor_eq"};
 
 // What the emitted functions themselves refer to, besides taskc_* and TASKC_*.
-constexpr std::string_view kOwnNames[] = {"frame", "memory", "Memory", "reward", "i"};
+constexpr std::string_view kOwnNames[] = {"frame", "memory", "Memory", "reward", "draw", "i"};
 
 bool IsReserved(std::string_view name) {
   for (std::string_view keyword : kKeywords) {

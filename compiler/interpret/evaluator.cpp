@@ -32,6 +32,7 @@ Evaluator::Evaluator(const CheckedTask& task) : task_(task), frame_(task) { Init
 
 void Evaluator::Initialize() {
   for (uint32_t i = 0; i < task_.memory.size(); ++i) Reset(i);
+  for (uint32_t i = 0; i < task_.goals.size(); ++i) Run(CheckedRedraw{i});
 }
 
 void Evaluator::Fire(EventKind kind, double time_step) {
@@ -56,11 +57,11 @@ void Evaluator::Measure() {
 }
 
 Value Evaluator::Evaluate(const CheckedExpression& expression) const {
-  return ExpressionEvaluator(task_, frame_, {}, {}).Evaluate(expression);
+  return ExpressionEvaluator(task_, frame_, {}, {}, {}).Evaluate(expression);
 }
 
 Value Evaluator::EvaluateHere(const CheckedExpression& expression) const {
-  return ExpressionEvaluator(task_, frame_, locals_, {}).Evaluate(expression);
+  return ExpressionEvaluator(task_, frame_, locals_, {}, {}).Evaluate(expression);
 }
 
 void Evaluator::Reset(uint32_t memory) {
@@ -117,6 +118,19 @@ void Evaluator::Run(const CheckedLog& log) {
 
 void Evaluator::Run(const CheckedRequire& require) {
   if (!IsTrue(EvaluateHere(require.condition))) SetOnce(frame_.violation, require.requirement);
+}
+
+void Evaluator::Run(const CheckedRedraw& redraw) {
+  const CheckedGoal& goal = task_.goals[redraw.goal];
+  if (IsTrue(frame_.memory[goal.held])) return;
+  auto& draws = std::get<Integers>(frame_.memory[goal.draws]).front();
+  const DrawPlace place{frame_.seed, goal.stream, static_cast<uint32_t>(draws)};
+  const auto evaluate = [&](const CheckedExpression& expression) {
+    return ExpressionEvaluator(task_, frame_, {}, {}, place).Evaluate(expression);
+  };
+  Assign(AssignOperator::kSet, {}, evaluate(goal.value), frame_.memory[goal.memory]);
+  if (goal.interval) frame_.memory[goal.interval->left] = evaluate(goal.interval->length);
+  ++draws;
 }
 
 }  // namespace compiler

@@ -20,7 +20,7 @@ class Evaluator {
   Frame& frame() { return frame_; }
   const Frame& frame() const { return frame_; }
 
-  // Gives all memory its initial value.
+  // Gives all memory its initial value, then draws the goals.
   void Initialize();
   // Runs what the task does at an event of this kind.
   void Fire(EventKind kind, double time_step);
@@ -41,6 +41,7 @@ class Evaluator {
   void Run(const CheckedEnd& end);
   void Run(const CheckedLog& log);
   void Run(const CheckedRequire& require);
+  void Run(const CheckedRedraw& redraw);
   Value EvaluateHere(const CheckedExpression& expression) const;
 
   const CheckedTask& task_;

@@ -31,8 +31,8 @@ Value Combine(BinaryOperator op, const std::vector<Number>& left, const std::vec
 
 ExpressionEvaluator::ExpressionEvaluator(const CheckedTask& task, const Frame& frame,
                                          const std::vector<Value>& locals,
-                                         const std::vector<Value>& arguments)
-    : task_(task), frame_(frame), locals_(locals), arguments_(arguments) {}
+                                         const std::vector<Value>& arguments, const DrawPlace& draw)
+    : task_(task), frame_(frame), locals_(locals), arguments_(arguments), draw_(draw) {}
 
 Value ExpressionEvaluator::Evaluate(const CheckedExpression& expression) const {
   return std::visit([&](const auto& node) { return Of(node, expression.type); }, expression.node);
@@ -103,9 +103,37 @@ Value ExpressionEvaluator::Of(const FunctionCall& node, const Type&) const {
   const CheckedFunction& function = task_.functions[node.function];
   const std::vector<Value> arguments = EvaluateAll(node.arguments);
   std::vector<Value> locals(function.locals.size());
-  const ExpressionEvaluator inside(task_, frame_, locals, arguments);
+  const ExpressionEvaluator inside(task_, frame_, locals, arguments, {});
   for (const CheckedLet& let : function.lets) locals[let.local] = inside.Evaluate(let.value);
   return inside.Evaluate(function.value);
+}
+
+Value ExpressionEvaluator::Of(const Draw& node, const Type& type) const {
+  const std::vector<Value> arguments = EvaluateAll(node.arguments);
+  if (node.distribution == Distribution::kChoice) return Choice(node, type, arguments);
+  const auto& first = std::get<Reals>(arguments[0]);
+  const auto& second = std::get<Reals>(arguments[1]);
+  const bool is_uniform = node.distribution == Distribution::kUniform;
+  Reals numbers;
+  for (uint32_t i = 0; i < type.size(); ++i) {
+    const double a = ElementOf(first, i);
+    const double b = ElementOf(second, i);
+    numbers.push_back(is_uniform ? DrawUniform(draw_, i, node.site, a, b)
+                                 : DrawNormal(draw_, i, node.site, a, b));
+  }
+  return numbers;
+}
+
+// One of the values as it is; or for each element one of several numbers.
+Value ExpressionEvaluator::Choice(const Draw& node, const Type& type,
+                                  const std::vector<Value>& values) const {
+  const bool is_each = SizeOf(values.front()) < type.size();
+  if (!is_each) return values[DrawChoice(draw_, 0, node.site, values.size())];
+  Value chosen = Filled(type.scalar, type.size(), 0);
+  for (uint32_t i = 0; i < type.size(); ++i)
+    Assign(AssignOperator::kSet, {i}, values[DrawChoice(draw_, i, node.site, values.size())],
+           chosen);
+  return chosen;
 }
 
 Value ExpressionEvaluator::Of(const TestRead& node, const Type&) const {

@@ -5,6 +5,7 @@
 
 #include "compiler/check/checked_task.h"
 #include "compiler/interpret/frame.h"
+#include "compiler/interpret/random_numbers.h"
 #include "compiler/interpret/value.h"
 
 namespace compiler {
@@ -12,9 +13,9 @@ namespace compiler {
 class ExpressionEvaluator {
  public:
   // Refers to its arguments, which must outlive it. `locals` are those of the event or function
-  // around the expression, `arguments` those of the function.
+  // around the expression, `arguments` those of the function; `draw` is for a goal's equation.
   ExpressionEvaluator(const CheckedTask& task, const Frame& frame, const std::vector<Value>& locals,
-                      const std::vector<Value>& arguments);
+                      const std::vector<Value>& arguments, const DrawPlace& draw);
 
   Value Evaluate(const CheckedExpression& expression) const;
 
@@ -32,15 +33,18 @@ class ExpressionEvaluator {
   Value Of(const CheckedBinary& node, const Type& type) const;
   Value Of(const BuiltinCall& node, const Type& type) const;
   Value Of(const FunctionCall& node, const Type& type) const;
+  Value Of(const Draw& node, const Type& type) const;
   Value Of(const TestRead& node, const Type& type) const;
   Value Of(const IntToReal& node, const Type& type) const;
 
+  Value Choice(const Draw& node, const Type& type, const std::vector<Value>& values) const;
   std::vector<Value> EvaluateAll(const std::vector<CheckedExpressionPtr>& expressions) const;
 
   const CheckedTask& task_;
   const Frame& frame_;
   const std::vector<Value>& locals_;
   const std::vector<Value>& arguments_;
+  const DrawPlace draw_;
 };
 
 }  // namespace compiler

@@ -26,6 +26,7 @@ struct Frame {
   std::vector<Value> sensors;
   std::vector<double> params;  // as a host passes them: a double, whatever the type
   std::vector<Value> memory;
+  uint64_t seed = 0;
   double time_step = 0;
   std::vector<double> terms;
   std::vector<double> metrics;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "compiler/check/builtins.h"
+#include "compiler/check/draws.h"
 #include "compiler/check/type.h"
 #include "compiler/check/unit.h"
 #include "compiler/language_server/cursor_place.h"
@@ -50,18 +51,27 @@ class Completer {
       case Expected::kBodyStatement:
         return OfferWords(BodyWords());
       case Expected::kOverridden:
-        for (const char* word : {"param", "reward", "metric", "on", "start", "fn"}) {
+        for (const char* word : {"param", "reward", "metric", "goal", "on", "start", "fn"}) {
           Add(word, protocol::kCompleteKeyword, "", std::string(ExplanationOf(word)));
         }
         return;
       case Expected::kParamName:
         return OfferInherited(NameKind::kParam);
+      case Expected::kGoalName:
+        return OfferInherited(NameKind::kGoal);
       case Expected::kMetricName:
         return OfferInherited(NameKind::kMetric);
       case Expected::kFunctionName:
         return OfferInherited(NameKind::kFunction);
       case Expected::kValue:
         return OfferValues();
+      case Expected::kGoalValue:
+        for (const DrawDescription& draw : kDraws)
+          Add(std::string(draw.name), protocol::kCompleteFunction, fmt::format("`{}`", draw.usage),
+              std::string(draw.doc));
+        return OfferValues();
+      case Expected::kGoal:
+        return OfferNames({NameKind::kGoal}, protocol::kCompleteVariable);
       case Expected::kOperator:
         return OfferWords(OperatorWords());
       case Expected::kMember:
@@ -97,7 +107,7 @@ class Completer {
         Add("rate", protocol::kCompleteKeyword, "", std::string(ExplanationOf("rate")));
         return OfferNames({NameKind::kTerm}, protocol::kCompleteProperty);
       case Expected::kTarget:
-        OfferNames({NameKind::kSensor, NameKind::kParam, NameKind::kMemory},
+        OfferNames({NameKind::kSensor, NameKind::kParam, NameKind::kMemory, NameKind::kGoal},
                    protocol::kCompleteVariable);
         return Add("time_step", protocol::kCompleteConstant);
       case Expected::kExpectation:
@@ -137,7 +147,7 @@ class Completer {
 
   void OfferValues() {
     OfferNames({NameKind::kLet, NameKind::kLoop, NameKind::kArgument, NameKind::kMemory,
-                NameKind::kSensor},
+                NameKind::kGoal, NameKind::kSensor},
                protocol::kCompleteVariable);
     OfferNames({NameKind::kParam}, protocol::kCompleteConstant);
     OfferNames({NameKind::kFunction}, protocol::kCompleteFunction);

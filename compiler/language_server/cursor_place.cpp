@@ -18,6 +18,7 @@ const std::map<std::string_view, Expected>& AfterKeyword() {
   static const std::map<std::string_view, Expected> expected = {
       {"task", Expected::kAnyText},        {"sensor", Expected::kAnyText},
       {"param", Expected::kAnyText},       {"memory", Expected::kAnyText},
+      {"goal", Expected::kAnyText},        {"redraw", Expected::kGoal},
       {"let", Expected::kAnyText},         {"fn", Expected::kAnyText},
       {"test", Expected::kAnyText},        {"import", Expected::kAnyText},
       {"extends", Expected::kAnyText},     {"on", Expected::kEvent},
@@ -226,11 +227,14 @@ class PlaceFinder {
       return tokens_.ExpectsMore(count_ - 1) ? Expected::kEvent : Expected::kOperator;
     if (first == "allow" && last == ",") return Expected::kWarningCode;
     if (first == "for" && tokens_.ExpectsMore(count_ - 1)) return Expected::kIndex;
-    return tokens_.ExpectsMore(count_ - 1) || last == "{" ? Expected::kValue : Expected::kOperator;
+    if (!tokens_.ExpectsMore(count_ - 1) && last != "{") return Expected::kOperator;
+    const bool is_goal = first == "goal" || (first == "override" && tokens_.Is(begin + 1, "goal"));
+    return is_goal ? Expected::kGoalValue : Expected::kValue;
   }
 
   static Expected AfterOverride(std::string_view what) {
     if (what == "param") return Expected::kParamName;
+    if (what == "goal") return Expected::kGoalName;
     if (what == "metric") return Expected::kMetricName;
     if (what == "fn") return Expected::kFunctionName;
     const auto found = AfterKeyword().find(what);

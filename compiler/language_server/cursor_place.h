@@ -15,12 +15,14 @@ enum class Expected {
   kBodyStatement,  // of a function
   kOverridden,     // after `override`
   kParamName,      // of the base, after `override param`
+  kGoalName,
   kMetricName,
   kFunctionName,
   kValue,
-  kOperator,  // after a value
-  kMember,    // after `path.`
-  kIndex,     // inside `path[...]`, or after `for x in`
+  kGoalValue,  // what a goal is drawn from
+  kOperator,   // after a value
+  kMember,     // after `path.`
+  kIndex,      // inside `path[...]`, or after `for x in`
   kUnit,
   kType,
   kTypeIndex,  // `bool[...]`: an enumeration, or a unit
@@ -31,6 +33,7 @@ enum class Expected {
   kReduction,
   kOutcome,
   kTerm,         // after `reward`
+  kGoal,         // after `redraw`
   kTarget,       // after `given`
   kExpectation,  // after `expect`
   kWarningCode,

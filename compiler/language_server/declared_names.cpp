@@ -12,10 +12,11 @@ struct Keyword {
   NameKind kind;
 };
 // What stands before a name that it declares.
-constexpr std::array<Keyword, 12> kKeywords = {{{"task", NameKind::kTask},
+constexpr std::array<Keyword, 13> kKeywords = {{{"task", NameKind::kTask},
                                                 {"sensor", NameKind::kSensor},
                                                 {"param", NameKind::kParam},
                                                 {"memory", NameKind::kMemory},
+                                                {"goal", NameKind::kGoal},
                                                 {"metric", NameKind::kMetric},
                                                 {"log", NameKind::kLog},
                                                 {"reward", NameKind::kTerm},
@@ -26,9 +27,9 @@ constexpr std::array<Keyword, 12> kKeywords = {{{"task", NameKind::kTask},
                                                 {"for", NameKind::kLoop}}};
 
 bool IsTopLevel(std::string_view keyword) {
-  constexpr std::array<std::string_view, 11> kTopLevel = {"task",   "start",  "sensor",  "param",
-                                                          "memory", "metric", "on",      "fn",
-                                                          "test",   "import", "override"};
+  constexpr std::array<std::string_view, 12> kTopLevel = {"task",   "start",  "sensor",   "param",
+                                                          "memory", "metric", "on",       "fn",
+                                                          "test",   "import", "override", "goal"};
   return std::ranges::find(kTopLevel, keyword) != kTopLevel.end();
 }
 

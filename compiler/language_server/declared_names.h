@@ -14,6 +14,7 @@ enum class NameKind {
   kSensor,  // with its dots
   kParam,
   kMemory,
+  kGoal,
   kMetric,
   kLog,
   kTerm,

@@ -17,6 +17,7 @@ std::optional<protocol::SymbolKind> SymbolKindOf(NameKind kind) {
     case NameKind::kParam:
       return protocol::kConstant;
     case NameKind::kMemory:
+    case NameKind::kGoal:
       return protocol::kVariable;
     case NameKind::kMetric:
     case NameKind::kTerm:

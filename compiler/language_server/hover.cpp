@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "compiler/check/builtins.h"
+#include "compiler/check/draws.h"
 #include "compiler/check/unit.h"
 #include "compiler/language_server/bounds_text.h"
 #include "compiler/language_server/cursor_place.h"
@@ -199,6 +200,8 @@ std::string SignatureOf(std::string_view function, const Document& document, Wor
     }
     return usage;
   }
+  const auto* draw = std::ranges::find(kDraws, function, &DrawDescription::name);
+  if (draw != std::end(kDraws)) return fmt::format("{}\n{}", draw->usage, draw->doc);
   const KnownValues values(document, workspace);
   for (const KnownValue& value : values.inherited()) {
     if (value.kind == NameKind::kFunction && value.name == function) {

@@ -12,6 +12,9 @@ constexpr auto kDeclarations = std::to_array<ExplainedWord>({
     {"param",
      "A number that can be set while the trainer runs: `param NAME: TYPE = VALUE in LOW .. HIGH`."},
     {"memory", "A value that is kept between callbacks: `memory NAME: TYPE = VALUE per action`."},
+    {"goal",
+     "What the robot is told, drawn at random: `goal NAME: TYPE = uniform(LOW, HIGH) per 3 s .. 8 "
+     "s`."},
     {"metric", "What success means, as opposed to the reward: `metric REDUCTION NAME = VALUE`."},
     {"on", "What is done at an event: `on EVENT { ... }`."},
     {"fn", "A function: `fn NAME(ARGUMENT: TYPE) -> TYPE = VALUE`."},
@@ -37,10 +40,11 @@ constexpr auto kStatements = std::to_array<ExplainedWord>({
      "\"why\"`."},
     {"log", "A curve of any number: `log REDUCTION NAME = VALUE`."},
     {"require", "What must always hold: `require CONDITION \"why\"`."},
+    {"redraw", "Draws a goal anew: `redraw NAME`."},
     {"allow", "Silences the warnings with these codes for what follows."},
 });
 constexpr auto kTests = std::to_array<ExplainedWord>({
-    {"given", "Sets a sensor, a param or a memory: `given NAME = VALUE`."},
+    {"given", "Sets a sensor, a param, a memory or a goal: `given NAME = VALUE`."},
     {"fire", "Fires events: `fire end_of_time_step, 100 * end_of_time_step`."},
     {"expect", "What must hold now: `expect CONDITION`, `expect end_episode failure \"why\"`."},
 });
@@ -60,7 +64,9 @@ constexpr auto kOperators = std::to_array<ExplainedWord>({
     {"and", "Whether both conditions hold."},
     {"or", "Whether one of two conditions holds."},
     {"in", "The range of a param or a sensor: `in LOW .. HIGH`; or the set of a loop."},
-    {"per", "When the memory is reset to its initial value: `per action`."},
+    {"per",
+     "When a memory is reset to its initial value: `per action`; when a goal is drawn: `per 3 s .. "
+     "8 s`."},
     {"extends", "Builds on another task: `task NAME extends \"FILE\"`."},
     {"for", "The robot: `task NAME for ROBOT`."},
 });

@@ -83,6 +83,8 @@ Statement StatementBuilder::BuildStatement(TaskParser::StatementContext& context
     statement.node = Log(*log);
   } else if (auto* require = context.require()) {
     statement.node = Require(*require);
+  } else if (auto* redraw = context.redraw()) {
+    statement.node = RedrawStatement{BuildName(*redraw->name())};
   } else {
     statement.node = End(*context.end());
   }

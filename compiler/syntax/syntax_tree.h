@@ -187,10 +187,14 @@ struct RequireStatement {  // `require norm(base.position) < 100 m`, `require ..
   std::string text;    // of the condition, as written, in one line
 };
 
+struct RedrawStatement {  // `redraw velocity`
+  Identifier goal;
+};
+
 struct Statement {
   Span span;
   std::variant<LetStatement, AssignStatement, IfStatement, ForStatement, OnceStatement,
-               RewardStatement, EndStatement, LogStatement, RequireStatement>
+               RewardStatement, EndStatement, LogStatement, RequireStatement, RedrawStatement>
       node;
 };
 
@@ -233,6 +237,21 @@ struct MemoryDeclaration {  // `memory fallen: bool = false per action`
   std::optional<UnitExpression> unit;
   Expression initial;
   MemoryScope scope = MemoryScope::kPerEpisode;
+};
+
+// How a goal is drawn: what follows its type.
+struct GoalDraw {
+  Expression value;  // with `uniform`, `normal`, `choose`
+  // `per 3 s .. 8 s`, `per 2 s`: the time from one draw to the next; nothing: once per episode.
+  std::optional<Expression> shortest;
+  std::optional<Expression> longest;
+};
+struct GoalDeclaration {  // `goal velocity: vec2 [m/s] = uniform(-1 m/s, 1 m/s) per 3 s .. 8 s`
+  std::string doc;
+  Identifier name;
+  TypeExpression type;
+  std::optional<UnitExpression> unit;
+  GoalDraw draw;
 };
 
 struct MetricDeclaration {  // `metric distance = base.position.x`, `metric max height = ...`
@@ -285,6 +304,10 @@ struct ParamOverride {  // `override param direction = -1`; type and unit are th
   std::optional<Expression> minimum;  // nothing: the base's range
   std::optional<Expression> maximum;
 };
+struct GoalOverride {  // `override goal velocity = uniform(0 m/s, 2 m/s)`; type and unit stay
+  Identifier name;
+  GoalDraw draw;
+};
 struct RewardOverride {  // `override reward rate roll = ...`: in place of every statement of the
                          // term
   RewardStatement reward;
@@ -326,9 +349,9 @@ struct TestDeclaration {  // `test "a fall is paid once" { ... }`
 
 struct Declaration {
   Span span;
-  std::variant<SensorDeclaration, ParamDeclaration, MemoryDeclaration, MetricDeclaration,
-               EventDeclaration, StartDeclaration, ImportDeclaration, FunctionDeclaration,
-               ParamOverride, RewardOverride, TestDeclaration>
+  std::variant<SensorDeclaration, ParamDeclaration, MemoryDeclaration, GoalDeclaration,
+               MetricDeclaration, EventDeclaration, StartDeclaration, ImportDeclaration,
+               FunctionDeclaration, ParamOverride, GoalOverride, RewardOverride, TestDeclaration>
       node;
   std::optional<Span> override_span{};  // of the word `override`, where it stands before it
 };

@@ -99,10 +99,11 @@ bool IsDeclarationKeyword(TokenType type) {
 }
 
 bool IsStatementKeyword(TokenType type) {
-  return IsOneOf(type, {TaskParser::LET, TaskParser::IF, TaskParser::ELSE, TaskParser::FOR,
-                        TaskParser::ONCE, TaskParser::END_EPISODE, TaskParser::TRUNCATE_EPISODE,
-                        TaskParser::LOG, TaskParser::REQUIRE, TaskParser::GIVEN, TaskParser::FIRE,
-                        TaskParser::EXPECT, TaskParser::RETURN, TaskParser::ALLOW});
+  return IsOneOf(
+      type, {TaskParser::LET, TaskParser::IF, TaskParser::ELSE, TaskParser::FOR, TaskParser::ONCE,
+             TaskParser::END_EPISODE, TaskParser::TRUNCATE_EPISODE, TaskParser::LOG,
+             TaskParser::REQUIRE, TaskParser::GIVEN, TaskParser::FIRE, TaskParser::EXPECT,
+             TaskParser::RETURN, TaskParser::REDRAW, TaskParser::ALLOW});
 }
 
 bool IsContextualKeyword(TokenType type) {

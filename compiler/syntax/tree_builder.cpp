@@ -133,6 +133,7 @@ class TreeBuilder {
     if (auto* sensor = context.sensor()) return Sensor(*sensor);
     if (auto* param = context.param()) return Param(*param);
     if (auto* memory = context.memory()) return Memory(*memory);
+    if (auto* goal = context.goal()) return Goal(*goal);
     if (auto* metric = context.metric()) return Metric(*metric);
     if (auto* event = context.event()) return Event(*event);
     if (auto* function = context.function()) return Function(*function);
@@ -143,6 +144,7 @@ class TreeBuilder {
   DeclarationNode BuildOverride(TaskParser::ChangeContext& context) {
     if (auto* start = context.start()) return Start(*start);
     if (auto* param = context.newDefault()) return NewDefault(*param);
+    if (auto* goal = context.newGoal()) return GoalOverride{BuildName(*goal->name()), Draw(*goal)};
     if (auto* metric = context.metric()) return Metric(*metric);
     if (auto* event = context.event()) return Event(*event);
     if (auto* function = context.function()) return Function(*function);
@@ -207,6 +209,26 @@ class TreeBuilder {
                             "a scope of a memory", report_);
     }
     return memory;
+  }
+
+  GoalDeclaration Goal(TaskParser::GoalContext& context) {
+    GoalDeclaration goal;
+    goal.doc = doc_;
+    goal.name = BuildName(*context.name());
+    SetType(*context.type(), goal);
+    goal.draw = Draw(context);
+    return goal;
+  }
+
+  // How a goal is drawn, of its declaration or of what overrides it.
+  template <typename Context>
+  GoalDraw Draw(Context& context) {
+    GoalDraw draw{expressions_.Build(*context.value), std::nullopt, std::nullopt};
+    if (context.shortest != nullptr) draw.shortest = expressions_.Build(*context.shortest);
+    if (context.longest != nullptr) draw.longest = expressions_.Build(*context.longest);
+    const auto* word = draw.shortest ? std::get_if<NameExpression>(&draw.shortest->node) : nullptr;
+    if (word != nullptr && word->name.text == "episode") draw.shortest.reset();
+    return draw;
   }
 
   MetricDeclaration Metric(TaskParser::MetricContext& context) {

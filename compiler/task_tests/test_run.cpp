@@ -37,6 +37,11 @@ class TestRun {
         return both_.SetParam(given.index, RealOf(value));
       case CheckedGiven::kMemory:
         return both_.SetMemory(given.index, Changed(frame().memory[given.index], given, value));
+      case CheckedGiven::kGoal: {
+        const CheckedGoal& goal = task_.goals[given.index];
+        both_.SetMemory(goal.held, Integers{1});
+        return both_.SetMemory(goal.memory, Changed(frame().memory[goal.memory], given, value));
+      }
       case CheckedGiven::kTimeStep:
         time_step_ = RealOf(value);
     }

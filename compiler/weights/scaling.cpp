@@ -51,6 +51,8 @@ Scaling ExpressionScaling::Of(const CheckedExpression& expression, const Scaling
           return OfBuiltin(node, reads);
         } else if constexpr (std::is_same_v<Node, FunctionCall>) {
           return OfFunction(node, reads);
+        } else if constexpr (std::is_same_v<Node, Draw>) {
+          return Opaque(std::ranges::max(OfAll(node.arguments, reads)));
         } else {
           return kIndependent;
         }

@@ -56,9 +56,11 @@ class ParamSearch {
   void Search(const CheckedLet& let, bool) { reads_.locals[let.local] = Of(let.value); }
 
   void Search(const CheckedAssign& assign, bool is_decided) {
-    Scaling& memory = reads_.memory[assign.memory];
-    if (!is_decided && IsIndependent(Of(assign.value))) return;
-    has_changed_memory_ |= std::exchange(memory, Scaling::kOther) != Scaling::kOther;
+    if (is_decided || !IsIndependent(Of(assign.value))) Change(assign.memory);
+  }
+
+  void Change(uint32_t memory) {
+    has_changed_memory_ |= std::exchange(reads_.memory[memory], Scaling::kOther) != Scaling::kOther;
   }
 
   void Search(const CheckedIf& branches, bool is_decided) {
@@ -84,6 +86,12 @@ class ParamSearch {
   // The trainer ends the episode where it does not hold.
   void Search(const CheckedRequire& require, bool is_decided) {
     changes_course_ |= is_decided || !IsIndependent(Of(require.condition));
+  }
+
+  void Search(const CheckedRedraw& redraw, bool is_decided) {
+    const CheckedGoal& goal = task_.goals[redraw.goal];
+    is_decided |= goal.interval && !IsIndependent(Of(goal.interval->length));
+    if (is_decided || !IsIndependent(Of(goal.value))) Change(goal.memory);
   }
 
   // Nothing reads a log.

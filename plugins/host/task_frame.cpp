@@ -1,6 +1,7 @@
 #include "plugins/host/task_frame.h"
 
 #include <algorithm>
+#include <cstring>
 
 namespace host {
 
@@ -20,6 +21,12 @@ TaskFrame::TaskFrame(const taskc_plugin& plugin)
   frame_.terms = terms_.data();
   frame_.metrics = metrics_.data();
   frame_.logs = logs_.data();
+}
+
+taskc_int64 TaskFrame::DrawCount(const taskc_goal& goal) const {
+  taskc_int64 count = 0;
+  std::memcpy(&count, memory_.data() + goal.draw_offset, sizeof count);
+  return count;
 }
 
 void TaskFrame::Clear() {

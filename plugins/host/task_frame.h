@@ -90,6 +90,25 @@ class TaskFrame {
     return {memory_.data() + variable.offset, SizeInBytes(variable)};
   }
 
+  // The value of a goal, row by row.
+  std::span<std::byte> Bytes(const taskc_goal& goal) {
+    return {memory_.data() + goal.offset, SizeInBytes(goal)};
+  }
+  std::span<const std::byte> Bytes(const taskc_goal& goal) const {
+    return {memory_.data() + goal.offset, SizeInBytes(goal)};
+  }
+  // Whether the caller sets its value, so that it is not drawn; and how often it was drawn in this
+  // episode.
+  void Hold(const taskc_goal& goal, bool is_held) {
+    memory_.data()[goal.held_offset] = std::byte{is_held};
+  }
+  bool IsHeld(const taskc_goal& goal) const {
+    return memory_.data()[goal.held_offset] != std::byte{0};
+  }
+  taskc_int64 DrawCount(const taskc_goal& goal) const;
+  // Decides what is drawn; another one for each episode. At first 0.
+  void SetSeed(taskc_uint64 seed) { frame_.seed = seed; }
+
   // What was paid for each reward term and what was logged, since Clear(); what Measure() gave.
   std::span<double> terms() { return terms_; }
   std::span<const double> terms() const { return terms_; }

@@ -16,7 +16,7 @@
 #ifndef TASKC_PLUGIN_H
 #define TASKC_PLUGIN_H
 
-#define TASKC_ABI_VERSION 2u
+#define TASKC_ABI_VERSION 3u
 #define TASKC_PLUGIN_ENTRY "taskc_plugin_get"
 
 #ifdef __cplusplus
@@ -26,6 +26,7 @@ extern "C" {
 typedef int taskc_int32;
 typedef unsigned int taskc_uint32;
 typedef long long taskc_int64;
+typedef unsigned long long taskc_uint64;
 
 // The moments at which a task computes. In a time step the controller's
 // targets change once (every 5 ms for the humanoid); a physics step is one step of the simulator.
@@ -83,6 +84,27 @@ typedef struct taskc_memory {
   taskc_int32 scope;    // TASKC_PER_RUN, TASKC_PER_EPISODE or TASKC_PER_ACTION
   taskc_uint32 offset;  // bytes from the start of the memory block
 } taskc_memory;
+
+// What the robot is told to do: drawn at random by the plugin, or set by the host. Its value,
+// whether the host holds it and how often it was drawn in this episode lie in the memory block.
+//
+// Each draw takes its numbers from Philox4x32-10 (J. Salmon and others, "Parallel random numbers:
+// as easy as 1, 2, 3", 2011): its key is `taskc_frame.seed`, its counter (how often this goal was
+// drawn before in this episode; the element; the number of the random number in the
+// goal's equation; the FNV-1a hash of the goal's name). So equal seeds give equal goals, in every
+// host and whatever else a task draws.
+typedef struct taskc_goal {
+  const char* name;
+  const char* doc;
+  const char* type;
+  const char* unit;
+  taskc_int32 scalar;
+  taskc_uint32 rows;
+  taskc_uint32 columns;
+  taskc_uint32 offset;       // of its value: bytes from the start of the memory block
+  taskc_uint32 held_offset;  // of a bool: while it is 1 the plugin does not draw the goal
+  taskc_uint32 draw_offset;  // of an int: how often the goal was drawn in this episode
+} taskc_goal;
 
 // One of the texts that a task is made of.
 typedef struct taskc_source {
@@ -156,6 +178,7 @@ typedef struct taskc_frame {
   const void* const* sensors;  // one pointer for each entry of `taskc_plugin.sensors`
   const double* params;        // one value for each entry of `taskc_plugin.params`
   void* memory;                // `memory_size` bytes, aligned to 16
+  taskc_uint64 seed;           // of the goals: another one in each episode
   double time_step;            // length of the step that ends or starts [s]; 0 for other events
   double* terms;               // one sum for each reward term: the plugin adds, the host zeroes
   double* metrics;             // one value for each metric: written by `measure`
@@ -184,6 +207,7 @@ typedef struct taskc_plugin {
   const taskc_sensor* sensors;
   const taskc_param* params;
   const taskc_memory* memory;
+  const taskc_goal* goals;
   const taskc_reward_term* terms;
   const taskc_metric* metrics;
   const taskc_log* logs;
@@ -193,6 +217,7 @@ typedef struct taskc_plugin {
   taskc_uint32 sensor_count;
   taskc_uint32 param_count;
   taskc_uint32 memory_count;
+  taskc_uint32 goal_count;
   taskc_uint32 term_count;
   taskc_uint32 metric_count;
   taskc_uint32 log_count;
@@ -200,7 +225,7 @@ typedef struct taskc_plugin {
   taskc_uint32 requirement_count;
   taskc_uint32 memory_size;  // bytes; 0 where the task remembers nothing
 
-  taskc_event_function initialize;                 // gives all memory its initial value
+  taskc_event_function initialize;  // gives all memory its initial value, draws goals
   taskc_event_function events[TASKC_EVENT_COUNT];  // null where the task has nothing to do
   taskc_event_function measure;                    // null where the task has no metric
 } taskc_plugin;

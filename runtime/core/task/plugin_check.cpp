@@ -37,6 +37,7 @@ class TableCheck {
     CheckSensors();
     CheckParams();
     CheckMemory();
+    CheckGoals();
     CheckRewardsAndEnds();
     CheckMetrics();
     CheckLogs();
@@ -147,6 +148,23 @@ class TableCheck {
       const uint64_t end = variable.offset + host::SizeInBytes(variable);
       Require(end <= table_.memory_size && variable.offset % host::ScalarSize(variable.scalar) == 0,
               fmt::format("the variable `{}` lies outside the memory", variable.name));
+    }
+  }
+
+  void CheckGoals() const {
+    const auto goals = Entries(table_.goals, table_.goal_count, "goals");
+    CheckNames(goals, "goal");
+    for (const taskc_goal& goal : goals) {
+      Require(goal.doc != nullptr && goal.type != nullptr && goal.unit != nullptr,
+              fmt::format("the goal `{}` has no text, type or unit", goal.name));
+      CheckShape(goal.name, goal.scalar, goal.rows, goal.columns);
+      const auto lies_inside = [&](uint64_t offset, uint64_t size, size_t alignment) {
+        return offset + size <= table_.memory_size && offset % alignment == 0;
+      };
+      Require(lies_inside(goal.offset, host::SizeInBytes(goal), host::ScalarSize(goal.scalar)) &&
+                  lies_inside(goal.held_offset, 1, 1) &&
+                  lies_inside(goal.draw_offset, sizeof(taskc_int64), sizeof(taskc_int64)),
+              fmt::format("the goal `{}` lies outside the memory", goal.name));
     }
   }
 

@@ -65,6 +65,7 @@ TaskInstance::TaskInstance(std::shared_ptr<const Plugin> plugin, int64_t id)
       id_(id),
       host_(table()),
       memory_(host_),
+      goals_(host_),
       params_(table().param_count),
       reducer_({table().metrics, table().metric_count}),
       logged_(table().log_count),
@@ -77,7 +78,7 @@ TaskInstance::TaskInstance(std::shared_ptr<const Plugin> plugin, int64_t id)
     violation_reasons_.push_back(fmt::format("requirement: {}", requirement.reason));
   }
   if (table().initialize != nullptr) Enter(table().initialize);
-  StartEpisode();
+  StartEpisode(0, 0);
 }
 
 std::vector<Parameter> TaskInstance::Params() {
@@ -111,12 +112,13 @@ void TaskInstance::SetParam(size_t index, double value) {
   params_[index] = {value != 0, static_cast<int64_t>(value), value};
 }
 
-void TaskInstance::StartEpisode() {
+void TaskInstance::StartEpisode(uint64_t run_seed, int64_t episode) {
   host_.Clear();
   std::fill(faults_.begin(), faults_.end(), Incidents());
   fault_count_ = 0;
   std::fill(violations_.begin(), violations_.end(), Incidents());
   reducer_.StartEpisode();
+  goals_.StartEpisode(run_seed, episode);
   time_ = 0;
 }
 
@@ -130,6 +132,7 @@ std::optional<TaskInstance::Outcome> TaskInstance::Call(int event, double time_s
   if (function == nullptr) return std::nullopt;
   host_.Next(time_step);
   Enter(function);
+  goals_.NoteDraws(time_);
   CountFault();
   CountViolation();
   return Outcome{host_.frame().reward, EndReached()};
@@ -213,6 +216,7 @@ void TaskInstance::TakeOverSums(const TaskInstance& old) {
   ForEachSame(std::span(table().metrics, table().metric_count),
               std::span(old.table().metrics, old.table().metric_count),
               [&](size_t i, size_t j) { reducer_.TakeOver(i, old.reducer_, j); });
+  goals_.TakeOver(old.goals_);
   fault_count_ = old.fault_count_;
   time_ = old.time_;
 }

@@ -17,6 +17,7 @@
 #include "runtime/core/task/metric_reducer.h"
 #include "runtime/core/task/plugin.h"
 #include "runtime/core/task/plugin_watch.h"
+#include "runtime/core/task/task_goals.h"
 #include "runtime/core/task/task_memory.h"
 
 namespace runtime {
@@ -54,7 +55,8 @@ class TaskInstance {
   // Where the event functions look for the data of sensor number `index`.
   const void** sensor_data(size_t index) { return &host_.sensor(index); }
 
-  void StartEpisode();
+  // `episode`: its number in the run; with the run's seed it decides what goals are drawn.
+  void StartEpisode(uint64_t run_seed, int64_t episode);
   // Calls the function of an event, if the task has one.
   std::optional<Outcome> Call(int event, double time_step);
   void AdvanceTime(double time_step) { time_ += time_step; }
@@ -62,6 +64,11 @@ class TaskInstance {
   bool needs_measuring() const { return reducer_.needs_time_steps(); }
   void EndTimeStep();
   void EndEpisode();
+
+  const TaskGoals& goals() const { return goals_; }
+  // From now on the goal has this value, and the task does not draw it; see TaskGoals::Hold().
+  void HoldGoal(size_t goal, std::span<const double> value) { goals_.Hold(goal, value, time_); }
+  void ReleaseGoal(size_t goal) { goals_.Release(goal); }
 
   std::span<const double> term_sums() const { return host_.terms(); }
   std::span<const Incidents> faults() const { return faults_; }
@@ -103,6 +110,7 @@ class TaskInstance {
   int64_t id_;
   host::TaskFrame host_;
   TaskMemory memory_;
+  TaskGoals goals_;
   std::vector<Param> params_;
 
   MetricReducer reducer_;

@@ -1,6 +1,7 @@
 #include "runtime/core/task/universal_task.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <utility>
@@ -51,11 +52,11 @@ std::unique_ptr<TaskInstance> FirstInstance(const std::string& name, const Conte
 }  // namespace
 
 UniversalTask::UniversalTask(const std::string& name, const Context& context)
-    : UniversalTask(name, *context.robot, FirstInstance(name, context)) {}
+    : UniversalTask(name, *context.robot, FirstInstance(name, context), context.seed) {}
 
 UniversalTask::UniversalTask(std::string name, const robot::RobotDescription& robot,
-                             std::unique_ptr<TaskInstance> instance)
-    : Module(std::move(name)), robot_(robot) {
+                             std::unique_ptr<TaskInstance> instance, uint64_t seed)
+    : Module(std::move(name)), robot_(robot), seed_(seed) {
   CheckFitsRobot(*instance->plugin(), robot_);
   Exchange(std::move(instance));
 }
@@ -150,8 +151,27 @@ void UniversalTask::Rollback(const ModuleGraph& graph) {
   Swap(std::move(next), graph);
 }
 
+size_t UniversalTask::FindGoal(std::string_view goal) const {
+  if (const auto found = instance_->goals().Find(goal)) return *found;
+  std::vector<std::string> names;
+  for (const taskc_goal& each : instance_->goals().goals()) names.emplace_back(each.name);
+  throw UserError(
+      fmt::format("the task `{}` has no goal `{}`{}", plugin().name, goal,
+                  names.empty() ? "" : fmt::format("; its goals are {}", fmt::join(names, ", "))));
+}
+
+void UniversalTask::HoldGoal(size_t goal, std::span<const double> value) {
+  const size_t wanted = instance_->goals().Value(goal).size();
+  if (value.size() != wanted) {
+    throw UserError(fmt::format("the goal `{}` has {} element{}, not {}",
+                                instance_->goals().goals()[goal].name, wanted,
+                                wanted == 1 ? "" : "s", value.size()));
+  }
+  instance_->HoldGoal(goal, value);
+}
+
 void UniversalTask::StartEpisode() {
-  instance_->StartEpisode();
+  instance_->StartEpisode(seed_, ++episode_);
   end_.reason.clear();
   is_asleep_ = false;
   episode_is_over_ = false;

@@ -60,8 +60,9 @@ class UniversalTask : public Module {
 
   // Throws UserError if the plugin does not fit Context::robot, or if there is none.
   UniversalTask(const std::string& name, const Context& context);
+  // `seed`: of the run, for the goals that the task draws.
   UniversalTask(std::string name, const robot::RobotDescription& robot,
-                std::unique_ptr<TaskInstance> instance);
+                std::unique_ptr<TaskInstance> instance, uint64_t seed = 0);
 
   // Throws UserError if a sensor's in port has no connection.
   void Start() override;
@@ -93,6 +94,15 @@ class UniversalTask : public Module {
   const TaskInstance* previous() const { return previous_.get(); }
   // Throws UserError before the first swap.
   const TaskInstance& FindPrevious() const;
+
+  // The number in the run of the episode that starts next; else it is one more than the last.
+  void SetNextEpisode(int64_t number) { episode_ = number - 1; }
+  // Its number among the task's goals. Throws UserError where there is no goal of this name.
+  size_t FindGoal(std::string_view goal) const;
+  // From now on the goal has this value, in SI units, and the task does not draw it. Throws
+  // UserError where it has another number of elements.
+  void HoldGoal(size_t goal, std::span<const double> value);
+  void ReleaseGoal(size_t goal) { instance_->ReleaseGoal(goal); }
 
   // A shadow is evaluated like the task that the learner is paid by, but nobody ends an episode for
   // it: after its own first end it ends the episode for itself, `at_once` or with the action, and
@@ -157,6 +167,8 @@ class UniversalTask : public Module {
   void BindSensors();
 
   const robot::RobotDescription& robot_;
+  uint64_t seed_;
+  int64_t episode_ = 0;  // the number of the current one
   std::unique_ptr<TaskInstance> instance_;
   std::unique_ptr<TaskInstance> previous_;
   Sensors sensors_;  // in the order of the task

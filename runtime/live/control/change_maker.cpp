@@ -89,6 +89,14 @@ void ChangeMaker::Apply(const ScheduleParameter& change, const Circumstances& ci
                  {AsReal(change.from), AsReal(change.to), circumstances.episode, change.episodes});
 }
 
+void ChangeMaker::Apply(const HoldGoal& change, const Circumstances&) {
+  graph_.HoldGoal(change.goal, NumbersIn(change.value, change.goal));
+}
+
+void ChangeMaker::Apply(const ReleaseGoal& change, const Circumstances&) {
+  graph_.ReleaseGoal(change.goal);
+}
+
 void ChangeMaker::Apply(const ConnectPorts& change, const Circumstances&) {
   graph_.Connect(change.first, change.second);
 }

@@ -42,6 +42,8 @@ class ChangeMaker {
   void Apply(const UnloadShadow& change, const Circumstances&);
   void Apply(const SetParameter& change, const Circumstances&);
   void Apply(const ScheduleParameter& change, const Circumstances& circumstances);
+  void Apply(const HoldGoal& change, const Circumstances&);
+  void Apply(const ReleaseGoal& change, const Circumstances&);
   void Apply(const ConnectPorts& change, const Circumstances&);
   void Apply(const DisconnectPorts& change, const Circumstances&);
   void Apply(const AddModule& change, const Circumstances&);

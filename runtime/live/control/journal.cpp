@@ -95,12 +95,12 @@ void Journal::Quarantine(const RunPosition& position, const ChangeRecord& change
 bool CanBeBlamed(const ChangeRecord& change) {
   return std::visit(
       variant::Overloaded{
-          [](const variant::OneOf<UnloadShadow, RemoveModule, PutInQuarantine> auto&) {
+          [](const variant::OneOf<UnloadShadow, ReleaseGoal, RemoveModule, PutInQuarantine> auto&) {
             return false;
           },
           [](const variant::OneOf<SwapTask, LoadShadow, RollBackTask, PromoteTask, SetParameter,
-                                  ScheduleParameter, ConnectPorts, DisconnectPorts, AddModule,
-                                  UnknownChange> auto&) { return true; },
+                                  ScheduleParameter, HoldGoal, ConnectPorts, DisconnectPorts,
+                                  AddModule, UnknownChange> auto&) { return true; },
       },
       change.change);
 }

@@ -54,7 +54,8 @@ void LiveGraph::CheckLoad(const std::string& name, const Plugin& plugin) const {
 UniversalTask& LiveGraph::Load(const std::string& name, std::unique_ptr<TaskInstance> instance) {
   CheckLoad(name, *instance->plugin());
   const UniversalTask& active = active_task();
-  auto made = std::make_unique<UniversalTask>(name, *context_.robot, std::move(instance));
+  auto made =
+      std::make_unique<UniversalTask>(name, *context_.robot, std::move(instance), context_.seed);
   UniversalTask& shadow = *made;
   graph_.Add(std::move(made));
   shadow.ConnectSensors(graph_);
@@ -124,6 +125,28 @@ void LiveGraph::Set(const std::string& parameter, const ParameterValue& value) {
         parameter));
   }
   name.module->Set(name.parameter, value);
+}
+
+LiveGraph::Goal LiveGraph::FindGoal(const std::string& goal) const {
+  const size_t dot = goal.find('.');
+  if (dot == std::string::npos) {
+    throw UserError(
+        fmt::format("`{0}` is not a goal: write MODULE.GOAL, such as `task.{0}`", goal));
+  }
+  UniversalTask& task = FindTask(goal.substr(0, dot));
+  return {&task, task.FindGoal(goal.substr(dot + 1))};
+}
+
+void LiveGraph::CheckGoal(const std::string& goal) const { FindGoal(goal); }
+
+void LiveGraph::HoldGoal(const std::string& goal, const std::vector<double>& value) {
+  const Goal found = FindGoal(goal);
+  found.task->HoldGoal(found.goal, value);
+}
+
+void LiveGraph::ReleaseGoal(const std::string& goal) {
+  const Goal found = FindGoal(goal);
+  found.task->ReleaseGoal(found.goal);
 }
 
 void LiveGraph::CheckIsUsable(const Port& port, const Port& by) const {

@@ -47,6 +47,11 @@ class LiveGraph {
   const Parameter& FindParameter(const std::string& parameter) const;
   ParameterValue Get(const std::string& parameter) const;
 
+  // `goal`: "task.velocity". `value`: in SI units, as many numbers as the goal has elements.
+  void CheckGoal(const std::string& goal) const;
+  void HoldGoal(const std::string& goal, const std::vector<double>& value);
+  void ReleaseGoal(const std::string& goal);
+
   // In the place of the out port that an in port has already. Neither a module that is not started
   // yet nor its slots can be used by others.
   void Connect(const std::string& first, const std::string& second);
@@ -66,6 +71,11 @@ class LiveGraph {
     Module* module;
     std::string parameter;
   };
+  struct Goal {
+    UniversalTask* task;
+    size_t goal;
+  };
+  Goal FindGoal(const std::string& goal) const;
   ParameterName Split(const std::string& parameter) const;
   void CheckIsUsable(const Port& port, const Port& by) const;
   void CheckIsStillPaid(const Port& a, const Port& b) const;

@@ -24,8 +24,9 @@ std::optional<std::string> ComingOrGoing(const Change& change) {
           [](const variant::OneOf<LoadShadow, UnloadShadow, AddModule, RemoveModule> auto& each)
               -> Result { return each.module; },
           [](const variant::OneOf<SwapTask, RollBackTask, PromoteTask, SetParameter,
-                                  ScheduleParameter, ConnectPorts, DisconnectPorts, PutInQuarantine,
-                                  UnknownChange> auto&) -> Result { return std::nullopt; },
+                                  ScheduleParameter, HoldGoal, ReleaseGoal, ConnectPorts,
+                                  DisconnectPorts, PutInQuarantine, UnknownChange> auto&)
+              -> Result { return std::nullopt; },
       },
       change);
 }

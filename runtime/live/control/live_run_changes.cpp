@@ -229,6 +229,19 @@ Json LiveRun::Set(const QueuedRequest& request) {
           {"takes_effect", Make(schedule, true)}};
 }
 
+Json LiveRun::Hold(const QueuedRequest& request) {
+  const std::string name = Text(request.arguments, "name");
+  const ParameterValue value = ValueFromJson(request.arguments.at("value"), name);
+  graph_.CheckGoal(name);
+  return MakeNow(HoldGoal{name, value});
+}
+
+Json LiveRun::Release(const QueuedRequest& request) {
+  const std::string name = Text(request.arguments, "name");
+  graph_.CheckGoal(name);
+  return MakeNow(ReleaseGoal{name});
+}
+
 Json LiveRun::Connect(const QueuedRequest& request) {
   return MakeNow(ConnectPorts{Text(request.arguments, "first"), Text(request.arguments, "second")});
 }

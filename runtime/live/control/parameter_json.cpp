@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/variant/overloaded.h"
 #include "runtime/training/run/value_json.h"
 
 namespace runtime {
@@ -53,6 +54,18 @@ ParameterValue ValueFromJson(const nlohmann::json& json, const std::string& name
   const auto wrong = std::ranges::find_if_not(json, &nlohmann::json::is_number);
   throw UserError(
       fmt::format("`{}`: a list holds numbers only, and {} is not one", name, wrong->dump()));
+}
+
+std::vector<double> NumbersIn(const ParameterValue& value, const std::string& name) {
+  return std::visit(variant::Overloaded{
+                        [](const std::vector<double>& list) { return list; },
+                        [&](const std::string& text) -> std::vector<double> {
+                          throw UserError(fmt::format(
+                              "`{}` is made of numbers, and `{}` is not one", name, text));
+                        },
+                        [](auto number) { return std::vector{static_cast<double>(number)}; },
+                    },
+                    value);
 }
 
 ParameterValue FitTo(const Parameter& parameter, ParameterValue value, const std::string& name) {

@@ -26,6 +26,20 @@ nlohmann::json TermsJson(const UniversalTask& task) {
   return terms;
 }
 
+nlohmann::json GoalsJson(const UniversalTask& task) {
+  nlohmann::json goals = nlohmann::json::array();
+  const TaskGoals& all = task.instance().goals();
+  for (size_t i = 0; i < all.goals().size(); ++i) {
+    const taskc_goal& goal = all.goals()[i];
+    goals.push_back({{"name", fmt::format("{}.{}", task.name(), goal.name)},
+                     {"value", all.Value(i)},
+                     {"unit", goal.unit},
+                     {"held", all.IsHeld(i)},
+                     {"doc", goal.doc}});
+  }
+  return goals;
+}
+
 nlohmann::json TaskModuleJson(const UniversalTask& task, const RunRecord& run) {
   const TaskRecord& record = TaskWithId(run, task.instance().id());
   nlohmann::json json = TaskJson(task.name(), record);
@@ -37,6 +51,7 @@ nlohmann::json TaskModuleJson(const UniversalTask& task, const RunRecord& run) {
   }
   json["versions"] = VersionsJson(run, task.name());
   json["params"] = AllParameters(task);
+  json["goals"] = GoalsJson(task);
   json["return"] = task.episode_return();
   json["terms"] = TermsJson(task);
   return json;

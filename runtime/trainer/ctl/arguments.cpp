@@ -101,6 +101,19 @@ void DeclareSet(Command& command, const CommandSpec&, json& arguments) {
   });
 }
 
+// hold NAME NUMBER...; a number may begin with `-`.
+void DeclareHold(Command& command, const CommandSpec&, json& arguments) {
+  command.Footer(
+      "  trainer ctl hold NAME NUMBER...\n"
+      "As many numbers as the goal has elements, in SI units: `hold task.velocity 0.5 -0.1`.");
+  command.OnWords([&arguments](const std::vector<std::string>& words) {
+    if (words.size() < 2) throw CallError("`hold` needs the name of a goal and its value");
+    json value = json::array();
+    for (size_t i = 1; i < words.size(); ++i) value.push_back(ValueOfWord(words[i]));
+    arguments = {{"name", words[0]}, {"value", value.size() == 1 ? value[0] : value}};
+  });
+}
+
 // rollback NAME [VERSION] [--now]
 void DeclareRollback(Command& command, const CommandSpec& spec, json& arguments) {
   AddArgument(command, spec.arguments[0], arguments);
@@ -141,11 +154,9 @@ struct Special {
   std::string_view command;
   void (*declare)(Command& command, const CommandSpec& spec, json& arguments);
 };
-constexpr Special kSpecial[] = {{"load", DeclareLoad},
-                                {"rollback", DeclareRollback},
-                                {"set", DeclareSet},
-                                {"step", DeclareStep},
-                                {"module_add", DeclareModuleAdd}};
+constexpr Special kSpecial[] = {{"hold", DeclareHold},         {"load", DeclareLoad},
+                                {"rollback", DeclareRollback}, {"set", DeclareSet},
+                                {"step", DeclareStep},         {"module_add", DeclareModuleAdd}};
 
 }  // namespace
 

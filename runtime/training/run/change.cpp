@@ -25,8 +25,8 @@ std::optional<TaskOfModule> TaskBroughtBy(const Change& change) {
             return TaskOfModule{each.module, each.task};
           },
           [](const variant::OneOf<PromoteTask, UnloadShadow, SetParameter, ScheduleParameter,
-                                  ConnectPorts, DisconnectPorts, AddModule, RemoveModule,
-                                  PutInQuarantine, UnknownChange> auto&) -> Result {
+                                  HoldGoal, ReleaseGoal, ConnectPorts, DisconnectPorts, AddModule,
+                                  RemoveModule, PutInQuarantine, UnknownChange> auto&) -> Result {
             return std::nullopt;
           },
       },
@@ -39,6 +39,9 @@ bool ChangesReward(const Change& change, std::string_view module) {
           [](const variant::OneOf<SwapTask, RollBackTask, PromoteTask> auto&) { return true; },
           [&](const variant::OneOf<SetParameter, ScheduleParameter> auto& each) {
             return each.parameter.starts_with(std::string(module) + ".");
+          },
+          [&](const variant::OneOf<HoldGoal, ReleaseGoal> auto& each) {
+            return each.goal.starts_with(std::string(module) + ".");
           },
           [](const variant::OneOf<LoadShadow, UnloadShadow, ConnectPorts, DisconnectPorts,
                                   AddModule, RemoveModule, PutInQuarantine, UnknownChange> auto&) {

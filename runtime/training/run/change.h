@@ -71,6 +71,18 @@ struct ScheduleParameter {
   int64_t episodes = 1;
 };
 
+// A goal that is told by a client from then on, and no more drawn by the task.
+struct HoldGoal {
+  static constexpr std::string_view kKind = "hold";
+  std::string goal;  // "task.velocity"
+  ParameterValue value;
+};
+
+struct ReleaseGoal {
+  static constexpr std::string_view kKind = "release";
+  std::string goal;  // "task.velocity"
+};
+
 // Of two ports: "task.reward".
 struct ConnectPorts {
   static constexpr std::string_view kKind = "connect";
@@ -110,9 +122,10 @@ struct UnknownChange {
   std::string data;  // as it stands in the record
 };
 
-using Change = std::variant<SwapTask, LoadShadow, RollBackTask, PromoteTask, UnloadShadow,
-                            SetParameter, ScheduleParameter, ConnectPorts, DisconnectPorts,
-                            AddModule, RemoveModule, PutInQuarantine, UnknownChange>;
+using Change =
+    std::variant<SwapTask, LoadShadow, RollBackTask, PromoteTask, UnloadShadow, SetParameter,
+                 ScheduleParameter, HoldGoal, ReleaseGoal, ConnectPorts, DisconnectPorts, AddModule,
+                 RemoveModule, PutInQuarantine, UnknownChange>;
 
 // "swap"
 std::string_view KindOf(const Change& change);

@@ -49,6 +49,15 @@ void Members(auto& members, variant::OneOf<ScheduleParameter> auto& change) {
   members.Count("episodes", change.episodes);
 }
 
+void Members(auto& members, variant::OneOf<HoldGoal> auto& change) {
+  members.Text("name", change.goal);
+  members.Value("value", change.value);
+}
+
+void Members(auto& members, variant::OneOf<ReleaseGoal> auto& change) {
+  members.Text("name", change.goal);
+}
+
 void Members(auto& members, variant::OneOf<ConnectPorts, DisconnectPorts> auto& change) {
   members.Text("first", change.first);
   members.Text("second", change.second);

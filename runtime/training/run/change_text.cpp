@@ -37,6 +37,10 @@ class Describer {
     return fmt::format("{}: {} to {} over {} episodes", change.parameter,
                        ToJson(change.from).dump(), ToJson(change.to).dump(), change.episodes);
   }
+  std::string operator()(const HoldGoal& change) const {
+    return Plain(change, fmt::format("{} at {}", change.goal, ToJson(change.value).dump()));
+  }
+  std::string operator()(const ReleaseGoal& change) const { return Plain(change, change.goal); }
   std::string operator()(const ConnectPorts& change) const {
     return Plain(change, change.first + " " + change.second);
   }

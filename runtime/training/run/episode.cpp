@@ -35,6 +35,8 @@ EpisodeRecord RunEpisode(int64_t number, const EpisodeModules& modules,
   const Clock::time_point start = Clock::now();
   const std::clock_t cpu_start = std::clock();
   int64_t steps = 0;
+  modules.tasks.active->SetNextEpisode(number);
+  for (UniversalTask* shadow : modules.tasks.shadows) shadow->SetNextEpisode(number);
   modules.environment.StartEpisode();
   after_step(steps);
   while (!modules.learner.episode_over()) {

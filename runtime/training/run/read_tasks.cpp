@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "runtime/training/run/read_goals.h"
 #include "runtime/training/run/table_reader.h"
 
 namespace runtime {
@@ -72,6 +73,7 @@ std::vector<TaskRecord> ReadTasks(const SqliteDatabase& database) {
   });
   ReadCurves(database, "metric", &TaskRecord::metrics, tasks);
   ReadCurves(database, "log", &TaskRecord::logs, tasks);
+  ReadGoals(database, tasks);
   for (const TaskRecord& task : tasks) {
     if (!task.sources.empty()) continue;
     ThrowDamaged(database, fmt::format("the table `source` has no text of task {}", task.id));

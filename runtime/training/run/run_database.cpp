@@ -9,6 +9,7 @@
 #include "runtime/training/run/run_files.h"
 #include "runtime/training/run/run_schema.h"
 #include "runtime/training/run/sealed_state.h"
+#include "runtime/training/run/value_json.h"
 
 namespace runtime {
 namespace {
@@ -210,6 +211,13 @@ int64_t RunDatabase::Impl::WriteTask(const TaskRecord& task) {
               std::string_view(task.sources[i].text))
         .Run();
   }
+  SqliteStatement goal(*database, "INSERT INTO goal VALUES (?, ?, ?, ?, ?, ?)", "note a task");
+  for (size_t i = 0; i < task.goals.size(); ++i) {
+    const GoalRecord& each = task.goals[i];
+    goal.Bind(id, static_cast<int64_t>(i), std::string_view(each.name), std::string_view(each.type),
+              std::string_view(each.unit), std::string_view(each.doc))
+        .Run();
+  }
   WriteCurves("INSERT INTO metric VALUES (?, ?, ?, ?, ?, ?)", id, task.metrics);
   WriteCurves("INSERT INTO log VALUES (?, ?, ?, ?, ?, ?)", id, task.logs);
   return id;
@@ -242,6 +250,14 @@ void RunDatabase::Impl::WriteEvaluation(int64_t episode, const Evaluation& evalu
   add(write->term, evaluation.terms);
   add(write->metric, evaluation.metrics);
   add(write->log, evaluation.logs);
+  for (size_t i = 0; i < evaluation.goals.size(); ++i) {
+    const GoalDraw& draw = evaluation.goals[i];
+    const std::string value = NumbersJson(draw.value);
+    write->goal
+        .Bind(episode, evaluation.task, static_cast<int64_t>(i), static_cast<int64_t>(draw.goal),
+              draw.time, std::string_view(value))
+        .Run();
+  }
 }
 
 void RunDatabase::AddEpisode(const EpisodeRecord& episode,

@@ -31,6 +31,7 @@ struct WriteStatements {
         term(database, "INSERT INTO evaluation_term VALUES (?, ?, ?, ?)", "save an episode"),
         metric(database, "INSERT INTO evaluation_metric VALUES (?, ?, ?, ?)", "save an episode"),
         log(database, "INSERT INTO evaluation_log VALUES (?, ?, ?, ?)", "save an episode"),
+        goal(database, "INSERT INTO evaluation_goal VALUES (?, ?, ?, ?, ?, ?)", "save an episode"),
         learner(database,
                 "INSERT INTO learner_value SELECT ?, id, ? FROM learner_curve WHERE name = ?",
                 "save an episode"),
@@ -44,6 +45,7 @@ struct WriteStatements {
   SqliteStatement term;
   SqliteStatement metric;
   SqliteStatement log;
+  SqliteStatement goal;
   SqliteStatement learner;
   SqliteStatement recording;
   SqliteStatement checkpoint;

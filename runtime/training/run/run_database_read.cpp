@@ -9,6 +9,7 @@
 #include "runtime/training/run/body_json.h"
 #include "runtime/training/run/change_json.h"
 #include "runtime/training/run/read_episodes.h"
+#include "runtime/training/run/read_goals.h"
 #include "runtime/training/run/read_learner.h"
 #include "runtime/training/run/read_tasks.h"
 #include "runtime/training/run/run_database_impl.h"
@@ -127,7 +128,9 @@ RunState RunDatabase::ReadState() const {
 std::vector<EpisodeRecord> RunDatabase::ReadEpisodes() const {
   const SqliteDatabase& database = *impl_->database;
   const Moment moment(*impl_->database);
-  std::vector<EpisodeRecord> episodes = runtime::ReadEpisodes(database, ReadTasks(database));
+  const std::vector<TaskRecord> tasks = ReadTasks(database);
+  std::vector<EpisodeRecord> episodes = runtime::ReadEpisodes(database, tasks);
+  ReadGoalDraws(database, tasks, episodes);
   ReadLearnerValues(database, episodes);
   return episodes;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "runtime/core/module/values.h"
+#include "runtime/core/task/task_goals.h"
 #include "runtime/training/run/change.h"
 
 namespace runtime {
@@ -24,6 +25,13 @@ struct TermRecord {
 struct SourceRecord {
   std::string file;
   std::string text;
+};
+
+struct GoalRecord {
+  std::string name;
+  std::string type;  // "vec2"
+  std::string unit;
+  std::string doc;
 };
 
 // A metric, a log, or what a learner shows of itself: one number per episode.
@@ -46,6 +54,7 @@ struct TaskRecord {
   std::vector<TermRecord> terms;
   std::vector<CurveRecord> metrics;
   std::vector<CurveRecord> logs;
+  std::vector<GoalRecord> goals;
   std::vector<SourceRecord> sources;  // the task's own first
 };
 
@@ -85,6 +94,7 @@ struct Evaluation {
   std::vector<double> terms;    // one for each term of the task
   std::vector<double> metrics;  // one for each metric of the task
   std::vector<double> logs;     // one for each log of the task; NaN where nothing was logged
+  std::vector<GoalDraw> goals;  // what the robot was told, in the order of time
 };
 
 // What the learner shows of itself: a name of its own, and the value of one episode.

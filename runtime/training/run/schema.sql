@@ -112,6 +112,29 @@ CREATE TABLE IF NOT EXISTS evaluation_log (
   FOREIGN KEY (episode, task) REFERENCES evaluation ON DELETE CASCADE
 ) WITHOUT ROWID;
 
+-- The goals of each task, and what they were told in each episode. A run that was last trained by an
+-- older version has neither of the two tables.
+CREATE TABLE IF NOT EXISTS goal (
+  task INTEGER NOT NULL REFERENCES task,
+  id INTEGER NOT NULL,         -- from 0, as in the task
+  name TEXT NOT NULL,
+  type TEXT NOT NULL,          -- vec2, int, ...
+  unit TEXT NOT NULL,
+  doc TEXT NOT NULL,
+  PRIMARY KEY (task, id)
+) WITHOUT ROWID;
+
+CREATE TABLE IF NOT EXISTS evaluation_goal (
+  episode INTEGER NOT NULL,
+  task INTEGER NOT NULL,
+  number INTEGER NOT NULL,     -- from 0, in the order of time
+  goal INTEGER NOT NULL,       -- of the task
+  time REAL NOT NULL,          -- [s] since the start of the episode
+  value TEXT NOT NULL,         -- JSON: a list of numbers, SI units
+  PRIMARY KEY (episode, task, number),
+  FOREIGN KEY (episode, task) REFERENCES evaluation ON DELETE CASCADE
+) WITHOUT ROWID;
+
 -- What the learner reports for each episode, such as its learning rate. A run that was last trained by
 -- an older version has neither of the two tables.
 CREATE TABLE IF NOT EXISTS learner_curve (

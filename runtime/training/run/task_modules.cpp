@@ -46,6 +46,7 @@ Evaluation EvaluationOf(const UniversalTask& task) {
   evaluation.terms.assign(task.term_sums().begin(), task.term_sums().end());
   evaluation.metrics.assign(task.metrics().begin(), task.metrics().end());
   evaluation.logs.assign(task.logs().begin(), task.logs().end());
+  evaluation.goals = task.instance().goals().draws();
   return evaluation;
 }
 

@@ -42,6 +42,10 @@ TaskRecord DescribeTask(const taskc_plugin& plugin, std::string module) {
     const taskc_log& log = plugin.logs[i];
     task.logs.push_back({log.name, log.unit, ReductionName(log.reduction), log.doc});
   }
+  for (taskc_uint32 i = 0; i < plugin.goal_count; ++i) {
+    const taskc_goal& goal = plugin.goals[i];
+    task.goals.push_back({goal.name, goal.type, goal.unit, goal.doc});
+  }
   for (taskc_uint32 i = 0; i < plugin.source_count; ++i) {
     task.sources.push_back({plugin.sources[i].file, plugin.sources[i].text});
   }

@@ -41,6 +41,14 @@ std::optional<ParameterValue> ValueFromJson(const Json& json) {
   return json.is_array() ? ListFromJson(json) : std::nullopt;
 }
 
+std::string NumbersJson(const std::vector<double>& numbers) { return Json(numbers).dump(); }
+
+std::optional<std::vector<double>> ParseNumbers(const std::string& text) {
+  const Json json = Json::parse(text, nullptr, false);
+  const auto list = json.is_array() ? ListFromJson(json) : std::nullopt;
+  return list ? std::optional(std::get<std::vector<double>>(*list)) : std::nullopt;
+}
+
 std::optional<WrittenNumber> NumberFromJson(const Json& json) {
   if (IsInt64(json)) return json.get<int64_t>();
   if (json.is_number()) return json.get<double>();

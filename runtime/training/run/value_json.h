@@ -3,6 +3,8 @@
 
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "runtime/core/module/module.h"
 #include "runtime/training/run/change.h"
@@ -19,5 +21,9 @@ nlohmann::json ToJson(const WrittenNumber& number);
 std::optional<ParameterValue> ValueFromJson(const nlohmann::json& json);
 // Nothing where it is not a number.
 std::optional<WrittenNumber> NumberFromJson(const nlohmann::json& json);
+
+// A list of numbers as the run's record holds it, and back; nothing where it is no such list.
+std::string NumbersJson(const std::vector<double>& numbers);
+std::optional<std::vector<double>> ParseNumbers(const std::string& text);
 
 }  // namespace runtime

@@ -43,6 +43,16 @@ TEST(Bounds, OfChoicesAndVectorsAreThoseOfTheirParts) {
   ExpectEnds(RateOf("floor(1.5 * x) + sign(free)"), -3, 2);
 }
 
+TEST(Bounds, OfGoalsAreThoseOfWhatTheyAreDrawnFrom) {
+  ExpectEnds(RateOf("aim", "goal aim: real = uniform(2, 3)"), 2, 3);
+  ExpectEnds(RateOf("aim", "goal aim: real = 10 + choose(1, -4, 2)"), 6, 12);
+  ExpectEnds(RateOf("aim", "param p: real = 1 in 0 .. 2\ngoal aim: real = uniform(-p, p) per 2 s"),
+             -2, 2);
+  ExpectEnds(RateOf("v.y", "goal v: vec2 = uniform(1, 2)"), 1, 2);
+  ExpectEnds(RateOf("aim", "goal aim: real = normal(1, 2)"), 1 - 2 * 8.572, 1 + 2 * 8.572);
+  ExpectEnds(RateOf("1 / aim", "goal aim: real = uniform(2, 4)"), 0.25, 0.5);
+}
+
 TEST(Bounds, OfATermCoverAllItsStatements) {
   const TaskBounds bounds =
       BoundsOf("", "if down { reward rate a = x } else { reward rate a = 3 }\nreward a = -2 + y");

@@ -41,6 +41,18 @@ std::vector<const Node*> All(const SyntaxTree& tree) {
   return nodes;
 }
 
+TEST(Override, OfAGoalChangesHowItIsDrawn) {
+  const CheckedTask task = Checked(
+      {{"base.task",
+        "task base\nsensor x: real\ngoal aim: real [m] = uniform(0 m, 1 m) per 2 s\n"
+        "on end_of_time_step { reward a = x * aim / 1 m }\n"},
+       {"main.task", "task own extends \"base.task\"\noverride goal aim = uniform(0 m, 5 m)\n"}});
+  ASSERT_EQ(task.goals.size(), 1u);
+  EXPECT_FALSE(task.goals[0].interval);
+  const auto& draw = std::get<Draw>(task.goals[0].value.node);
+  EXPECT_EQ(std::get<Constant>(draw.arguments[1]->node).value, 5);
+}
+
 std::vector<std::string> FunctionNames(const SyntaxTree& tree) {
   std::vector<std::string> names;
   for (const auto* function : All<FunctionDeclaration>(tree)) names.push_back(function->name.text);

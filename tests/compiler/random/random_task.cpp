@@ -21,6 +21,7 @@ class TaskWriter {
     DeclareSensors();
     DeclareParams();
     DeclareMemory();
+    for (int i = 0; i < 4; ++i) DeclareGoal();
     for (int i = 0; i < 4; ++i) DeclareFunction();
     DeclareMetrics();
     for (const auto& event : kEventNames) {
@@ -98,6 +99,26 @@ class TaskWriter {
     return ConstantOf(type, unit);
   }
 
+  // Of the type of a memory, so that it can be chosen from that.
+  void DeclareGoal() {
+    const Readable& model = memory_[random_.Below(memory_.size())];
+    const bool is_row = IsScalar(model.type) || IsRow(model.type);
+    const bool is_real = model.type.scalar == Scalar::kReal && is_row;
+    const std::string constant = ConstantOf(model.type, model.unit);
+    const std::string number = IsScalar(model.type) ? model.name : constant;
+    std::string value = fmt::format("choose({}, {})", model.name, model.name);
+    if (IsScalar(model.type))
+      value = fmt::format("choose({}, {}, {})", model.name, constant, model.name);
+    if (is_real && random_.OneIn(2)) value = fmt::format("uniform({}, {})", constant, number);
+    if (is_real && random_.OneIn(2))
+      value += fmt::format(" + normal({}, 0.5{})", number, UnitOfLiteral(model.unit));
+    goals_.push_back({NewName("g"), model.type, model.unit});
+    Line(fmt::format("goal {}: {} = {}{}", goals_.back().name, TypeText(model.type, model.unit),
+                     value,
+                     random_.OneOf({"", " per episode", " per 7 ms", " per 3 ms .. 12 ms"})));
+    readable_.push_back(goals_.back());
+  }
+
   // A function reads nothing but its arguments; it may call those before it.
   void DeclareFunction() {
     std::vector<Readable> inside;
@@ -168,7 +189,7 @@ class TaskWriter {
   }
 
   void WriteStatement(int depth) {
-    switch (random_.Below(depth > 0 ? 15 : 11)) {
+    switch (random_.Below(depth > 0 ? 16 : 12)) {
       case 0:
       case 1:
         return WriteLet();
@@ -189,8 +210,10 @@ class TaskWriter {
         return Line(fmt::format("require {}{}", Condition(),
                                 random_.OneIn(2) ? fmt::format(" \"{}\"", NewName("reason")) : ""));
       case 11:
-        return WriteFor(depth);
+        return Line(fmt::format("redraw {}", random_.OneOf(goals_).name));
       case 12:
+        return WriteFor(depth);
+      case 13:
         Line(fmt::format("once per {} if {} {{", random_.OneOf({"action", "episode", "run"}),
                          Condition()));
         WriteBlock(1 + random_.Below(3), depth - 1);
@@ -318,6 +341,7 @@ class TaskWriter {
   std::vector<Callable> callable_;
   std::vector<Readable> params_;
   std::vector<Readable> memory_;
+  std::vector<Readable> goals_;
   RandomExpressions expressions_;
   std::string text_;
   size_t indent_ = 0;

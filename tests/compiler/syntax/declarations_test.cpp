@@ -55,6 +55,21 @@ TEST(Sensor, MayHaveARange) {
   EXPECT_FALSE(ParseOne<SensorDeclaration>("sensor a: real").minimum.has_value());
 }
 
+TEST(Goal, IsDrawnOncePerEpisodeOrInIntervals) {
+  const auto goal = ParseOne<GoalDeclaration>("goal side: int = choose(0, 1)");
+  EXPECT_EQ(goal.name.text, "side");
+  EXPECT_EQ(ToText(goal.type), "int");
+  EXPECT_EQ(ToText(goal.draw.value), "(choose 0 1)");
+  EXPECT_FALSE(goal.draw.shortest);
+  EXPECT_FALSE(ParseOne<GoalDeclaration>("goal side: int = 1 per episode").draw.shortest);
+  const auto often =
+      ParseOne<GoalDeclaration>("goal v: vec2 [m/s] = uniform(-1, 1)\n  per 3 s .. 8 s");
+  EXPECT_EQ(ToText(*often.unit), "[m s^-1]");
+  EXPECT_EQ(ToText(*often.draw.shortest), "3[s]");
+  EXPECT_EQ(ToText(*often.draw.longest), "8[s]");
+  EXPECT_FALSE(ParseOne<GoalDeclaration>("goal v: real = 1 per 2 s").draw.longest);
+}
+
 TEST(Param, DefaultAndRange) {
   const auto param = ParseOne<ParamDeclaration>("param gain: real [1/s] = 4 / s in 0 .. 20 / s");
   EXPECT_EQ(param.name.text, "gain");

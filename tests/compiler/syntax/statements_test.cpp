@@ -54,6 +54,8 @@ TEST(Statements, Elements) {
   EXPECT_EQ(ParseToText("base.velocity = 0"), "base.velocity = 0");
 }
 
+TEST(Statements, Redraw) { EXPECT_EQ(ParseToText("redraw target n = 1"), "redraw target; n = 1"); }
+
 TEST(Statements, For) {
   EXPECT_EQ(ParseToText("for l in links - feet { n += 1 }"), "for l in (- links feet) {n += 1}");
   EXPECT_EQ(ParseToText("for i in 0..3, 7 { }"), "for i in 0..3 7 {}");

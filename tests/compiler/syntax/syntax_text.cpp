@@ -125,6 +125,7 @@ std::string ToText(const Statement& statement) {
       [](const RequireStatement& s) {
         return fmt::format("require {} '{}'", ToText(s.condition), s.reason);
       },
+      [](const RedrawStatement& s) { return "redraw " + s.goal.text; },
   };
   return std::visit(visitor, statement.node);
 }

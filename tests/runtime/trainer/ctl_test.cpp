@@ -65,6 +65,11 @@ TEST_F(CtlTest, CommandLinesBecomeRequests) {
             Question("set", {{"name", "task.gain"}, {"value", -0.5}}));
   EXPECT_EQ(Asked({"set", "task.gain", "=", "1", "->", "2", "over", "3", "episodes"}),
             Question("set", {{"name", "task.gain"}, {"from", 1.0}, {"to", 2.0}, {"episodes", 3}}));
+  EXPECT_EQ(Asked({"hold", "task.side", "-1"}),
+            Question("hold", {{"name", "task.side"}, {"value", -1}}));
+  EXPECT_EQ(Asked({"hold", "task.velocity", "0.5", "-0.1"}),
+            Question("hold", {{"name", "task.velocity"}, {"value", {0.5, -0.1}}}));
+  EXPECT_EQ(Asked({"release", "task.velocity"}), Question("release", {{"name", "task.velocity"}}));
   EXPECT_EQ(Asked({"connect", "task.reward", "learner.reward"}),
             Question("connect", {{"first", "task.reward"}, {"second", "learner.reward"}}));
   EXPECT_EQ(Asked({"module", "add", "NgNet", "net", "units=20", "file=x"}),
@@ -99,6 +104,7 @@ TEST_F(CtlTest, WrongLinesAreRefusedBeforeTheTrainerHearsOfThem) {
                                              {"swap", "task"},
                                              {"step", "x"},
                                              {"set", "task.gain"},
+                                             {"hold", "task.side"},
                                              {"load", "a.task", "is", "b"},
                                              {"module", "add", "NgNet", "net", "units"}}) {
     const ProgramResult result = Ctl(words);

@@ -85,6 +85,27 @@ TEST_F(ChangeMakerTest, AValueEndsTheScheduleOfItsParameter) {
   EXPECT_TRUE(schedules_.all().empty());
 }
 
+TEST_F(ChangeMakerTest, AGoalIsHeldUntilItIsReleased) {
+  const TaskGoals& goals = live_.active_task().instance().goals();
+  Do(HoldGoal{"task.aim", std::vector{2.5, -1.0}});
+  EXPECT_EQ(goals.Value(0), (std::vector{2.5, -1.0}));
+  EXPECT_TRUE(goals.IsHeld(0));
+  Do(ReleaseGoal{"task.aim"});
+  EXPECT_FALSE(goals.IsHeld(0));
+}
+
+TEST_F(ChangeMakerTest, AGoalThatDoesNotExistOrFitIsRefused) {
+  EXPECT_EQ(Refusal(HoldGoal{"aim", 1.0}),
+            "`aim` is not a goal: write MODULE.GOAL, such as `task.aim`");
+  EXPECT_EQ(Refusal(HoldGoal{"task.time", 1.0}),
+            "the task `steady` has no goal `time`; its goals are aim");
+  EXPECT_EQ(Refusal(HoldGoal{"task.aim", 1.0}), "the goal `aim` has 2 elements, not 1");
+  EXPECT_EQ(Refusal(HoldGoal{"task.aim", std::string("far")}),
+            "`task.aim` is made of numbers, and `far` is not one");
+  EXPECT_EQ(Refusal(ReleaseGoal{"task.time"}),
+            "the task `steady` has no goal `time`; its goals are aim");
+}
+
 TEST_F(ChangeMakerTest, AModuleGetsItsParameters) {
   Do(AddModule{"Reader", "more", {{"count", int64_t{5}}}});
   EXPECT_EQ(live_.Get("more.count"), ParameterValue(int64_t{5}));

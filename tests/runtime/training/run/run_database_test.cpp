@@ -70,6 +70,11 @@ void ExpectSampleTask(const TaskRecord& read) {
   EXPECT_EQ(read.logs[0].name, "speed");
   EXPECT_EQ(read.logs[0].unit, "m/s");
   EXPECT_EQ(read.logs[1].reduction, "sum");
+  ASSERT_EQ(read.goals.size(), 1u);
+  EXPECT_EQ(read.goals[0].name, "place");
+  EXPECT_EQ(read.goals[0].type, "vec2");
+  EXPECT_EQ(read.goals[0].unit, "m");
+  EXPECT_EQ(read.goals[0].doc, "where to go");
   ASSERT_EQ(read.sources.size(), 2u);
   EXPECT_EQ(read.sources[0].text, written.sources[0].text);
   EXPECT_EQ(read.sources[1].file, "tasks/shaping.task");
@@ -107,6 +112,7 @@ TEST_F(RunDatabaseTest, KeepsWhatShadowsSayApartFromTheActiveTask) {
   ASSERT_EQ(read.size(), 3u);
   EXPECT_EQ(read[0].active.task, 1);
   EXPECT_EQ(read[0].active.terms, shadowed.active.terms);
+  EXPECT_EQ(read[0].active.goals, shadowed.active.goals);
   ASSERT_EQ(read[0].shadows.size(), 1u);
   const Evaluation& shadow = read[0].shadows[0];
   EXPECT_EQ(shadow.task, 2);

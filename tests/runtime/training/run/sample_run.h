@@ -1,4 +1,4 @@
-// A made-up run with two reward terms, one metric and two logs.
+// A made-up run with two reward terms, one metric, two logs and a goal.
 #pragma once
 
 #include "runtime/training/run/run_records.h"
@@ -17,6 +17,7 @@ inline TaskRecord SampleTask() {
   task.terms = {{"speed", "forward speed"}, {"fall", ""}};
   task.metrics = {{"distance", "m", "last", "how far it got"}};
   task.logs = {{"speed", "m/s", "mean", "while it moves"}, {"falls", "", "sum", ""}};
+  task.goals = {{"place", "vec2", "m", "where to go"}};
   task.sources = {{"tasks/crawling.task", "task crawling for humanoid\n"},
                   {"tasks/shaping.task", "fn double(x: real) -> real = 2 * x\n"}};
   return task;
@@ -29,6 +30,7 @@ inline TaskRecord SampleVersion() {
   task.task_hash = "4567cdef";
   task.terms.insert(task.terms.begin(), {"effort", ""});
   task.logs.clear();
+  task.goals.clear();
   return task;
 }
 
@@ -65,6 +67,7 @@ inline EpisodeRecord SampleEpisode(int64_t number) {
   episode.active.violations = 3;
   episode.active.metrics = {0.25};
   episode.active.logs = {0.125, 7};
+  episode.active.goals = {{0, 0, {0.1, -2}}, {0, 3.005, {1e-9, 1.0 / 3.0}}};
   return episode;
 }
 
@@ -78,7 +81,8 @@ inline Evaluation SampleShadow() {
           .violations = 1,
           .terms = {0.5, 1, -4},
           .metrics = {0.75},
-          .logs = {}};
+          .logs = {},
+          .goals = {}};
 }
 
 }  // namespace runtime

@@ -1,24 +1,37 @@
-// A task for any robot that pays per second, counts its episodes and ends when its time is up. To
-// be included with NAME defined.
+// A task for any robot that pays per second, counts its episodes, ends when its time is up, and has
+// a goal that depends on the seed. To be included with NAME defined.
 #include "tests/runtime/core/task/plugins/plugin_table.h"
 
 typedef struct memory {
   taskc_int64 episodes;  // per run
   double time;           // [s], per episode
+  double aim[2];
+  taskc_int64 aim_draws;
+  char aim_held;
 } memory;
 
 enum { GAIN, LIMIT, COUNT, PARAM_COUNT };
 
+static void draw_aim(taskc_frame* frame) {
+  memory* m = (memory*)frame->memory;
+  if (m->aim_held) return;
+  m->aim[0] = (double)(frame->seed % 1000);
+  m->aim[1] = (double)m->aim_draws;
+  ++m->aim_draws;
+}
+
 static void initialize(taskc_frame* frame) {
   memory* m = (memory*)frame->memory;
-  m->episodes = 0;
-  m->time = 0;
+  *m = (memory){0, 0, {0, 0}, 0, 0};
+  draw_aim(frame);
 }
 
 static void start_of_episode(taskc_frame* frame) {
   memory* m = (memory*)frame->memory;
   m->episodes += 1;
   m->time = 0;
+  m->aim_draws = 0;
+  draw_aim(frame);
 }
 
 static void end_of_time_step(taskc_frame* frame) {
@@ -43,14 +56,21 @@ static const taskc_param params[PARAM_COUNT] = {
 static const taskc_memory variables[] = {
     {"episodes", "int", "", TASKC_INT, 1, 1, TASKC_PER_RUN, offsetof(memory, episodes)},
     {"time", "real", "s", TASKC_REAL, 1, 1, TASKC_PER_EPISODE, offsetof(memory, time)},
+    {"aim", "vec2", "m", TASKC_REAL, 2, 1, TASKC_PER_RUN, offsetof(memory, aim)},
+    {"aim#held", "bool", "", TASKC_BOOL, 1, 1, TASKC_PER_RUN, offsetof(memory, aim_held)},
+    {"aim#draws", "int", "", TASKC_INT, 1, 1, TASKC_PER_EPISODE, offsetof(memory, aim_draws)},
 };
+static const taskc_goal goals[] = {{"aim", "where to", "vec2", "m", TASKC_REAL, 2, 1,
+                                    offsetof(memory, aim), offsetof(memory, aim_held),
+                                    offsetof(memory, aim_draws)}};
 static const taskc_reward_term terms[] = {{"presence", "", {0, 10}}};
 static const taskc_metric metrics[] = {{"episodes", "", "", TASKC_LAST}};
 static const taskc_end ends[] = {{"time is up", TASKC_TRUNCATED, {0, 16}}};
 
 PLUGIN(.name = NAME, .robot = "", .sensors = sensors, .sensor_count = 1, .params = params,
-       .param_count = PARAM_COUNT, .memory = variables, .memory_count = 2, .terms = terms,
-       .term_count = 1, .metrics = metrics, .metric_count = 1, .ends = ends, .end_count = 1,
-       .memory_size = sizeof(memory), .initialize = initialize, .measure = measure,
+       .param_count = PARAM_COUNT, .memory = variables, .memory_count = 5, .goals = goals,
+       .goal_count = 1, .terms = terms, .term_count = 1, .metrics = metrics, .metric_count = 1,
+       .ends = ends, .end_count = 1, .memory_size = sizeof(memory), .initialize = initialize,
+       .measure = measure,
        .events = {[TASKC_START_OF_EPISODE] = start_of_episode,
                   [TASKC_END_OF_TIME_STEP] = end_of_time_step})

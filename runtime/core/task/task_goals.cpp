@@ -1,0 +1,107 @@
+#include "runtime/core/task/task_goals.h"
+
+#include <cstring>
+#include <utility>
+
+namespace runtime {
+namespace {
+
+// SplitMix64 (G. L. Steele and others, "Fast splittable pseudorandom number generators", 2014): no
+// two episodes have keys that look alike.
+uint64_t Mixed(uint64_t x) {
+  x += 0x9E3779B97F4A7C15;
+  x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9;
+  x = (x ^ (x >> 27)) * 0x94D049BB133111EB;
+  return x ^ (x >> 31);
+}
+
+template <class Number>
+double LoadAs(const std::byte* place) {
+  Number number;
+  std::memcpy(&number, place, sizeof number);
+  return static_cast<double>(number);
+}
+
+double Load(const std::byte* place, taskc_int32 scalar) {
+  if (scalar == TASKC_REAL) return LoadAs<double>(place);
+  return scalar == TASKC_INT ? LoadAs<taskc_int64>(place) : LoadAs<unsigned char>(place);
+}
+
+template <class Number>
+void StoreAs(std::byte* place, double value) {
+  const auto number = static_cast<Number>(value);
+  std::memcpy(place, &number, sizeof number);
+}
+
+void Store(std::byte* place, taskc_int32 scalar, double value) {
+  if (scalar == TASKC_REAL) return StoreAs<double>(place, value);
+  if (scalar == TASKC_INT) return StoreAs<taskc_int64>(place, value);
+  StoreAs<unsigned char>(place, value != 0 ? 1 : 0);
+}
+
+bool IsSame(const taskc_goal& a, const taskc_goal& b) {
+  return std::string_view(a.name) == b.name && std::string_view(a.type) == b.type &&
+         std::string_view(a.unit) == b.unit;
+}
+
+}  // namespace
+
+TaskGoals::TaskGoals(host::TaskFrame& host)
+    : host_(host), goals_(host.plugin().goals, host.plugin().goal_count), counts_(goals_.size()) {}
+
+void TaskGoals::StartEpisode(uint64_t run_seed, int64_t episode) {
+  host_.SetSeed(Mixed(Mixed(run_seed) + static_cast<uint64_t>(episode)));
+  draws_.clear();
+  counts_.assign(goals_.size(), 0);
+  for (size_t i = 0; i < goals_.size(); ++i) {
+    if (IsHeld(i)) Note(i, 0);
+  }
+}
+
+void TaskGoals::NoteDraws(double time) {
+  for (size_t i = 0; i < goals_.size(); ++i) {
+    const int64_t count = host_.DrawCount(goals_[i]);
+    if (count == counts_[i]) continue;
+    counts_[i] = count;
+    Note(i, time);
+  }
+}
+
+std::optional<size_t> TaskGoals::Find(std::string_view name) const {
+  for (size_t i = 0; i < goals_.size(); ++i) {
+    if (goals_[i].name == name) return i;
+  }
+  return std::nullopt;
+}
+
+std::vector<double> TaskGoals::Value(size_t goal) const {
+  const taskc_goal& entry = goals_[goal];
+  const std::byte* place = std::as_const(host_).Bytes(entry).data();
+  std::vector<double> value;
+  for (uint32_t i = 0; i < entry.rows * entry.columns; ++i) {
+    value.push_back(Load(place + i * host::ScalarSize(entry.scalar), entry.scalar));
+  }
+  return value;
+}
+
+void TaskGoals::Hold(size_t goal, std::span<const double> value, double time) {
+  const taskc_goal& entry = goals_[goal];
+  std::byte* place = host_.Bytes(entry).data();
+  for (size_t i = 0; i < value.size(); ++i) {
+    Store(place + i * host::ScalarSize(entry.scalar), entry.scalar, value[i]);
+  }
+  host_.Hold(entry, true);
+  Note(goal, time);
+}
+
+void TaskGoals::TakeOver(const TaskGoals& old) {
+  draws_.clear();
+  for (const GoalDraw& draw : old.draws_) {
+    for (size_t i = 0; i < goals_.size(); ++i) {
+      if (IsSame(goals_[i], old.goals_[draw.goal])) draws_.push_back({i, draw.time, draw.value});
+    }
+  }
+  for (size_t i = 0; i < goals_.size(); ++i) counts_[i] = host_.DrawCount(goals_[i]);
+}
+
+}  // namespace runtime
