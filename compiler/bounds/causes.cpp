@@ -23,13 +23,12 @@ class CauseSearch {
               const std::vector<std::vector<Cause>>& locals)
       : task_(task), values_(values), locals_(locals) {}
 
-  void Search(const CheckedExpression& expression) {
-    if (IsBounded(Hull(ExpressionBounds(task_, values_).AllOf(expression)))) return;
-    if (SearchRead(expression)) return;
-    const size_t before = causes_.size();
-    SearchOperands(expression);
+  // Returns whether it has no bounds.
+  bool Search(const CheckedExpression& expression) {
+    if (IsBounded(Hull(ExpressionBounds(task_, values_).AllOf(expression)))) return false;
+    if (SearchRead(expression) || SearchOperands(expression)) return true;
     // All its operands have bounds: it is this operation that loses them.
-    if (causes_.size() == before) Add(Cause::kOperation, NameOf(expression), expression.span);
+    return Add(Cause::kOperation, NameOf(expression), expression.span);
   }
 
   std::vector<Cause> Take() { return std::move(causes_); }
@@ -50,19 +49,25 @@ class CauseSearch {
     return local != nullptr;
   }
 
-  void SearchOperands(const CheckedExpression& expression) {
+  // Returns whether any of them has no bounds; all are searched.
+  bool SearchOperands(const CheckedExpression& expression) {
+    bool is_found = false;
+    const auto search = [&](const CheckedExpression& operand) {
+      is_found = Search(operand) || is_found;
+    };
     std::visit(
         [&]<typename Node>(const Node& node) {
           if constexpr (requires { node.operand; }) {
-            Search(*node.operand);
+            search(*node.operand);
           } else if constexpr (requires { node.left; }) {
-            Search(*node.left);
-            Search(*node.right);
+            search(*node.left);
+            search(*node.right);
           } else if constexpr (requires { node.arguments; }) {
-            for (const CheckedExpressionPtr& argument : node.arguments) Search(*argument);
+            for (const CheckedExpressionPtr& argument : node.arguments) search(*argument);
           }
         },
         expression.node);
+    return is_found;
   }
 
   bool Add(Cause::Kind kind, std::string name, Span span) {
