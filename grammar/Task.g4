@@ -119,8 +119,8 @@ let : LET name '=' expression ;
 // sum += reward, touched[feet] = false
 assignment : (target | anonymous=REWARD) op=('=' | '+=' | '-=' | '*=' | '/=') expression ;
 
-// place.xy, touched[feet]; in a test also a sensor with its dots
-target : name ('.' name)* ('[' items ']')? ;
+// place.xy, touched[feet], last[left_foot].z; in a test also a sensor with its dots
+target : path+=name ('.' path+=name)* ('[' items ']' ('.' element=name)?)? ;
 
 // if time > 20 s { ... } else if fallen { ... } else { ... }
 branches : IF expression block (ELSE IF expression block)* (ELSE otherwise=block)? ;

@@ -29,9 +29,9 @@ class BuiltinCalculation {
       case Builtin::kSum:
         return Box(Sum());
       case Builtin::kNorm:
-        return Box(Sqrt(Dot(0, 0)));
+        return OfEachVector([&](uint32_t first) { return Sqrt(Dot(0, 0, first)); });
       case Builtin::kDot:
-        return Box(Dot(0, 1));
+        return OfEachVector([&](uint32_t first) { return Dot(0, 1, first); });
       case Builtin::kCross:
         return Cross();
       case Builtin::kAbs:
@@ -87,6 +87,8 @@ class BuiltinCalculation {
   const Interval& element(size_t argument, size_t i) const { return arguments_[argument][i]; }
   // The number of elements of the first argument, tracked or not.
   uint32_t size() const { return call_.arguments[0]->type.size(); }
+  // The number of them that give one element of the result.
+  uint32_t length() const { return size() / type_.size(); }
 
   template <typename Function>
   Box EachElement(const Function& function) const {
@@ -104,7 +106,15 @@ class BuiltinCalculation {
   Box Vector() const {
     std::vector<Interval> elements;
     for (const Box& argument : arguments_) elements.push_back(argument[0]);
-    return Box(std::move(elements));
+    return MakeBox(std::move(elements));
+  }
+
+  // Of a vector, or of each one of an array. `of` gets the number of the vector's first element.
+  template <typename Function>
+  Box OfEachVector(const Function& of) const {
+    std::vector<Interval> elements;
+    for (uint32_t i = 0; i < type_.size(); ++i) elements.push_back(of(i * length()));
+    return MakeBox(std::move(elements));
   }
 
   Interval Any() const {
@@ -136,9 +146,9 @@ class BuiltinCalculation {
                                Scalar::kReal);
   }
 
-  Interval Dot(size_t a, size_t b) const {
-    Interval sum = Product(a, 0, b, 0);
-    for (uint32_t i = 1; i < size(); ++i)
+  Interval Dot(size_t a, size_t b, uint32_t first) const {
+    Interval sum = Product(a, first, b, first);
+    for (uint32_t i = first + 1; i < first + length(); ++i)
       sum = compiler::Calculate(BinaryOperator::kAdd, sum, Product(a, i, b, i), Scalar::kReal);
     return sum;
   }

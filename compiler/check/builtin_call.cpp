@@ -7,6 +7,7 @@
 #include <utility>
 #include <variant>
 
+#include "compiler/check/elements.h"
 #include "compiler/check/fold.h"
 #include "compiler/check/report.h"
 #include "compiler/check/type.h"
@@ -36,7 +37,11 @@ class BuiltinCheck {
     ConvertArguments();
     if (const auto* composite = std::get_if<Composite>(&builtin_.function))
       return Replaced(*composite, *unit);
-    return Build(std::get<Builtin>(builtin_.function), ResultType(), *unit);
+    const auto function = std::get<Builtin>(builtin_.function);
+    if (rule() == kTwoRows) MakeAlike(argument(0), argument(1));
+    const bool goes_by_parts = rule() == kNumbers || rule() == kTwoVec3;
+    if (goes_by_parts && HasVectors()) return Replaced(function, *unit);
+    return Build(function, ResultType(), *unit);
   }
 
  private:
@@ -69,9 +74,23 @@ class BuiltinCheck {
     bool fits = true;
     for (size_t i = 0; i < arguments_.size(); ++i) fits = CheckType(i) && fits;
     if (!fits) return false;
-    if (rule() == kTwoRows) return AreOfOneType(0, 1);
+    if (rule() == kTwoRows || rule() == kTwoVec3) return AreVectorsAlike();
     if (rule() == kChoice) return AreOfOneType(1, 2);
     return !Is(Composite::kTolerance) || HasMargin();
+  }
+
+  bool HasVectors() const {
+    return std::ranges::any_of(arguments_, [](const Operand& operand) {
+      return compiler::HasVectors(operand.expression.type);
+    });
+  }
+
+  // Of one type, or a vector beside an array of such.
+  bool AreVectorsAlike() {
+    const auto is_one_of = [](const Type& vector, const Type& array) {
+      return compiler::HasVectors(array) && vector == EntryOf(array);
+    };
+    return is_one_of(type(0), type(1)) || is_one_of(type(1), type(0)) || AreOfOneType(0, 1);
   }
 
   // But for the difference between ints and reals.
@@ -103,23 +122,21 @@ class BuiltinCheck {
     return false;
   }
 
-  static bool IsVec3(const Type& type) { return type.shape == Shape::kVector && type.rows == 3; }
-
   bool Accepts(size_t i, const Type& type) const {
     switch (rule()) {
       case kConditions:
         return IsBool(type);
       case kNumbers:
-        return IsNumber(type) && (IsScalar(type) || IsRow(type));
+        return IsNumber(type) && (IsScalar(type) || IsRow(type)) && !IsOfQuaternions(type);
       case kRow:
       case kTwoRows:
-        return IsNumber(type) && IsRow(type);
+        return IsNumber(type) && IsRow(type) && !IsOfQuaternions(type) && IsOpenTo(type);
       case kTwoVec3:
-        return IsVec3(type);
+        return IsOfVec3(type) && IsOpenTo(type);
       case kChoice:
         return i > 0 || (IsBool(type) && IsScalar(type));
       case kRotation:
-        return i > 0 ? IsVec3(type)
+        return i > 0 ? IsOfVec3(type)
                      : type.shape == Shape::kQuaternion ||
                            (type.shape == Shape::kMatrix && type.rows == 3);
       case kQuaternion:
@@ -127,13 +144,19 @@ class BuiltinCheck {
       case kMatrix:
         return type.shape == Shape::kMatrix;
       case kElements:
-        return IsNumber(type) && type.shape != Shape::kQuaternion;
+        return IsNumber(type) && !IsOfQuaternions(type);
       case kScalars:
       case kRealScalars:
       case kParts:
         return IsNumber(type) && IsScalar(type);
     }
     return false;
+  }
+
+  // Some equations are of a single vector.
+  bool IsOpenTo(const Type& type) const {
+    const bool is_of_one = Is(Composite::kNormalize) || Is(Composite::kAngleBetween);
+    return !is_of_one || !compiler::HasVectors(type);
   }
 
   std::string_view Wanted(size_t i) const {
@@ -169,6 +192,7 @@ class BuiltinCheck {
   std::string HelpForType(const Type& type) const {
     if (rule() == kConditions) return "compare it, as in `x > 0`";
     if (IsBool(type)) return "`count` tells how many conditions are true";
+    if (compiler::HasVectors(type)) return "take one of its entries, as in `v[0]`";
     if (Is(Builtin::kNorm) && IsScalar(type)) return "the magnitude of a single number is `abs(x)`";
     return "";
   }
@@ -302,18 +326,21 @@ class BuiltinCheck {
         return *FindType(builtin_.name);
       case kChoice:
         return type(1);
+      case kRow:
+      case kTwoRows:
+        if (HasVectors()) return WithEntries(type(0), ScalarType(Scalar::kReal));
+        break;
       case kRotation:
       case kQuaternion:
       case kMatrix:
-      case kRow:
-      case kTwoRows:
       case kRealScalars:
         break;
     }
     return ScalarType(Scalar::kReal);
   }
 
-  std::optional<CheckedExpression> Replaced(Composite function, const Unit& unit) {
+  std::optional<CheckedExpression> Replaced(std::variant<Builtin, Composite> function,
+                                            const Unit& unit) {
     std::vector<CheckedExpression> values;
     for (Operand& operand : arguments_) values.push_back(std::move(operand.expression));
     return Expand(function, span_, unit, std::move(values), diagnostics_);

@@ -11,19 +11,21 @@
 
 namespace compiler {
 
-// Which values a function takes, and the type of its result.
+// Which values a function takes, and the type of its result. What joins numbers joins the vectors
+// of an array element by element; what takes a vector takes each vector of an array, if need be
+// beside the same other one.
 enum class ArgumentRule {
   kConditions,   // a bool or an array of them -> a bool, or an int for `count`
-  kNumbers,      // a number, vector or array -> its scalar type
-  kRow,          // a vector or array -> a real
-  kTwoRows,      // two of the same vector or array type -> a real
-  kTwoVec3,      // two vec3 -> a vec3
+  kNumbers,      // a number, vector or array -> its scalar type; of vectors: a vector
+  kRow,          // a vector or array -> a real; an array of vectors -> an array
+  kTwoRows,      // two of the same vector or array type -> as kRow
+  kTwoVec3,      // two vec3 -> a vec3; one or both an array of them -> such an array
   kElements,     // anything of numbers, element by element -> the same type
   kScalars,      // numbers -> an int if all are, else a real
   kRealScalars,  // numbers -> a real
   kParts,        // numbers -> the type called like the function
   kChoice,       // a condition and two values of one type -> that type
-  kRotation,     // a quat or a mat3, and a vec3 -> a vec3
+  kRotation,     // a quat or a mat3, and a vec3 or an array of them -> the type of what is rotated
   kQuaternion,   // a quat -> a quat for `inverse`, else a real
   kMatrix,       // a matrix -> the same type
 };

@@ -36,21 +36,24 @@ enum class Shape {
   kVector,      // vec2, vec3, vec4: rows elements
   kMatrix,      // mat2, mat3, mat4: rows x columns, row major
   kQuaternion,  // w, x, y, z
-  kArray        // indexed by an enumeration of the robot, or by 0 .. rows-1
+  kArray        // of rows entries, indexed by an enumeration of the robot, or by 0 .. rows-1
 };
 
-// A value's type without its unit.
+// A value's type without its unit. Its elements are numbers or conditions, row by row: those of a
+// matrix, or of an array with the elements of each entry side by side.
 struct Type {
   Scalar scalar = Scalar::kReal;
   Shape shape = Shape::kScalar;
   uint32_t rows = 1;
-  uint32_t columns = 1;
-  std::string index{};  // "link" or "joint" for arrays over the robot's enumerations, else empty
+  uint32_t columns = 1;  // of an array: the number of elements of an entry
+  std::string index{};   // "link" or "joint" for arrays over the robot's enumerations, else empty
+  // Of an array: what its entries are, a scalar, a vector or a quaternion.
+  Shape entry = Shape::kScalar;
 
   uint32_t size() const { return rows * columns; }
   bool operator==(const Type&) const = default;
 };
-// As written in a task: "real", "vec3", "bool[link]".
+// As written in a task: "real", "vec3", "bool[link]", "vec3[4]".
 std::string ToString(const Type& type);
 
 // ---- Expressions --------------------------------------------------------------------------------
@@ -101,7 +104,7 @@ struct CheckedBinary {
 enum class Builtin {
 #define BUILTIN(id, name, least, most, arguments, units, usage) id,
 #include "compiler/check/builtin_table.def"
-  kVector  // its arguments, scalars, as the elements of a vector or a quaternion
+  kVector  // its arguments, scalars, as the elements of a value of any shape
 };
 struct BuiltinCall {
   Builtin function;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "compiler/check/copy_checked.h"
+#include "compiler/check/elements.h"
 #include "compiler/check/fold.h"
 #include "compiler/check/report.h"
 #include "compiler/check/type.h"
@@ -26,7 +27,8 @@ class Expansion {
   Expansion(Span span, std::vector<CheckedExpression> arguments, Diagnostics& diagnostics)
       : span_(span), arguments_(std::move(arguments)), diagnostics_(diagnostics) {}
 
-  std::optional<CheckedExpression> Build(Composite function, const Unit& unit) {
+  std::optional<CheckedExpression> Build(std::variant<Builtin, Composite> function,
+                                         const Unit& unit) {
     for (const CheckedExpression& argument : arguments_) {
       if (SizeOf(argument) <= kLargestArgument) continue;
       Report(diagnostics_, code::kTooDeep, argument.span,
@@ -34,7 +36,7 @@ class Expansion {
              {.help = "give parts of it a name with `let`"});
       return std::nullopt;
     }
-    CheckedExpression result = Equation(function);
+    CheckedExpression result = std::visit([&](auto each) { return Equation(each); }, function);
     result.unit = unit;
     if (has_failed_) return std::nullopt;
     return result;
@@ -61,8 +63,7 @@ class Expansion {
       case Composite::kPitch:
         return Pitch();
       case Composite::kAngleBetween:
-        return Call(Builtin::kAtan2, kReal,
-                    Norm(Call(Builtin::kCross, kVec3, Argument(0), Argument(1))),
+        return Call(Builtin::kAtan2, kReal, Norm(Cross(Argument(0), Argument(1))),
                     Call(Builtin::kDot, kReal, Argument(0), Argument(1)));
       case Composite::kWrap:
         return Subtract(Argument(0),
@@ -76,24 +77,67 @@ class Expansion {
     std::abort();
   }
 
+  // Of arrays of vectors.
+  CheckedExpression Equation(Builtin function) {
+    if (function == Builtin::kCross) return Cross(Argument(0), Argument(1));
+    return OfEachColumn(function);
+  }
+
+  CheckedExpression OfEachColumn(Builtin function) {
+    const Type& type = arguments_[0].type;
+    const Type column_type = WithEntries(type, ScalarType(type.scalar));
+    BuiltinCall columns{Builtin::kVector, {}};
+    for (uint32_t column = 0; column < type.columns; ++column) {
+      std::vector<uint32_t> indices;
+      for (uint32_t row = 0; row < type.rows; ++row) indices.push_back(row * type.columns + column);
+      columns.arguments.push_back(
+          Owned(Call(function, kReal, Picked(Argument(0), std::move(indices), column_type))));
+    }
+    return Node(EntryOf(type), std::move(columns));
+  }
+
   CheckedExpression Mean() {
-    if (IsScalar(arguments_[0].type)) return Argument(0);
-    return Divide(Call(Builtin::kSum, kReal, Argument(0)), Number(arguments_[0].type.size()));
+    const Type& type = arguments_[0].type;
+    if (IsScalar(type)) return Argument(0);
+    CheckedExpression sum =
+        HasVectors(type) ? OfEachColumn(Builtin::kSum) : Call(Builtin::kSum, kReal, Argument(0));
+    return Divide(std::move(sum), Number(type.size() / type.columns));
+  }
+
+  CheckedExpression Cross(CheckedExpression a, CheckedExpression b) {
+    MakeAlike(a, b);
+    if (!HasVectors(a.type)) return Call(Builtin::kCross, kVec3, std::move(a), std::move(b));
+    const auto turned = [&](const CheckedExpression& v, uint32_t by) {
+      std::vector<uint32_t> indices;
+      for (uint32_t i = 0; i < v.type.size(); ++i) indices.push_back(i - i % 3 + (i + by) % 3);
+      return Picked(CopyOf(v), std::move(indices), v.type);
+    };
+    return Subtract(Multiply(turned(a, 1), turned(b, 2)), Multiply(turned(a, 2), turned(b, 1)));
   }
 
   CheckedExpression Rotated() {
-    const auto turn = [&] {
-      return Multiply(Number(2), Call(Builtin::kCross, kVec3, Part(0, {1, 2, 3}), Argument(1)));
-    };
-    return Add(Add(Argument(1), Multiply(Part(0, {0}), turn())),
-               Call(Builtin::kCross, kVec3, Part(0, {1, 2, 3}), turn()));
+    const auto turn = [&] { return Multiply(Number(2), Cross(Part(0, {1, 2, 3}), Argument(1))); };
+    return Add(Add(Argument(1), Multiply(Part(0, {0}), turn())), Cross(Part(0, {1, 2, 3}), turn()));
   }
 
   CheckedExpression Transformed() {
+    const Type& type = arguments_[1].type;
+    if (HasVectors(type)) return TransformedVectors(type);
     const auto row = [&](uint32_t i) {
       return Call(Builtin::kDot, kReal, Part(0, {3 * i, 3 * i + 1, 3 * i + 2}), Argument(1));
     };
     return Call(Builtin::kVector, kVec3, row(0), row(1), row(2));
+  }
+
+  // The columns of the matrix, each times an element of the vectors: the same sums.
+  CheckedExpression TransformedVectors(const Type& array) {
+    const auto summand = [&](uint32_t column) {
+      std::vector<uint32_t> factors;
+      for (uint32_t i = 0; i < array.size(); ++i) factors.push_back(i - i % 3 + column);
+      return Multiply(InEachEntry(Part(0, {column, 3 + column, 6 + column}), array),
+                      Picked(Argument(1), std::move(factors), array));
+    };
+    return Add(Add(summand(0), summand(1)), summand(2));
   }
 
   CheckedExpression Inverse() {
@@ -143,7 +187,11 @@ class Expansion {
 
   CheckedExpression Part(size_t argument, std::vector<uint32_t> indices) {
     const Type type = indices.size() == 1 ? kReal : kVec3;
-    return Node(type, Elements{Owned(Argument(argument)), std::move(indices)});
+    return Picked(Argument(argument), std::move(indices), type);
+  }
+  CheckedExpression Picked(CheckedExpression whole, std::vector<uint32_t> indices,
+                           const Type& type) const {
+    return PickElements(std::move(whole), std::move(indices), type, span_);
   }
   CheckedExpression Product(uint32_t i, uint32_t j) { return Multiply(Part(0, {i}), Part(0, {j})); }
 
@@ -163,6 +211,7 @@ class Expansion {
     return Binary(BinaryOperator::kDivide, std::move(a), std::move(b));
   }
   CheckedExpression Binary(BinaryOperator op, CheckedExpression a, CheckedExpression b) {
+    MakeAlike(a, b);
     const Type type = IsScalar(a.type) ? b.type : a.type;
     return Node(type, CheckedBinary{op, Owned(std::move(a)), Owned(std::move(b))});
   }
@@ -195,8 +244,8 @@ class Expansion {
 
 }  // namespace
 
-std::optional<CheckedExpression> Expand(Composite function, Span span, const Unit& unit,
-                                        std::vector<CheckedExpression> arguments,
+std::optional<CheckedExpression> Expand(std::variant<Builtin, Composite> function, Span span,
+                                        const Unit& unit, std::vector<CheckedExpression> arguments,
                                         Diagnostics& diagnostics) {
   return Expansion(span, std::move(arguments), diagnostics).Build(function, unit);
 }

@@ -14,9 +14,15 @@
 //   wrap(a)                 a - 2 pi ceil((a - pi) / (2 pi)): above -pi, up to pi
 //   tolerance(x, l, h, m)   exp(-ln 10 (max(l - x, x - h, 0) / m)^2): 1 from l to h, 0.1 at a
 //                           distance m from there
+//
+// So are some others where they are called with arrays of vectors:
+//
+//   sum(a), min(a), max(a)  vec3(sum(a.x), sum(a.y), sum(a.z)), and so on
+//   cross(a, b)             a.yzx b.zxy - a.zxy b.yzx
 #pragma once
 
 #include <optional>
+#include <variant>
 #include <vector>
 
 #include "compiler/check/checked_task.h"
@@ -33,8 +39,8 @@ enum class Composite {
 // The equation of a call, with checked arguments of reals; its type, and the unit as given.
 // Reports and returns nothing where the arguments are too large to stand in it several times, or
 // where it has no value.
-std::optional<CheckedExpression> Expand(Composite function, Span span, const Unit& unit,
-                                        std::vector<CheckedExpression> arguments,
+std::optional<CheckedExpression> Expand(std::variant<Builtin, Composite> function, Span span,
+                                        const Unit& unit, std::vector<CheckedExpression> arguments,
                                         Diagnostics& diagnostics);
 
 }  // namespace compiler

@@ -19,20 +19,18 @@ std::optional<uint64_t> LengthOf(const std::string& text) {
   return error == std::errc{} ? length : uint64_t{kLargestArray} + 1;
 }
 
-std::optional<Type> CheckArray(Type element, const Identifier& index, const TaskScope& scope) {
-  element.shape = Shape::kArray;
+std::optional<Type> CheckArray(const Type& entry, const Identifier& index, const TaskScope& scope) {
   if (const auto length = LengthOf(index.text)) {
-    element.rows = static_cast<uint32_t>(*length);
-    if (*length >= 1 && *length <= kLargestArray) return element;
+    if (*length >= 1 && *length * entry.size() <= kLargestArray)
+      return ArrayOf(entry, static_cast<uint32_t>(*length));
     Report(scope.diagnostics, code::kBadArrayType, index.span,
-           fmt::format("an array has 1 to {} elements", kLargestArray));
+           fmt::format("an array{} has 1 to {} elements",
+                       IsScalar(entry) ? "" : fmt::format(" of `{}`", ToString(entry)),
+                       kLargestArray / entry.size()));
     return std::nullopt;
   }
-  if (const Enumeration* enumeration = FindEnumeration(scope.enumerations, index.text)) {
-    element.rows = enumeration->size();
-    element.index = enumeration->name;
-    return element;
-  }
+  if (const Enumeration* enumeration = FindEnumeration(scope.enumerations, index.text))
+    return ArrayOf(entry, enumeration->size(), enumeration->name);
   std::vector<std::string> valid;
   for (const Enumeration& enumeration : scope.enumerations) valid.push_back(enumeration.name);
   Report(scope.diagnostics, code::kBadArrayType, index.span,
@@ -51,10 +49,10 @@ std::optional<Type> CheckType(const TypeExpression& written, const TaskScope& sc
     return std::nullopt;
   }
   if (!written.index) return type;
-  if (IsScalar(*type)) return CheckArray(*type, *written.index, scope);
+  if (type->shape != Shape::kMatrix) return CheckArray(*type, *written.index, scope);
   Report(scope.diagnostics, code::kBadArrayType, written.span,
          fmt::format("there are no arrays of `{}`", ToString(*type)),
-         {.help = "the elements of an array are `bool`, `int` or `real`"});
+         {.help = "the elements of an array are single values, vectors or quaternions"});
   return std::nullopt;
 }
 

@@ -3,6 +3,7 @@
 #include <string_view>
 #include <utility>
 
+#include "compiler/check/elements.h"
 #include "compiler/check/fold.h"
 #include "compiler/check/report.h"
 #include "compiler/check/type.h"
@@ -104,6 +105,7 @@ class BinaryCheck {
     const auto unit = ArithmeticUnit();
     if (!unit) return std::nullopt;
     UnifyScalars(op_ == BinaryOperator::kDivide);
+    MakeAlike(left(), right());
     Type result = *type;
     result.scalar = left().type.scalar;
     return Build(result, *unit);
@@ -114,16 +116,33 @@ class BinaryCheck {
     const Type& right_type = right().type;
     if (IsBool(left_type) || IsBool(right_type))
       return WrongOperands("a `bool` is not a number: use `if`, or `count` for how many are true");
-    if (Has(Shape::kQuaternion)) return WrongOperands("take elements of it: `q.w`, `q.xyz`");
+    if (IsOfQuaternions(left_type) || IsOfQuaternions(right_type))
+      return WrongOperands("take elements of it: `q.w`, `q.xyz`");
     if (IsScalar(right_type)) return left_type;
     if (IsScalar(left_type) && !(Has(Shape::kMatrix) && op_ == BinaryOperator::kDivide))
       return right_type;
     if (Has(Shape::kMatrix) && !IsSum(op_))
       return WrongOperands("take rows or elements of it: `dot(m[0, 0..2], v)`");
+    if (AppliesToEntries(right_type, left_type)) return left_type;
+    if (AppliesToEntries(left_type, right_type)) return right_type;
     Type left_shape = left_type;
     left_shape.scalar = right_type.scalar;
-    if (left_shape != right_type) return WrongOperands("both need the same shape, or one a scalar");
+    if (left_shape != right_type) return WrongOperands(HelpForShapes());
     return left_type;
+  }
+
+  std::string HelpForShapes() {
+    std::string help = "both need the same shape, or one a scalar";
+    for (const Type& type : {left().type, right().type})
+      if (HasVectors(type)) return fmt::format("{} or a `{}`", help, ToString(EntryOf(type)));
+    return help;
+  }
+
+  // A vector applies to each vector of an array; a factor or divisor for each of them to its own.
+  bool AppliesToEntries(const Type& operand, const Type& array) const {
+    if (!HasVectors(array)) return false;
+    const Type number = ScalarType(operand.scalar);
+    return operand == EntryOf(array) || (!IsSum(op_) && operand == WithEntries(array, number));
   }
 
   std::optional<Unit> ArithmeticUnit() {
@@ -203,8 +222,8 @@ std::optional<CheckedExpression> CheckUnaryOperator(UnaryOperator op, Span span,
                                                     Diagnostics& diagnostics) {
   const Type type = operand.type;
   const bool is_not = op == UnaryOperator::kNot;
-  const bool fits = is_not ? type == ScalarType(Scalar::kBool)
-                           : IsNumber(type) && type.shape != Shape::kQuaternion;
+  const bool fits =
+      is_not ? type == ScalarType(Scalar::kBool) : IsNumber(type) && !IsOfQuaternions(type);
   if (!fits) {
     std::string help;
     if (is_not && IsBool(type)) help = "write `none(...)` for: none of them is true";

@@ -16,8 +16,10 @@ std::optional<CheckedExpression> CheckUnaryOperator(UnaryOperator op, Span span,
                                                     CheckedExpression operand,
                                                     Diagnostics& diagnostics);
 
-// `x + y`, `x < y`, `x and y`. Arithmetic is element-wise where an operand has a shape, a scalar
-// then applies to each element; comparisons and logic take scalars. `/` always gives a real.
+// `x + y`, `x < y`, `x and y`. Arithmetic is element-wise where an operand has a shape; a scalar
+// then applies to each element, a vector to each vector of an array, and an array of factors or
+// divisors to the vectors of an array as long. Comparisons and logic take scalars. `/` always
+// gives a real.
 std::optional<CheckedExpression> CheckBinaryOperator(BinaryOperator op, Span op_span, Operand left,
                                                      Operand right, Diagnostics& diagnostics);
 

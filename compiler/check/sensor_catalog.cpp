@@ -12,7 +12,7 @@
 namespace compiler {
 namespace {
 
-// Reads a type of the robot's list: "vec3", "bool[link]".
+// Reads a type of the robot's list: "vec3", "bool[link]", "vec3[link]".
 Type TypeOf(std::string_view text, const std::vector<Enumeration>& enumerations) {
   const size_t bracket = text.find('[');
   auto type = FindType(text.substr(0, bracket));
@@ -21,7 +21,7 @@ Type TypeOf(std::string_view text, const std::vector<Enumeration>& enumerations)
   const Enumeration* index =
       FindEnumeration(enumerations, text.substr(bracket + 1, text.size() - bracket - 2));
   assert(index != nullptr);
-  return {type->scalar, Shape::kArray, index->size(), 1, index->name};
+  return ArrayOf(*type, index->size(), index->name);
 }
 
 }  // namespace

@@ -14,7 +14,9 @@ namespace {
 std::string NameOf(const Target& target) {
   std::string name = target.name.text;
   if (target.member) name += '.' + target.member->text;
-  return fmt::format("`{}{}`", name, target.items.empty() ? "" : "[...]");
+  if (!target.items.empty()) name += "[...]";
+  if (target.indexed_member) name += '.' + target.indexed_member->text;
+  return fmt::format("`{}`", name);
 }
 
 bool HasRepetition(const std::vector<uint32_t>& elements) {
@@ -46,6 +48,8 @@ std::optional<CheckedExpression> SelectTarget(CheckedExpression whole, const Tar
     selected = CheckMember(std::move(*selected), path[i], scope.diagnostics);
   if (selected && !target.items.empty())
     selected = CheckIndex(std::move(*selected), target.items, target.span, scope);
+  if (selected && target.indexed_member)
+    selected = CheckMember(std::move(*selected), *target.indexed_member, scope.diagnostics);
   if (!selected) return std::nullopt;
   selected->span = target.span;
   if (!HasRepetition(ElementsOf(*selected))) return selected;
@@ -65,12 +69,18 @@ std::optional<CheckedExpression> FitTo(Operand value, const CheckedExpression& s
   const Type& given = value.expression.type;
   Type wanted = selected.type;
   const bool is_part = std::holds_alternative<Elements>(selected.node);
+  const bool is_for_each = HasVectors(wanted) && given == EntryOf(wanted);
   if (IsScalar(given)) {
     wanted = ScalarType(wanted.scalar);
+  } else if (is_for_each) {
+    wanted = given;
   } else if (is_part && wanted.shape == Shape::kArray && wanted.rows == given.rows) {
     wanted.index = given.index;  // elements are set in their order, whatever they belong to
   }
-  return ConvertTo(std::move(value), wanted, selected.unit, NameOf(target), scope.diagnostics);
+  auto fitting =
+      ConvertTo(std::move(value), wanted, selected.unit, NameOf(target), scope.diagnostics);
+  if (fitting && is_for_each) return InEachEntry(std::move(*fitting), selected.type);
+  return fitting;
 }
 
 }  // namespace compiler

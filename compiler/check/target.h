@@ -24,7 +24,8 @@ std::optional<CheckedExpression> SelectTarget(CheckedExpression whole, const Tar
 // The elements that a selected target sets; empty: all.
 std::vector<uint32_t> ElementsOf(const CheckedExpression& target);
 
-// The value as it is set: one scalar for all elements of the target, or a value of its type.
+// The value as it is set: one scalar for all elements of the target, one vector for each of its
+// entries, or a value of its type.
 // Reports and returns nothing where it does not fit.
 std::optional<CheckedExpression> FitTo(Operand value, const CheckedExpression& selected,
                                        const Target& target, const TaskScope& scope);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <utility>
 
 namespace compiler {
 namespace {
@@ -37,7 +38,7 @@ bool Matches(const NamedType& named, const Type& type) {
 
 std::optional<Type> FindType(std::string_view name) {
   for (const NamedType& type : kTypes)
-    if (type.name == name) return Type{type.scalar, type.shape, type.rows, type.columns, ""};
+    if (type.name == name) return Type{type.scalar, type.shape, type.rows, type.columns};
   return std::nullopt;
 }
 
@@ -50,17 +51,33 @@ std::vector<std::string> TypeNames() {
 std::string ToString(const Type& type) {
   if (type.shape == Shape::kArray) {
     const std::string index = type.index.empty() ? std::to_string(type.rows) : type.index;
-    return fmt::format("{}[{}]", ToString(ScalarType(type.scalar)), index);
+    return fmt::format("{}[{}]", ToString(EntryOf(type)), index);
   }
   for (const NamedType& named : kTypes)
     if (Matches(named, type)) return std::string(named.name);
   return "";  // no other type can be built
 }
 
+bool IsOfVec3(const Type& type) {
+  const Type part = type.shape == Shape::kArray ? EntryOf(type) : type;
+  return part.shape == Shape::kVector && part.rows == 3;
+}
+
+Type ArrayOf(const Type& entry, uint32_t rows, std::string index) {
+  return {entry.scalar, Shape::kArray, rows, entry.rows, std::move(index), entry.shape};
+}
+
+Type EntryOf(const Type& array) { return {array.scalar, array.entry, array.columns}; }
+
+Type WithEntries(const Type& array, const Type& entry) {
+  return ArrayOf(entry, array.rows, array.index);
+}
+
 Type ElementsType(const Type& from, uint32_t count) {
+  if (from.shape == Shape::kArray)
+    return count == 1 ? EntryOf(from) : ArrayOf(EntryOf(from), count);
   if (count == 1) return ScalarType(from.scalar);
-  const bool is_vector = from.shape != Shape::kArray;
-  return {from.scalar, is_vector ? Shape::kVector : Shape::kArray, count, 1, ""};
+  return {from.scalar, Shape::kVector, count};
 }
 
 std::string WithArticle(const Type& type) {

@@ -21,13 +21,28 @@ inline Type ScalarType(Scalar scalar) { return {.scalar = scalar}; }
 inline bool IsScalar(const Type& type) { return type.shape == Shape::kScalar; }
 inline bool IsBool(const Type& type) { return type.scalar == Scalar::kBool; }
 inline bool IsNumber(const Type& type) { return !IsBool(type); }
-// A vector or an array: one row of elements.
+// A vector or an array.
 inline bool IsRow(const Type& type) {
   return type.shape == Shape::kVector || type.shape == Shape::kArray;
 }
+// An array of vectors or quaternions.
+inline bool HasVectors(const Type& type) { return type.entry != Shape::kScalar; }
+// A quaternion, or an array of them: no arithmetic applies.
+inline bool IsOfQuaternions(const Type& type) {
+  return type.shape == Shape::kQuaternion || type.entry == Shape::kQuaternion;
+}
+// A vec3, or an array of them.
+bool IsOfVec3(const Type& type);
 
-// The type of `count` elements picked out of a value of type `from`: a scalar, a vector or an
-// array.
+// An array of `rows` such entries: scalars, vectors or quaternions.
+Type ArrayOf(const Type& entry, uint32_t rows, std::string index = "");
+// What an array consists of: `vec3` of `vec3[link]`.
+Type EntryOf(const Type& array);
+// An array as long as `array`, and indexed alike, of other entries.
+Type WithEntries(const Type& array, const Type& entry);
+
+// The type of `count` elements picked out of a value of type `from`, or of `count` entries of an
+// array: a scalar, a vector, a quaternion or an array.
 Type ElementsType(const Type& from, uint32_t count);
 
 // "a `real`", "an `int`": how messages name a value.

@@ -74,14 +74,6 @@ Formula ToFormula(const NumberLiteral& literal) {
           is_product ? Binding::kProduct : Binding::kAtom};
 }
 
-Formula ToFormula(const MemberExpression& member) {
-  if (IsSwizzle(member.member.text)) {
-    const Formula object = ToFormula(*member.object);
-    return {AtLeast(Binding::kAtom, object) + "_{" + member.member.text + "}"};
-  }
-  return {NameToLatex(DottedName(*member.object) + "." + member.member.text)};
-}
-
 // Inside an index `-` takes elements away and `+` adds some.
 std::string SetToLatex(const Expression& expression);
 
@@ -108,6 +100,34 @@ std::string SetToLatex(const Expression& expression) {
   std::string right = SetToLatex(*binary->right);
   if (std::holds_alternative<BinaryExpression>(binary->right->node)) right = InParentheses(right);
   return SetToLatex(*binary->left) + (adds ? " \\cup " : " \\setminus ") + right;
+}
+
+// A subscript that others may follow.
+std::string SubscriptOf(const std::vector<ExpressionPtr>& items) {
+  const std::string set = SetToLatex(items);
+  return items.size() > 1 ? "\\{" + set + "\\}" : set;
+}
+
+std::string Subscripts(const std::string& first, const std::string& second) {
+  return first + ",\\," + second;
+}
+
+// What is picked out of an object. Nothing has two subscripts: what is picked out of what has been
+// picked stands behind it, as in `p_{foot,\,z}`.
+Formula Picked(const Expression& object, const std::string& subscript) {
+  if (const auto* index = std::get_if<IndexExpression>(&object.node)) {
+    return Picked(*index->object, Subscripts(SubscriptOf(index->items), subscript));
+  }
+  const auto* member = std::get_if<MemberExpression>(&object.node);
+  if (member != nullptr && IsSwizzle(member->member.text)) {
+    return Picked(*member->object, Subscripts(member->member.text, subscript));
+  }
+  return {AtLeast(Binding::kAtom, ToFormula(object)) + "_{" + subscript + "}"};
+}
+
+Formula ToFormula(const MemberExpression& member) {
+  if (IsSwizzle(member.member.text)) return Picked(*member.object, member.member.text);
+  return {NameToLatex(DottedName(*member.object) + "." + member.member.text)};
 }
 
 Formula Infix(std::string_view sign, Binding binding, Binding right, const BinaryExpression& node) {
@@ -158,7 +178,7 @@ struct LatexWriter {
   Formula operator()(const NameExpression& node) const { return {NameToLatex(node.name.text)}; }
   Formula operator()(const MemberExpression& node) const { return ToFormula(node); }
   Formula operator()(const IndexExpression& node) const {
-    return {AtLeast(Binding::kAtom, ToFormula(*node.object)) + "_{" + SetToLatex(node.items) + "}"};
+    return Picked(*node.object, SetToLatex(node.items));
   }
   Formula operator()(const RangeExpression& node) const {
     return {SetToLatex(*node.first) + "\\ldots " + SetToLatex(*node.last)};
@@ -184,16 +204,18 @@ Formula ToFormula(const Expression& expression) {
   return std::visit(LatexWriter{}, expression.node);
 }
 
-Formula ToFormula(const std::vector<ExpressionPtr>& items) {
-  const std::string set = SetToLatex(items);
-  return {items.size() > 1 ? "\\{" + set + "\\}" : set};
-}
+Formula ToFormula(const std::vector<ExpressionPtr>& items) { return {SubscriptOf(items)}; }
 
 Formula ToFormula(const Target& target) {
-  std::string text = NameToLatex(target.name.text);
-  if (target.member) text += "_{" + target.member->text + "}";
-  if (!target.items.empty()) text += "_{" + SetToLatex(target.items) + "}";
-  return {text};
+  std::string subscript = target.member ? target.member->text : "";
+  if (!target.items.empty()) {
+    const std::string set =
+        target.indexed_member ? SubscriptOf(target.items) : SetToLatex(target.items);
+    subscript = subscript.empty() ? set : Subscripts(subscript, set);
+  }
+  if (target.indexed_member) subscript = Subscripts(subscript, target.indexed_member->text);
+  const std::string name = NameToLatex(target.name.text);
+  return {subscript.empty() ? name : name + "_{" + subscript + "}"};
 }
 
 std::string AtLeast(Binding least, const Formula& formula) {

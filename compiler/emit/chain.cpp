@@ -4,6 +4,8 @@
 
 #include <cstdlib>
 
+#include "compiler/check/type.h"
+
 namespace compiler {
 
 std::optional<Chain> ChainOf(const BuiltinCall& call) {
@@ -12,6 +14,12 @@ std::optional<Chain> ChainOf(const BuiltinCall& call) {
   if (chain == nullptr) return std::nullopt;
   if (chain->joins_arguments && call.arguments.size() > 1) return std::nullopt;
   return *chain;
+}
+
+bool IsOfEachVector(const BuiltinCall& call, const Chain& chain) {
+  const bool takes_vectors =
+      chain.term == Chain::Term::kSquare || chain.term == Chain::Term::kProduct;
+  return takes_vectors && HasVectors(call.arguments.front()->type);
 }
 
 CppText ChainTerm(Chain::Term term, const std::vector<CppText>& elements) {

@@ -15,6 +15,9 @@ namespace compiler {
 // `min` and `max` do of one array, not of several values.
 std::optional<Chain> ChainOf(const BuiltinCall& call);
 
+// Whether it makes one number out of each vector of an array, as `norm` does.
+bool IsOfEachVector(const BuiltinCall& call, const Chain& chain);
+
 // The term of one element; `elements` has one text for each argument of the function.
 CppText ChainTerm(Chain::Term term, const std::vector<CppText>& elements);
 

@@ -103,7 +103,10 @@ std::vector<CppText> ExpressionEmitter::EmitElementsFirst(const CheckedExpressio
   return AllElements(expression, count);
 }
 
-std::vector<std::string> ExpressionEmitter::TakeParts() { return std::exchange(parts_, {}); }
+std::vector<std::string> ExpressionEmitter::TakeParts() {
+  tables_.clear();
+  return std::exchange(parts_, {});
+}
 
 // ---- Parts that get a name ------------------------------------------------------------------
 
@@ -116,9 +119,6 @@ void ExpressionEmitter::Prepare(const CheckedExpression& expression, Use use) {
     PrepareDraw(expression, *draw);
   } else if (const auto* elements = std::get_if<Elements>(&expression.node)) {
     Prepare(*elements->operand, HasRepetition(elements->indices) ? Use::kRepeatedly : Use::kOnce);
-    if (elements->indices.size() > kWrittenOut && !IsContiguous(elements->indices)) {
-      NameIndices(expression, *elements);
-    }
   } else {
     PrepareElementwise(expression);
   }
@@ -142,9 +142,9 @@ void ExpressionEmitter::PrepareCall(const CheckedExpression& expression, const B
   for (const CheckedExpressionPtr& argument : call.arguments) {
     Prepare(*argument, is_cross || is_squared ? Use::kRepeatedly : Use::kOnce);
   }
-  if (chain && call.arguments.front()->type.size() > kWrittenOut) {
-    NameLongChain(expression, call, *chain);
-  }
+  const bool is_long = call.arguments.front()->type.size() > kWrittenOut;
+  if (chain && is_long) NameLongChain(expression, call, *chain);
+  if (is_vector && call.arguments.size() > kWrittenOut) NameLongList(expression, call);
 }
 
 void ExpressionEmitter::PrepareCall(const CheckedExpression& expression, const FunctionCall& call) {
@@ -212,6 +212,14 @@ void ExpressionEmitter::NameLongChain(const CheckedExpression& expression, const
                                       const Chain& chain) {
   std::string name = names_.Add("part");
   Scalar scalar = expression.type.scalar;
+  named_[&expression] = name;
+  if (IsOfEachVector(call, chain)) {
+    CppText each = Reduced(call, chain, scalar, {.variable = "i"});
+    parts_.push_back(Declarator(name, expression.type) + ";");
+    parts_.push_back(fmt::format("for (int i = 0; i < {}; ++i) {}[i] = {};", expression.type.size(),
+                                 name, each.text));
+    return;
+  }
   CppText first = ChainTerm(chain.term, ArgumentElements(call, {}));
   CppText next = ChainTerm(chain.term, ArgumentElements(call, {.variable = "i"}));
   parts_.push_back(fmt::format("{} {} = {};", CppType(scalar), name, first.text));
@@ -220,13 +228,26 @@ void ExpressionEmitter::NameLongChain(const CheckedExpression& expression, const
                                Combine(chain.join, scalar, {name}, next, helpers_).text));
   CppText result = FinishChain(chain.finish, {name});
   if (result.text != name) parts_.push_back(fmt::format("{} = {};", name, result.text));
+}
+
+void ExpressionEmitter::NameLongList(const CheckedExpression& expression, const BuiltinCall& call) {
+  std::string name = names_.Add("part");
+  std::vector<std::string> elements;
+  for (const CheckedExpressionPtr& argument : call.arguments) {
+    elements.push_back(AsReal(*argument, {}).text);
+  }
+  parts_.push_back(fmt::format("const {} = {{{}}};", Declarator(name, expression.type),
+                               fmt::join(elements, ", ")));
   named_[&expression] = name;
 }
 
-void ExpressionEmitter::NameIndices(const CheckedExpression& expression, const Elements& elements) {
-  std::string name = names_.Add("indices");
-  parts_.push_back(IndexTable(name, elements.indices));
-  indices_[&expression] = name;
+const std::string& ExpressionEmitter::TableOf(const std::vector<uint32_t>& indices) {
+  std::string& name = tables_[indices];
+  if (name.empty()) {
+    name = names_.Add("indices");
+    parts_.push_back(IndexTable(name, indices));
+  }
+  return name;
 }
 
 // ---- Elements -------------------------------------------------------------------------------
@@ -280,9 +301,9 @@ CppText ExpressionEmitter::ElementOf(const Elements& node, const CheckedExpressi
   if (index.variable.empty()) {
     return Element(*node.operand, {.number = node.indices[index.number]});
   }
-  if (auto table = indices_.find(&expression); table != indices_.end()) {
+  if (!IsContiguous(node.indices)) {
     return Element(*node.operand,
-                   {.variable = fmt::format("{}[{}]", table->second, index.variable)});
+                   {.variable = fmt::format("{}[{}]", TableOf(node.indices), index.variable)});
   }
   uint32_t first = node.indices.front();
   return Element(
@@ -306,7 +327,7 @@ CppText ExpressionEmitter::ElementOf(const BuiltinCall& node, const CheckedExpre
                                      const Index& index) {
   const Scalar scalar = expression.type.scalar;
   const bool is_int = scalar == Scalar::kInt;
-  if (const auto chain = ChainOf(node)) return Reduced(node, *chain, scalar);
+  if (const auto chain = ChainOf(node)) return Reduced(node, *chain, scalar, index);
   return std::visit(variant::Overloaded{
                         [&](const Chain& chain) { return Joined(node, chain.join, scalar, index); },
                         [&](const CompilerFunction& function) {
@@ -427,13 +448,30 @@ CppText ExpressionEmitter::AsReal(const CheckedExpression& expression, const Ind
           Precedence::kPrefix};
 }
 
-CppText ExpressionEmitter::Reduced(const BuiltinCall& call, const Chain& chain, Scalar scalar) {
-  CppText result = ChainTerm(chain.term, ArgumentElements(call, {}));
-  for (uint32_t i = 1; i < call.arguments.front()->type.size(); ++i) {
-    CppText term = ChainTerm(chain.term, ArgumentElements(call, {.number = i}));
-    result = Combine(chain.join, scalar, result, term, helpers_);
+CppText ExpressionEmitter::Reduced(const BuiltinCall& call, const Chain& chain, Scalar scalar,
+                                   const Index& index) {
+  const Type& type = call.arguments.front()->type;
+  const bool is_of_each = IsOfEachVector(call, chain);
+  const auto term = [&](uint32_t i) {
+    const Index element = is_of_each ? InRow(index, type.columns, i) : Index{.number = i};
+    return ChainTerm(chain.term, ArgumentElements(call, element));
+  };
+  CppText result = term(0);
+  for (uint32_t i = 1; i < (is_of_each ? type.columns : type.size()); ++i) {
+    result = Combine(chain.join, scalar, result, term(i), helpers_);
   }
   return FinishChain(chain.finish, result);
+}
+
+// The element at `column` of a row.
+ExpressionEmitter::Index ExpressionEmitter::InRow(const Index& row, uint32_t columns,
+                                                  uint32_t column) {
+  if (row.variable.empty()) return {.number = row.number * columns + column};
+  const bool is_sum = row.variable.find(' ') != std::string::npos;
+  std::string text =
+      fmt::format(fmt::runtime(is_sum ? "{} * ({})" : "{} * {}"), columns, row.variable);
+  if (column > 0) text += fmt::format(" + {}", column);
+  return {.variable = std::move(text)};
 }
 
 CppText ExpressionEmitter::Cross(const BuiltinCall& call, const Index& index) {

@@ -6,6 +6,7 @@
 // statement. All expressions are pure and total, so computing one early changes nothing.
 #pragma once
 
+#include <map>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -51,6 +52,7 @@ class ExpressionEmitter {
     uint32_t number = 0;
     std::string variable{};  // empty: `number` counts
   };
+  static Index InRow(const Index& row, uint32_t columns, uint32_t column);
   enum class Use { kOnce, kRepeatedly };
 
   // Gives a name to what in `expression` needs one.
@@ -64,7 +66,8 @@ class ExpressionEmitter {
   void NameResult(const CheckedExpression& expression, const FunctionCall& call);
   void NameLongChain(const CheckedExpression& expression, const BuiltinCall& call,
                      const Chain& chain);
-  void NameIndices(const CheckedExpression& expression, const Elements& elements);
+  void NameLongList(const CheckedExpression& expression, const BuiltinCall& call);
+  const std::string& TableOf(const std::vector<uint32_t>& indices);
   std::vector<CppText> AllElements(const CheckedExpression& expression, uint32_t count);
 
   // The text of one element, after Prepare.
@@ -83,7 +86,7 @@ class ExpressionEmitter {
   std::string ArrayOf(const CheckedExpression& expression) const;
   std::vector<CppText> ArgumentElements(const BuiltinCall& call, const Index& index);
   CppText AsReal(const CheckedExpression& expression, const Index& index);
-  CppText Reduced(const BuiltinCall& call, const Chain& chain, Scalar scalar);
+  CppText Reduced(const BuiltinCall& call, const Chain& chain, Scalar scalar, const Index& index);
   CppText Joined(const BuiltinCall& call, Chain::Join join, Scalar scalar, const Index& index);
   CppText Written(WrittenOut form, const BuiltinCall& call, Scalar scalar, const Index& index);
   CppText Cross(const BuiltinCall& call, const Index& index);
@@ -94,8 +97,7 @@ class ExpressionEmitter {
   HelperSet& helpers_;
   std::vector<std::string> parts_;
   std::unordered_map<const CheckedExpression*, std::string> named_;  // values that have a name
-  std::unordered_map<const CheckedExpression*, std::string>
-      indices_;  // arrays of Elements::indices
+  std::map<std::vector<uint32_t>, std::string> tables_;  // of Elements::indices, among parts_
   // Which value a draw has chosen: a number, or an array of them.
   struct Choice {
     std::string name;

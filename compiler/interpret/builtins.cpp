@@ -14,11 +14,22 @@ Reals Products(const Reals& v, const Reals& w) {
   return products;
 }
 
-double Sum(const Reals& values) {
-  return Calculate(Builtin::kSum, std::span<const double>(values));
+// The products of two vectors, or of the vectors of two arrays.
+Reals Dots(const Reals& v, const Reals& w, size_t vectors) {
+  const Reals products = Products(v, w);
+  const size_t length = products.size() / vectors;
+  Reals dots;
+  for (size_t i = 0; i < vectors; ++i) {
+    dots.push_back(Calculate(Builtin::kSum, std::span(products).subspan(i * length, length)));
+  }
+  return dots;
 }
 
-double Dot(const Reals& v, const Reals& w) { return Sum(Products(v, w)); }
+Reals Norms(const Reals& v, size_t vectors) {
+  Reals norms = Dots(v, v, vectors);
+  for (double& norm : norms) norm = std::sqrt(norm);
+  return norms;
+}
 
 Reals Cross(const Reals& v, const Reals& w) {
   return {v[1] * w[2] - v[2] * w[1], v[2] * w[0] - v[0] * w[2], v[0] * w[1] - v[1] * w[0]};
@@ -62,14 +73,12 @@ Value ApplyToAll(Builtin function, const std::vector<Value>& arguments) {
 
 }  // namespace
 
-Value Apply(Builtin function, const std::vector<Value>& arguments) {
+Value Apply(Builtin function, const std::vector<Value>& arguments, const Type& type) {
   switch (function) {
-    case Builtin::kNorm: {
-      const Reals v = ToReals(arguments[0]);
-      return Reals{std::sqrt(Dot(v, v))};
-    }
+    case Builtin::kNorm:
+      return Norms(ToReals(arguments[0]), type.size());
     case Builtin::kDot:
-      return Reals{Dot(ToReals(arguments[0]), ToReals(arguments[1]))};
+      return Dots(ToReals(arguments[0]), ToReals(arguments[1]), type.size());
     case Builtin::kCross:
       return Cross(ToReals(arguments[0]), ToReals(arguments[1]));
     case Builtin::kSelect:

@@ -8,7 +8,7 @@
 
 namespace compiler {
 
-// `function` with checked arguments.
-Value Apply(Builtin function, const std::vector<Value>& arguments);
+// `function` with checked arguments; `type` is that of the result.
+Value Apply(Builtin function, const std::vector<Value>& arguments, const Type& type);
 
 }  // namespace compiler

@@ -95,8 +95,8 @@ Value ExpressionEvaluator::Of(const CheckedBinary& node, const Type& type) const
   return Combine(node.op, std::get<Integers>(left), std::get<Integers>(right), type.size());
 }
 
-Value ExpressionEvaluator::Of(const BuiltinCall& node, const Type&) const {
-  return Apply(node.function, EvaluateAll(node.arguments));
+Value ExpressionEvaluator::Of(const BuiltinCall& node, const Type& type) const {
+  return Apply(node.function, EvaluateAll(node.arguments), type);
 }
 
 Value ExpressionEvaluator::Of(const FunctionCall& node, const Type&) const {

@@ -99,7 +99,7 @@ AssignStatement StatementBuilder::Assignment(TaskParser::AssignmentContext& cont
   AssignStatement statement;
   if (context.anonymous != nullptr) {
     const Identifier name = BuildName(*context.anonymous);
-    statement.target = Target{name, std::nullopt, {}, name.span};
+    statement.target = Target{.name = name, .span = name.span};
   } else {
     statement.target = BuildTarget(*context.target());
   }
@@ -110,17 +110,18 @@ AssignStatement StatementBuilder::Assignment(TaskParser::AssignmentContext& cont
 
 Target StatementBuilder::BuildTarget(TaskParser::TargetContext& context) {
   Target target;
-  for (TaskParser::NameContext* part : context.name()) {
+  for (TaskParser::NameContext* part : context.path) {
     const Identifier name = BuildName(*part);
     if (target.name.text.empty()) {
       target.name = name;
-    } else if (part == context.name().back() && IsSwizzle(name.text)) {
+    } else if (part == context.path.back() && IsSwizzle(name.text)) {
       target.member = name;
     } else {
       target.name = {target.name.text + "." + name.text, Cover(target.name.span, name.span)};
     }
   }
   if (context.items() != nullptr) target.items = expressions_.BuildSet(*context.items());
+  if (context.element != nullptr) target.indexed_member = BuildName(*context.element);
   target.span = SpanOf(context);
   return target;
 }

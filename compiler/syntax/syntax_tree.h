@@ -122,9 +122,10 @@ struct LetStatement {  // `let speed = norm(base.velocity)`
 // The last of several parts between dots is the member if it consists of x, y, z and w only; so in
 // `cart.x` it may also be the end of a sensor's name.
 struct Target {
-  Identifier name;                   // of a sensor, with its dots: `base.velocity`
-  std::optional<Identifier> member;  // `.xy`
-  std::vector<ExpressionPtr> items;  // `[feet]`; empty: no index
+  Identifier name;                             // of a sensor, with its dots: `base.velocity`
+  std::optional<Identifier> member{};          // `.xy`
+  std::vector<ExpressionPtr> items{};          // `[feet]`; empty: no index
+  std::optional<Identifier> indexed_member{};  // `.z` behind the index
   Span span{};
 };
 

@@ -32,9 +32,11 @@ const robot::SensorDescription& FindSensor(const Plugin& plugin, const char* nam
 
 // A task that is written for no robot in particular knows the number of joints, not their names:
 // "real[17]" for "real[joint]".
-std::string TypeWithCount(const robot::SensorDescription& sensor, int count) {
+std::string TypeWithCount(const robot::SensorDescription& sensor,
+                          const robot::RobotDescription& robot) {
   const size_t bracket = sensor.type.find('[');
   if (bracket == std::string_view::npos) return std::string(sensor.type);
+  const size_t count = sensor.type.ends_with("[joint]") ? robot.joints.size() : robot.links.size();
   return fmt::format("{}[{}]", sensor.type.substr(0, bracket), count);
 }
 
@@ -43,7 +45,7 @@ void CheckSensor(const Plugin& plugin, const taskc_sensor& wanted,
   const robot::SensorDescription& offered = FindSensor(plugin, wanted.name, robot);
   const int count = robot::ElementCount(offered, robot);
   const bool same_type =
-      offered.type == wanted.type || TypeWithCount(offered, count) == wanted.type;
+      offered.type == wanted.type || TypeWithCount(offered, robot) == wanted.type;
   if (!same_type || offered.unit != wanted.unit) {
     Refuse(plugin,
            fmt::format("the task reads the sensor `{}` as `{}`, and the robot `{}` gives `{}`: "

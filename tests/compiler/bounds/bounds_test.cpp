@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 
 #include "tests/compiler/bounds/expect_ends.h"
@@ -51,6 +52,16 @@ TEST(Bounds, OfGoalsAreThoseOfWhatTheyAreDrawnFrom) {
   ExpectEnds(RateOf("v.y", "goal v: vec2 = uniform(1, 2)"), 1, 2);
   ExpectEnds(RateOf("aim", "goal aim: real = normal(1, 2)"), 1 - 2 * 8.572, 1 + 2 * 8.572);
   ExpectEnds(RateOf("1 / aim", "goal aim: real = uniform(2, 4)"), 0.25, 0.5);
+}
+
+TEST(Bounds, OfArraysOfVectorsAreThoseOfTheirVectors) {
+  const std::string sensors = "sensor few: vec3[3] in -1 .. 2\nsensor many: vec3[30] in -1 .. 2";
+  for (const std::string array : {"few", "many"}) {
+    ExpectEnds(RateOf("max(" + array + ".z)", sensors), -1, 2);
+    ExpectEnds(RateOf("sum(" + array + "[0, 1]).z", sensors), -2, 4);
+    ExpectEnds(RateOf("min(norm(2 * " + array + ".xy))", sensors), 0, std::sqrt(32.0));
+  }
+  ExpectEnds(RateOf("max(dot(few, vec3(1, -1, 0)))", sensors), -3, 3);
 }
 
 TEST(Bounds, OfATermCoverAllItsStatements) {
@@ -152,6 +163,9 @@ TEST(Bounds, TellWhatHasNone) {
   EXPECT_EQ(cause("log(x + 1)"), "`log`");
   EXPECT_EQ(cause("min(free, 1)"), "free");
   EXPECT_EQ(cause("tanh(free)"), "none");
+  // A cause that is met twice is still the only one.
+  const TaskBounds bounds = BoundsOf("", "reward rate tested = free * (x + free)");
+  EXPECT_EQ(bounds.terms[0].causes.size(), 1u);
 }
 
 TEST(Bounds, OfTheRewardSoFarAreThoseOfItsTerms) {

@@ -94,5 +94,74 @@ TEST(MatrixIndex, WithASetTakesARowOrAColumn) {
   EXPECT_EQ(TypeOf("base.rotation[1, {0, 2}]"), "vec2");
 }
 
+// Of arrays of vectors, with the memories that they are elements of.
+constexpr const char* kArrays =
+    "memory p: vec3[link] [m] = 0\n"
+    "memory v: vec3[link] [m/s] = 0\n"
+    "memory few: vec3[4] [m] = 0\n"
+    "memory turns: quat[link] = 0\n"
+    "memory mass: real[link] [kg] = 1 kg";
+
+TEST(VectorArray, IsIndexedByItsVectors) {
+  EXPECT_THAT(IndicesOf("p[head]", kArrays), ElementsAre(3, 4, 5));
+  EXPECT_THAT(IndicesOf("p[hands]", kArrays), ElementsAre(12, 13, 14, 21, 22, 23));
+  EXPECT_EQ(TypeOf("p", kArrays), "vec3[link] [m]");
+  EXPECT_EQ(TypeOf("p[head]", kArrays), "vec3 [m]");
+  EXPECT_EQ(TypeOf("p[hands]", kArrays), "vec3[2] [m]");
+  EXPECT_EQ(TypeOf("few[3]", kArrays), "vec3 [m]");
+  EXPECT_EQ(TypeOf("turns[head]", kArrays), "quat");
+}
+
+TEST(VectorArray, GivesAMemberOfEachVector) {
+  EXPECT_THAT(IndicesOf("p[hands].z", kArrays), ElementsAre(14, 23));
+  EXPECT_THAT(IndicesOf("p[hands].zx", kArrays), ElementsAre(14, 12, 23, 21));
+  EXPECT_EQ(TypeOf("p.z", kArrays), "real[link] [m]");
+  EXPECT_EQ(TypeOf("p[hands].z", kArrays), "real[2] [m]");
+  EXPECT_EQ(TypeOf("p.xy", kArrays), "vec2[link] [m]");
+  EXPECT_EQ(TypeOf("turns.w", kArrays), "real[link]");
+  EXPECT_EQ(TypeOf("turns[feet].xyz", kArrays), "vec3[2]");
+}
+
+TEST(VectorArray, MayBeIndexedOnAndOn) {
+  EXPECT_THAT(IndicesOf("p[head][2]", kArrays), ElementsAre(5));
+  EXPECT_THAT(IndicesOf("p.z[head]", kArrays), ElementsAre(5));
+  EXPECT_THAT(IndicesOf("p[hands][1].xy", kArrays), ElementsAre(21, 22));
+  EXPECT_THAT(IndicesOf("p.zyx[head].x", kArrays), ElementsAre(5));
+}
+
+TEST(VectorArray, IsCalculatedWithVectorByVector) {
+  EXPECT_EQ(TypeOf("p + p", kArrays), "vec3[link] [m]");
+  EXPECT_EQ(TypeOf("2 * p", kArrays), "vec3[link] [m]");
+  EXPECT_EQ(TypeOf("-p / 1 s - v", kArrays), "vec3[link] [m/s]");
+  EXPECT_EQ(TypeOf("p - base.position", kArrays), "vec3[link] [m]");
+  EXPECT_EQ(TypeOf("base.velocity - v[feet]", kArrays), "vec3[2] [m/s]");
+  EXPECT_EQ(TypeOf("mass * v", kArrays), "vec3[link] [kg m/s]");
+  EXPECT_EQ(TypeOf("v / mass", kArrays), "vec3[link] [m/kg/s]");
+  EXPECT_EQ(TypeOf("p.xy * 2", kArrays), "vec2[link] [m]");
+}
+
+TEST(VectorArray, GivesOneResultForEachVector) {
+  EXPECT_EQ(TypeOf("norm(p)", kArrays), "real[link] [m]");
+  EXPECT_EQ(TypeOf("norm(p[feet])", kArrays), "real[2] [m]");
+  EXPECT_EQ(TypeOf("dot(p, v)", kArrays), "real[link] [m^2/s]");
+  EXPECT_EQ(TypeOf("dot(base.up, p)", kArrays), "real[link] [m]");
+  EXPECT_EQ(TypeOf("cross(p, base.up)", kArrays), "vec3[link] [m]");
+  EXPECT_EQ(TypeOf("rotate(base.orientation, p)", kArrays), "vec3[link] [m]");
+  EXPECT_EQ(TypeOf("rotate(base.rotation, p[feet])", kArrays), "vec3[2] [m]");
+  EXPECT_EQ(TypeOf("max(norm(v[links - feet]))", kArrays), "real [m/s]");
+}
+
+TEST(VectorArray, IsJoinedElementByElement) {
+  EXPECT_EQ(TypeOf("sum(p)", kArrays), "vec3 [m]");
+  EXPECT_EQ(TypeOf("mean(p[feet])", kArrays), "vec3 [m]");
+  EXPECT_EQ(TypeOf("min(p.xy)", kArrays), "vec2 [m]");
+  EXPECT_EQ(TypeOf("min(p.z)", kArrays), "real [m]");
+}
+
+TEST(VectorArray, OfConstantsGivesConstants) {
+  const CheckedExpression z = CheckText("vec3(1, 2, 3).z");
+  EXPECT_EQ(std::get<Constant>(z.node).value, 3);
+}
+
 }  // namespace
 }  // namespace compiler

@@ -70,6 +70,8 @@ TEST(Latex, WritesElementsAndSetsAsIndices) {
             "\\mathrm{contact}_{\\mathrm{links} \\setminus \\{\\mathrm{body},\\,\\mathrm{head}\\} "
             "\\cup \\mathrm{feet}}");
   EXPECT_EQ(Latex("contact[2..7]"), "\\mathrm{contact}_{2\\ldots 7}");
+  EXPECT_EQ(Latex("p[feet].z"), "p_{\\mathrm{feet},\\,z}");
+  EXPECT_EQ(Latex("p.xy[0, 1][1]"), "p_{xy,\\,\\{0,\\,1\\},\\,1}");
 }
 
 TEST(Latex, WritesFunctionsAsMathematicsDoes) {

@@ -206,6 +206,45 @@ TEST(Expressions, ReadMatricesRowByRow) {
                {{"r", {1, 2, 3, 4, 5, 6, 7, 8, 9}}, {"q", {1, 2, 3, 4}}});
 }
 
+TEST(Expressions, GoThroughTheVectorsOfAnArray) {
+  ExpectValues("sensor p: vec3[2]\nsensor q: quat[2]\nsensor v: vec3\nsensor k: real[2]\n",
+               {{"p[1].y", 5},
+                {"p.y[1]", 5},
+                {"p[1][2]", 6},
+                {"q[1].w", 5},
+                {"sum(q.w)", 6},
+                {"sum(p.z)", 9},
+                {"sum(p).z", 9},
+                {"mean(p).x", 2.5},
+                {"min(p.xz).y", 3},
+                {"norm(p - v)[0]", 3},              // (0, 0, 3)
+                {"norm(p - v)[1]", std::sqrt(54)},  // (3, 3, 6)
+                {"dot(p, v)[1]", 14},
+                {"dot(p, p.zyx)[0]", 10},
+                {"(p * k)[1].x", 40},
+                {"(p / k)[1].x", 0.4},
+                {"cross(p, v)[1].x", -12},  // 5 * 0 - 6 * 2
+                {"cross(v, p)[1].x", 12},
+                {"(2 * p - v)[1].xy.y", 8}},
+               {{"p", {1, 2, 3, 4, 5, 6}},
+                {"q", {1, 2, 3, 4, 5, 6, 7, 8}},
+                {"v", {1, 2, 0}},
+                {"k", {0.1, 10}}});
+}
+
+// The array has one length for each of its vectors, and each vector has the same bits as it has
+// alone.
+TEST(Expressions, TurnEachVectorAsIfItWereAlone) {
+  std::vector<double> vectors(54);
+  for (size_t i = 0; i < vectors.size(); ++i) vectors[i] = std::sin(static_cast<double>(i));
+  ExpectValues("sensor p: vec3[18]\nsensor q: quat\nsensor r: mat3\n",
+               {{"norm(rotate(q, p)[7] - rotate(q, p[7]))", 0},
+                {"norm(rotate(r, p)[17] - rotate(r, p[17]))", 0},
+                {"norm(p)[16] - norm(p[16])", 0},
+                {"norm(p - p[3])[16] - norm(p[16] - p[3])", 0}},
+               {{"p", vectors}, {"q", {0.5, -0.5, 0.5, 0.5}}, {"r", {1, 2, 3, 4, 5, 6, 7, 8, 9}}});
+}
+
 // Beyond 32 elements the text has loops.
 TEST(Expressions, ComputeWithLongArrays) {
   std::vector<double> values(100);

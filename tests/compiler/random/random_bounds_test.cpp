@@ -59,6 +59,12 @@ void ExpectInside(const Interval& bounds, double value, const std::string& what)
   }
 }
 
+// What has no bound is assumed to be far from the largest double. A memory that is multiplied again
+// and again gets there.
+bool IsHuge(const Value& value) {
+  return std::ranges::any_of(ToReals(value), [](double x) { return std::abs(x) > 1e100; });
+}
+
 // Runs the task for a while.
 void ExpectBounds(const CheckedTask& task, RandomNumbers& random) {
   const TaskBounds bounds = ComputeBounds(task);
@@ -73,6 +79,7 @@ void ExpectBounds(const CheckedTask& task, RandomNumbers& random) {
       for (size_t j = 0; j < elements.size(); ++j)
         ExpectInside(bounds.memory[i][j], elements[j], task.memory[i].name);
     }
+    if (std::ranges::any_of(frame.memory, IsHuge)) return;
     if (frame.end >= 0) {
       EXPECT_TRUE(bounds.ends_reached[static_cast<size_t>(frame.end)]);
     }

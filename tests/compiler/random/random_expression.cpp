@@ -80,7 +80,8 @@ std::optional<Type> RandomExpressions::RandomRow(Scalar scalar) {
   std::vector<Type> rows;
   for (const Readable& readable : readable_) {
     const Type& type = readable.type;
-    if (IsRow(type) && type.scalar == scalar && IsPlain(readable.unit)) rows.push_back(type);
+    const bool is_row = IsRow(type) && !HasVectors(type);
+    if (is_row && type.scalar == scalar && IsPlain(readable.unit)) rows.push_back(type);
   }
   return rows.empty() ? std::nullopt : std::optional(random_.OneOf(rows));
 }
@@ -130,6 +131,11 @@ std::string RandomExpressions::ElementOf(const Readable& whole) {
     return fmt::format("{}[{}, {}]", whole.name, random_.Below(type.rows),
                        random_.Below(type.columns));
   }
+  if (HasVectors(type)) {
+    const char letter = "xyzw"[random_.Below(type.columns)];
+    return fmt::format(fmt::runtime(random_.OneIn(2) ? "{0}[{1}].{2}" : "{0}.{2}[{1}]"), whole.name,
+                       random_.Below(type.rows), letter);
+  }
   const bool has_letters = type.shape != Shape::kArray;
   const uint32_t index = random_.Below(type.size());
   if (!has_letters || (type.shape == Shape::kVector && random_.OneIn(3))) {
@@ -146,12 +152,25 @@ std::string RandomExpressions::Read(const Type& type, const Unit& unit) {
       reads.push_back(readable.name);
     } else if (IsScalar(type)) {
       reads.push_back(ElementOf(readable));
-    } else if (IsRow(type) && readable.type.shape == type.shape && readable.type.rows > type.rows) {
-      const uint32_t first = random_.Below(readable.type.rows - type.rows + 1);
-      reads.push_back(fmt::format("{}[{}..{}]", readable.name, first, first + type.rows - 1));
+    } else if (std::string part = PartOf(readable, type); !part.empty()) {
+      reads.push_back(std::move(part));
     }
   }
   return reads.empty() ? "" : random_.OneOf(reads);
+}
+
+std::string RandomExpressions::PartOf(const Readable& whole, const Type& type) {
+  const Type& from = whole.type;
+  if (HasVectors(from) && type == EntryOf(from)) {
+    return fmt::format("{}[{}]", whole.name, random_.Below(from.rows));
+  }
+  if (HasVectors(from) && type == WithEntries(from, ScalarType(Scalar::kReal))) {
+    return fmt::format("{}.{}", whole.name, "xyzw"[random_.Below(from.columns)]);
+  }
+  const bool is_longer = IsRow(type) && from.rows > type.rows && from.columns == type.columns;
+  if (!is_longer || from.shape != type.shape || from.entry != type.entry) return "";
+  const uint32_t first = random_.Below(from.rows - type.rows + 1);
+  return fmt::format("{}[{}..{}]", whole.name, first, first + type.rows - 1);
 }
 
 std::string RandomExpressions::Variable(const Type& type, const Unit& unit, int depth) {
@@ -183,6 +202,7 @@ RandomExpressions::Text RandomExpressions::Make(const Type& type, const Unit& un
     const std::string read = Read(type, {});
     return {random_.OneIn(3) ? fmt::format("inverse({})", read) : read};
   }
+  if (HasVectors(type)) return MakeVectors(type, unit, depth);
   if (IsRow(type)) return MakeRow(type, unit, depth);
   switch (type.scalar) {
     case Scalar::kBool:
@@ -373,6 +393,9 @@ RandomExpressions::Text RandomExpressions::MakeRow(const Type& type, const Unit&
     return {read};
   }
   if (type == kVec3 && depth > 0 && random_.OneIn(4)) return MakeVec3(unit, depth);
+  if (depth > 0 && random_.OneIn(6)) {
+    if (std::string made = OfEachVector(type, unit, depth); !made.empty()) return {made};
+  }
   if (is_vector && depth > 0 && random_.OneIn(6)) {
     return {Constructed(ToString(type), type.rows, unit, depth)};
   }
@@ -423,6 +446,68 @@ RandomExpressions::Text RandomExpressions::MakeVec3(const Unit& unit, int depth)
     return {fmt::format("normalize({})", Make(kVec3, RandomUnit(), depth - 1).text)};
   }
   return {Constructed("vec3", 3, unit, depth)};
+}
+
+// ---- Arrays of vectors --------------------------------------------------------------------------
+
+RandomExpressions::Text RandomExpressions::MakeVectors(const Type& array, const Unit& unit,
+                                                       int depth) {
+  const std::string read = Read(array, unit);
+  if (IsOfQuaternions(array)) return {read};
+  const Type entry = EntryOf(array);
+  const Type numbers = WithEntries(array, ScalarType(Scalar::kReal));
+  const auto part = [&] { return Make(array, unit, depth - 1).text; };
+  if (depth <= 0) {
+    if (!read.empty()) return {read};
+    return {fmt::format("({} * {})", Read(array, {}), Literal(Scalar::kReal, unit).text)};
+  }
+  switch (random_.Below(8)) {
+    case 0:
+      return {fmt::format("(-{})", part())};
+    case 1:
+      return {fmt::format("({} {} {})", part(), random_.OneOf({"+", "-"}),
+                          Make(entry, unit, depth - 1).text)};
+    case 2:
+      return {fmt::format("({} {} {})", Make(entry, unit, depth - 1).text,
+                          random_.OneOf({"+", "-"}), part())};
+    case 3:
+      return {fmt::format("({} * {})", Make(numbers, unit, depth - 1).text,
+                          Make(array, {}, depth - 1).text)};
+    case 4: {
+      if (entry != kVec3) return {fmt::format("{}.yx", part())};
+      const std::string turn = Read(random_.OneOf({kQuaternion, *FindType("mat3")}), {});
+      return {turn.empty() ? fmt::format("{}.zzx", part())
+                           : fmt::format("rotate({}, {})", turn, part())};
+    }
+    case 5:
+      if (entry != kVec3) return {fmt::format("abs({})", part())};
+      return {fmt::format("cross({}, {})", part(),
+                          Make(random_.OneIn(2) ? entry : array, {}, depth - 1).text)};
+    case 6:
+      return {fmt::format("({} / {})", part(), VariableReal({}, depth - 1))};
+    default:
+      return {fmt::format("({} {} {})", part(), random_.OneOf({"+", "-"}), part())};
+  }
+}
+
+std::string RandomExpressions::OfEachVector(const Type& type, const Unit& unit, int depth) {
+  std::vector<Type> arrays;
+  for (const Readable& readable : readable_) {
+    const Type& array = readable.type;
+    const bool is_plain = IsPlain(readable.unit) && HasVectors(array) && !IsOfQuaternions(array);
+    const bool fits =
+        type == EntryOf(array) || type == WithEntries(array, ScalarType(Scalar::kReal));
+    if (is_plain && fits) arrays.push_back(array);
+  }
+  if (arrays.empty()) return "";
+  const Type array = random_.OneOf(arrays);
+  const std::string made = Make(array, unit, depth - 1).text;
+  if (type == EntryOf(array)) {
+    return fmt::format("{}({})", random_.OneOf({"sum", "min", "max", "mean"}), made);
+  }
+  if (random_.OneIn(2)) return fmt::format("norm({})", made);
+  return fmt::format("dot({}, {})", made,
+                     Make(random_.OneIn(2) ? EntryOf(array) : array, {}, depth - 1).text);
 }
 
 std::string RandomExpressions::Constructed(const std::string& type, uint32_t size, const Unit& unit,

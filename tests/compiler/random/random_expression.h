@@ -58,6 +58,10 @@ class RandomExpressions {
   Text MakeReduction(const Unit& unit, int depth);
   Text MakeRow(const Type& type, const Unit& unit, int depth);
   Text MakeVec3(const Unit& unit, int depth);
+  Text MakeVectors(const Type& array, const Unit& unit, int depth);
+  // What a function makes of an array of vectors, an array of numbers or a vector; empty where
+  // there is no array for that.
+  std::string OfEachVector(const Type& type, const Unit& unit, int depth);
   // A vector or quaternion out of its elements.
   std::string Constructed(const std::string& type, uint32_t size, const Unit& unit, int depth);
   Text MakeMatrix(const Type& type, const Unit& unit, int depth);
@@ -68,6 +72,9 @@ class RandomExpressions {
   // A name of this type and unit, or else an element of one; empty where there is none.
   std::string Read(const Type& type, const Unit& unit);
   std::string ElementOf(const Readable& whole);
+  // Neighboring elements; of an array of vectors also one of them, or an element of each. Empty
+  // where none are of this type.
+  std::string PartOf(const Readable& whole, const Type& type);
   // Of something readable and plain, if there is a row of such scalars.
   std::optional<Type> RandomRow(Scalar scalar);
   bool CanMakeArguments(const Callable& function);

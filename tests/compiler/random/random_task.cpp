@@ -37,15 +37,16 @@ class TaskWriter {
 
   // One of each type in plain numbers, so that everything can be made; then some with units.
   void DeclareSensors() {
-    for (const char* type :
-         {"bool",   "int",     "real",    "vec2",    "vec3",     "vec4",    "mat3",
-          "quat",   "bool[2]", "bool[3]", "bool[5]", "bool[40]", "int[2]",  "int[3]",
-          "int[5]", "int[40]", "real[2]", "real[3]", "real[5]",  "real[40]"}) {
+    for (const char* type : {"bool",    "int",      "real",    "vec2",    "vec3",     "vec4",
+                             "mat3",    "quat",     "bool[2]", "bool[3]", "bool[5]",  "bool[40]",
+                             "int[2]",  "int[3]",   "int[5]",  "int[40]", "real[2]",  "real[3]",
+                             "real[5]", "real[40]", "vec2[3]", "vec3[2]", "vec3[18]", "quat[3]"}) {
       DeclareSensor(type, {});
     }
     for (int i = 0; i < 6; ++i) {
-      DeclareSensor(random_.OneOf({"real", "real", "vec2", "vec3", "vec4", "mat3", "real[5]"}),
-                    expressions_.RandomUnit());
+      DeclareSensor(
+          random_.OneOf({"real", "real", "vec2", "vec3", "vec4", "mat3", "real[5]", "vec3[18]"}),
+          expressions_.RandomUnit());
     }
   }
 
@@ -54,8 +55,7 @@ class TaskWriter {
     const std::string element = type_name.substr(0, type_name.find('['));
     Type type = *FindType(element);
     if (element != type_name) {
-      type.shape = Shape::kArray;
-      type.rows = static_cast<uint32_t>(std::stoi(type_name.substr(element.size() + 1)));
+      type = ArrayOf(type, static_cast<uint32_t>(std::stoi(type_name.substr(element.size() + 1))));
     }
     Line(fmt::format("sensor {}: {}", name, TypeText(type, unit)));
     readable_.push_back({name, type, unit});
@@ -158,7 +158,7 @@ class TaskWriter {
   }
 
   Unit UnitFor(const Type& type) {
-    const bool has_unit = type.scalar == Scalar::kReal && type.shape != Shape::kQuaternion;
+    const bool has_unit = type.scalar == Scalar::kReal && !IsOfQuaternions(type);
     return has_unit ? expressions_.RandomUnit() : Unit{};
   }
 
@@ -236,7 +236,7 @@ class TaskWriter {
   void WriteAssignment() {
     const Readable& target = random_.OneOf(memory_);
     const Type& type = target.type;
-    const bool is_of_numbers = !IsBool(type) && type.shape != Shape::kQuaternion;
+    const bool is_of_numbers = !IsBool(type) && !IsOfQuaternions(type);
     const bool is_scaled = is_of_numbers && random_.OneIn(4);
     std::string op = "=";
     if (is_scaled) {
@@ -257,7 +257,7 @@ class TaskWriter {
   void WriteElementAssignment() {
     const Readable& target = random_.OneOf(memory_);
     const Type& type = target.type;
-    if (IsScalar(type) || type.shape == Shape::kQuaternion) return WriteAssignment();
+    if (IsScalar(type) || IsOfQuaternions(type)) return WriteAssignment();
     const bool is_matrix = type.shape == Shape::kMatrix;
     const uint32_t length = is_matrix ? type.columns : type.rows;
     const uint32_t count = 1 + random_.Below(length);
@@ -268,6 +268,10 @@ class TaskWriter {
     const Type value = random_.OneIn(2) ? element : ElementsType(type, count);
     const bool is_readable = IsScalar(value) || value.shape != Shape::kArray;
     const std::string op = IsBool(type) ? "=" : random_.OneOf({"=", "+=", "-="});
+    if (HasVectors(type) && random_.OneIn(2)) {
+      return Line(fmt::format("{}[{}].{} {} {}", target.name, place, random_.OneOf({"x", "yx"}), op,
+                              expressions_.OfType(element, target.unit)));
+    }
     Line(fmt::format("{}[{}] {} {}", target.name, place, op,
                      expressions_.OfType(is_readable ? value : element, target.unit)));
   }
@@ -294,7 +298,7 @@ class TaskWriter {
       const bool has_element = whole.type.shape == Shape::kArray && whole.type.rows > 2;
       if (!has_element || random_.OneIn(2)) continue;
       readable_.push_back(
-          {fmt::format("{}[{}]", whole.name, variable), ScalarType(whole.type.scalar), whole.unit});
+          {fmt::format("{}[{}]", whole.name, variable), EntryOf(whole.type), whole.unit});
     }
     readable_.push_back(
         {fmt::format("({} + {})", variable, readable_[1].name), ScalarType(Scalar::kInt), {}});

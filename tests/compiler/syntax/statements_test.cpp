@@ -48,6 +48,7 @@ TEST(Statements, Ends) {
 TEST(Statements, Elements) {
   EXPECT_EQ(ParseToText("touched[feet] = false"), "(at touched feet) = false");
   EXPECT_EQ(ParseToText("place.xy += 1 m"), "place .xy += 1[m]");
+  EXPECT_EQ(ParseToText("last[feet].z = 0 m"), "(at last feet) .z = 0[m]");
   EXPECT_EQ(ParseToText("turn[2, 0] *= 2"), "(at turn 2 0) *= 2");
   EXPECT_EQ(ParseToText("touched[links - {body, head}] = true"),
             "(at touched (- links (set body head))) = true");

@@ -82,7 +82,8 @@ std::string ToText(const Expression& expression) {
 std::string ToText(const Target& target) {
   std::string text = target.name.text;
   if (target.member) text += fmt::format(" .{}", target.member->text);
-  return target.items.empty() ? text : fmt::format("(at {}{})", text, List(target.items));
+  if (!target.items.empty()) text = fmt::format("(at {}{})", text, List(target.items));
+  return target.indexed_member ? fmt::format("{} .{}", text, target.indexed_member->text) : text;
 }
 
 std::string ToText(const EndStatement& end) {
