@@ -8,6 +8,15 @@
 // long as the shared object is loaded. The host owns every `taskc_frame` and all it points to. A
 // plugin has no state of its own, so any number of instances can run side by side, one frame each.
 //
+// Order of calls: for each frame, `initialize` once, when the params are set and before all else;
+// then, in each episode, `start_of_episode`, the other events as they happen, `end_of_episode`.
+// `measure` follows `end_of_time_step`, and once more `end_of_episode`. A function that is null has
+// nothing to do. The functions themselves reset memory: `start_of_episode` all but that of the run,
+// `start_of_action` that of the action, to initial values that may be params; the host never does.
+//
+// Pointers: where a count is 0, the pointer that belongs to it is null in a `taskc_plugin` and may
+// be null in a `taskc_frame`; likewise `memory` where `memory_size` is 0.
+//
 // Units: SI throughout (m, kg, s, rad). Matrices are row major, quaternions are (w, x, y, z).
 //
 // Stability: `abi_version` is the first field of `taskc_plugin` in every version, and a host
@@ -179,9 +188,11 @@ typedef struct taskc_frame {
   const double* params;        // one value for each entry of `taskc_plugin.params`
   void* memory;                // `memory_size` bytes, aligned to 16
   taskc_uint64 seed;           // of the goals: another one in each episode
-  double time_step;            // length of the step that ends or starts [s]; 0 for other events
+  double time_step;            // length of the step that ends or starts [s]; 0 for other events;
+                               //      for `measure`, that of the last time step
   double* terms;               // one sum for each reward term: the plugin adds, the host zeroes
-  double* metrics;             // one value for each metric: written by `measure`
+  double* metrics;             // one value for each metric: written by `measure`, which leaves
+                               //      the fields marked `out` alone
   taskc_log_state* logs;       // one for each log: the plugin adds to it
   double reward;               // out: what this call pays
   taskc_int32 end;             // out: index of the first end that was reached, or -1
@@ -225,8 +236,8 @@ typedef struct taskc_plugin {
   taskc_uint32 requirement_count;
   taskc_uint32 memory_size;  // bytes; 0 where the task remembers nothing
 
-  taskc_event_function initialize;  // gives all memory its initial value, draws goals
-  taskc_event_function events[TASKC_EVENT_COUNT];  // null where the task has nothing to do
+  taskc_event_function initialize;  // gives all memory its initial value, draws the goals
+  taskc_event_function events[TASKC_EVENT_COUNT];  // null where there is nothing to do or reset
   taskc_event_function measure;                    // null where the task has no metric
 } taskc_plugin;
 

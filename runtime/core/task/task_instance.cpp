@@ -120,6 +120,7 @@ void TaskInstance::StartEpisode(uint64_t run_seed, int64_t episode) {
   reducer_.StartEpisode();
   goals_.StartEpisode(run_seed, episode);
   time_ = 0;
+  time_step_ = 0;
 }
 
 void TaskInstance::Enter(taskc_event_function function) {
@@ -166,7 +167,9 @@ void TaskInstance::CountViolation() {
 }
 
 void TaskInstance::Measure() {
-  if (table().measure != nullptr) Enter(table().measure);
+  if (table().measure == nullptr) return;
+  host_.frame().time_step = time_step_;  // of the last event it may be another
+  Enter(table().measure);
 }
 
 void TaskInstance::EndTimeStep() {
@@ -219,6 +222,7 @@ void TaskInstance::TakeOverSums(const TaskInstance& old) {
   goals_.TakeOver(old.goals_);
   fault_count_ = old.fault_count_;
   time_ = old.time_;
+  time_step_ = old.time_step_;
 }
 
 void TaskInstance::Save(std::ostream& stream) const {

@@ -59,7 +59,11 @@ class TaskInstance {
   void StartEpisode(uint64_t run_seed, int64_t episode);
   // Calls the function of an event, if the task has one.
   std::optional<Outcome> Call(int event, double time_step);
-  void AdvanceTime(double time_step) { time_ += time_step; }
+  // To be called at the end of each time step, before all else.
+  void AdvanceTime(double time_step) {
+    time_ += time_step;
+    time_step_ = time_step;
+  }
   // To be called at the end of each time step in which needs_measuring(), and of the episode.
   bool needs_measuring() const { return reducer_.needs_time_steps(); }
   void EndTimeStep();
@@ -119,7 +123,8 @@ class TaskInstance {
   int64_t fault_count_ = 0;
   std::vector<Incidents> violations_;
   std::vector<std::string> violation_reasons_;  // one for each requirement
-  double time_ = 0;  // [s] since the start of the episode, at the end of the last time step
+  double time_ = 0;       // [s] since the start of the episode, at the end of the last time step
+  double time_step_ = 0;  // [s] of that step; 0 before it
 };
 
 }  // namespace runtime

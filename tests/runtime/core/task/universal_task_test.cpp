@@ -399,6 +399,19 @@ TEST_F(UniversalTaskTest, AnEpisodeAllocatesNothing) {
   EXPECT_EQ(AllocationCount(), before);
 }
 
+TEST_F(UniversalTaskTest, MetricsKnowTheTimeStepWithoutAnEventAtItsEnd) {
+  context_.task = LoadTask("measuring");
+  const auto task = MakeTask("measuring");
+  task->on_start_of_episode();
+  for (int step = 0; step < 2; ++step) {
+    task->on_end_of_physics_step(0.125);
+    task->on_end_of_time_step(0.25);
+  }
+  task->on_end_of_physics_step(0.125);
+  task->on_end_of_episode({});
+  EXPECT_THAT(task->metrics(), ElementsAre(0.5, 0.25));
+}
+
 TEST_F(UniversalTaskTest, PluginWithoutAnythingRuns) {
   context_.task = LoadTask("empty");
   const auto empty = MakeTask("empty");
