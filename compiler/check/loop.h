@@ -12,6 +12,8 @@ namespace compiler {
 
 // So many statements a task may have when its loops are written out.
 inline constexpr uint32_t kMostStatements = 10'000;
+// So many operators, calls and operands its loops may have then.
+inline constexpr uint32_t kMostLoopParts = 100'000;
 
 // The variable's value in one pass.
 struct LoopValue {

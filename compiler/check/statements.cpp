@@ -14,6 +14,7 @@
 #include "compiler/check/names.h"
 #include "compiler/check/operators.h"
 #include "compiler/check/report.h"
+#include "compiler/check/traversal.h"
 #include "compiler/check/type.h"
 
 namespace compiler {
@@ -37,6 +38,21 @@ void CollectLocals(const Block& block, TaskScope& scope) {
 }
 
 bool Contains(Span whole, Span part) { return whole.begin <= part.begin && part.end <= whole.end; }
+
+// Operators, calls and operands, without those of loops inside.
+uint32_t PartsIn(const CheckedBlock& block) {
+  uint32_t parts = 0;
+  for (const CheckedStatement& statement : block) {
+    ForEachExpression(statement, [&parts](const CheckedExpression& value) {
+      ForEachPart(value, [&parts](const CheckedExpression&) { ++parts; });
+    });
+    if (const auto* branches = std::get_if<CheckedIf>(&statement.node)) {
+      for (const CheckedIfBranch& branch : branches->branches) parts += PartsIn(branch.body);
+      parts += PartsIn(branches->otherwise);
+    }
+  }
+  return parts;
+}
 
 // The block of one event.
 class EventChecker {
@@ -164,6 +180,7 @@ class EventChecker {
     scope_.loop_reads = outer_reads;
     for (const Diagnostic& diagnostic : found.list())
       outer.Add(WithPass(diagnostic, loop, value, reads));
+    if (!CountParts(body)) return std::nullopt;
     if (outer_reads != nullptr) outer_reads->insert(outer_reads->end(), reads.begin(), reads.end());
     return found.has_errors() ? std::nullopt : std::optional(std::move(body));
   }
@@ -186,10 +203,21 @@ class EventChecker {
   // False where a loop has become too long: that is then reported, once.
   bool CountStatement() {
     if (++scope_.statements <= kMostStatements || outermost_ == nullptr) return true;
+    return ReportTooLong(fmt::format("{} statements", kMostStatements));
+  }
+
+  // The same, for the body of a loop without the loops inside it, which have counted theirs.
+  bool CountParts(const CheckedBlock& body) {
+    scope_.loop_parts += PartsIn(body);
+    if (scope_.loop_parts <= kMostLoopParts) return true;
+    return ReportTooLong(fmt::format("{} operators, calls and operands in loops", kMostLoopParts));
+  }
+
+  bool ReportTooLong(std::string_view limit) {
     if (std::exchange(scope_.is_too_long, true)) return false;
     Report(scope_.diagnostics, code::kTooManyPasses,
            Cover(outermost_->variable.span, outermost_->items_span),
-           fmt::format("with this loop the task has more than {} statements", kMostStatements),
+           fmt::format("with this loop the task has more than {}", limit),
            {.note = "loops are unrolled: the body once for each value",
             .help = "iterate over fewer values, or use whole arrays: `sum`, `norm`, `any`"});
     return false;

@@ -44,7 +44,8 @@ struct TaskScope {
   // Where the variables of loops are read. Null where there are no loops.
   std::vector<Identifier>* loop_reads = nullptr;
   uint32_t statements = 0;   // of the task so far, with loops written out
-  bool is_too_long = false;  // too many statements: that has been reported
+  uint32_t loop_parts = 0;   // operators, calls and operands in written out loops so far
+  bool is_too_long = false;  // too many of them: that has been reported
   // Names whose declarations were refused: what is said of their uses would be misleading.
   std::set<std::string, std::less<>> refused{};
   // In a function: the scope around it, of whose values it reads none.

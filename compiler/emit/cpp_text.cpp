@@ -97,7 +97,7 @@ std::string Declarator(const std::string& name, const Type& type) {
 std::vector<std::string> ArrayDefinition(const std::string& name, const Type& type,
                                          const std::vector<CppText>& elements) {
   std::string declarator = Declarator(name, type);
-  if (type.size() > kWrittenOut) {
+  if (elements.size() < type.size()) {
     return {declarator + ";", fmt::format("for (int i = 0; i < {}; ++i) {}[i] = {};", type.size(),
                                           name, elements.front().text)};
   }
@@ -124,7 +124,7 @@ std::string IndexTable(const std::string& name, const std::vector<uint32_t>& ind
 std::vector<std::string> ArrayAssignment(const std::string& array, std::string_view op,
                                          const std::vector<CppText>& values,
                                          const std::vector<uint32_t>& indices, UniqueNames& names) {
-  if (indices.size() <= kWrittenOut) {
+  if (values.size() == indices.size()) {
     std::vector<std::string> stores;
     for (size_t i = 0; i < indices.size(); ++i) {
       stores.push_back(fmt::format("{}[{}] {} {};", array, indices[i], op, values[i].text));

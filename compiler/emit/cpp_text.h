@@ -31,11 +31,8 @@ std::string_view CppType(Scalar scalar);
 // "double name" or "bool name[18]".
 std::string Declarator(const std::string& name, const Type& type);
 
-// The number of elements up to which an operation on arrays is written out; a loop beyond.
-inline constexpr uint32_t kWrittenOut = 32;
-
-// The lines that define an array from its elements: one text for each, or for arrays longer than
-// kWrittenOut one text in which `i` is the index.
+// The lines that define an array from its elements: one text for each, or one text in which `i` is
+// the index.
 std::vector<std::string> ArrayDefinition(const std::string& name, const Type& type,
                                          const std::vector<CppText>& elements);
 
@@ -48,9 +45,8 @@ bool IsContiguous(const std::vector<uint32_t>& indices);
 // "static constexpr short name[] = {2, 5};"
 std::string IndexTable(const std::string& name, const std::vector<uint32_t>& indices);
 
-// The lines that change these elements of an array by the operator `op`: one value for each, or for
-// more than kWrittenOut one text in which `i` counts them. `names` gains the name of a table of
-// indices where one is needed.
+// The lines that change these elements of an array by the operator `op`: one value for each, or one
+// text in which `i` counts them. `names` gains the name of a table of indices where one is needed.
 std::vector<std::string> ArrayAssignment(const std::string& array, std::string_view op,
                                          const std::vector<CppText>& values,
                                          const std::vector<uint32_t>& indices, UniqueNames& names);

@@ -81,8 +81,8 @@ CppText CallText(std::string_view function, const std::vector<CppText>& argument
 }  // namespace
 
 ExpressionEmitter::ExpressionEmitter(const ValueNames& values, UniqueNames& names,
-                                     HelperSet& helpers)
-    : values_(values), names_(names), helpers_(helpers) {}
+                                     HelperSet& helpers, uint32_t written_out)
+    : values_(values), names_(names), helpers_(helpers), written_out_(written_out) {}
 
 CppText ExpressionEmitter::EmitScalar(const CheckedExpression& expression) {
   Prepare(expression, Use::kOnce);
@@ -142,9 +142,9 @@ void ExpressionEmitter::PrepareCall(const CheckedExpression& expression, const B
   for (const CheckedExpressionPtr& argument : call.arguments) {
     Prepare(*argument, is_cross || is_squared ? Use::kRepeatedly : Use::kOnce);
   }
-  const bool is_long = call.arguments.front()->type.size() > kWrittenOut;
+  const bool is_long = call.arguments.front()->type.size() > written_out_;
   if (chain && is_long) NameLongChain(expression, call, *chain);
-  if (is_vector && call.arguments.size() > kWrittenOut) NameLongList(expression, call);
+  if (is_vector && call.arguments.size() > written_out_) NameLongList(expression, call);
 }
 
 void ExpressionEmitter::PrepareCall(const CheckedExpression& expression, const FunctionCall& call) {
@@ -254,7 +254,7 @@ const std::string& ExpressionEmitter::TableOf(const std::vector<uint32_t>& indic
 
 std::vector<CppText> ExpressionEmitter::AllElements(const CheckedExpression& expression,
                                                     uint32_t count) {
-  if (count > kWrittenOut) return {Element(expression, {.variable = "i"})};
+  if (count > written_out_) return {Element(expression, {.variable = "i"})};
   std::vector<CppText> elements;
   for (uint32_t i = 0; i < count; ++i) elements.push_back(Element(expression, {.number = i}));
   return elements;

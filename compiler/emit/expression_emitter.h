@@ -33,12 +33,14 @@ struct ValueNames {
 class ExpressionEmitter {
  public:
   // Refers to its arguments, which must outlive it. `names` gains those of the parts it names.
-  ExpressionEmitter(const ValueNames& values, UniqueNames& names, HelperSet& helpers);
+  // Operations on up to `written_out` elements are written out, those on more become loops.
+  ExpressionEmitter(const ValueNames& values, UniqueNames& names, HelperSet& helpers,
+                    uint32_t written_out);
 
   // A scalar value. Read `TakeParts` before using the text.
   CppText EmitScalar(const CheckedExpression& expression);
-  // Each element of a value; a scalar counts as one that has this element everywhere. Up to
-  // kWrittenOut elements are written out; more give one text in which `i` is the index.
+  // Each element of a value; a scalar counts as one that has this element everywhere. More elements
+  // than are written out give one text in which `i` is the index.
   std::vector<CppText> EmitElements(const CheckedExpression& expression, uint32_t count);
   // The same, but the elements are computed before any of them is used.
   std::vector<CppText> EmitElementsFirst(const CheckedExpression& expression, uint32_t count);
@@ -95,6 +97,7 @@ class ExpressionEmitter {
   const ValueNames& values_;
   UniqueNames& names_;
   HelperSet& helpers_;
+  uint32_t written_out_;
   std::vector<std::string> parts_;
   std::unordered_map<const CheckedExpression*, std::string> named_;  // values that have a name
   std::map<std::vector<uint32_t>, std::string> tables_;  // of Elements::indices, among parts_

@@ -37,6 +37,13 @@ std::string ParamValue(const CheckedParam& param, uint32_t index) {
   return fmt::format("frame->params[{}]", index);
 }
 
+// For a declaration of what nothing may read.
+std::string MaybeUnused(bool is_read) { return is_read ? "" : "[[maybe_unused]] "; }
+
+// The number of elements up to which operations on arrays are written out; loops beyond.
+constexpr uint32_t kWrittenOut = 32;
+constexpr uint32_t kWrittenOutInLongFunctions = 4;
+
 // Scalars are passed by value, all else where it lies.
 std::string ParameterText(const std::string& name, const Type& type) {
   return type.shape == Shape::kScalar ? fmt::format("{} {}", CppType(type.scalar), name)
@@ -76,11 +83,16 @@ FunctionEmitter::FunctionEmitter(const CheckedTask& task, const Sources& sources
 void FunctionEmitter::EmitFunction(uint32_t index) {
   const CheckedFunction& function = task_.functions[index];
   const Type& type = function.value.type;
-  function_ = Function(names_);
+  UsedValues used;
+  for (const CheckedLet& let : function.lets) used.AddStatement(let.value);
+  used.Add(function.value);
+  function_ = Function(names_, std::move(used));
   std::vector<std::string> parameters;
-  for (const Local& argument : function.arguments) {
+  for (uint32_t i = 0; i < function.arguments.size(); ++i) {
+    const Local& argument = function.arguments[i];
     std::string name = function_.names.Add(argument.name);
-    parameters.push_back(ParameterText(name, argument.type));
+    const bool is_read = function_.used.arguments.contains(i);
+    parameters.push_back(MaybeUnused(is_read) + ParameterText(name, argument.type));
     function_.values.arguments.push_back(name);
   }
   // A result that is an array is written where the caller wants it.
@@ -114,9 +126,8 @@ void FunctionEmitter::EmitResult(const CheckedExpression& value, const std::stri
 
 void FunctionEmitter::EmitInitialize() {
   UsedValues used;
-  for (const CheckedMemory& variable : task_.memory) used.Add(variable.initial);
-  used.memory = !task_.memory.empty();
-  Begin("initialize", FirstLineOfMemory(), used);
+  for (const CheckedMemory& variable : task_.memory) used.AddReset(variable);
+  Begin("initialize", FirstLineOfMemory(), std::move(used));
   for (uint32_t i = 0; i < task_.memory.size(); ++i) EmitReset(task_.memory[i], i);
   for (uint32_t i = 0; i < task_.goals.size(); ++i) {
     Emit(CheckedRedraw{i}, LineOf(task_.goals[i].span));
@@ -130,8 +141,8 @@ void FunctionEmitter::EmitDraw(uint32_t index) {
   UsedValues used;
   used.Add(goal.value);
   if (goal.interval) used.Add(goal.interval->length);
-  used.memory = true;
-  Begin(names_.draws[index], line, used);
+  used.memory = used.frame = true;
+  Begin(names_.draws[index], line, std::move(used));
   writer_.Line(fmt::format("if ({}) return;", function_.values.memory[goal.held]), line);
   const std::string& draws = function_.values.memory[goal.draws];
   writer_.Line(fmt::format("{} draw{{frame->seed, {}u, (taskc_uint32){}}};",
@@ -156,18 +167,16 @@ void FunctionEmitter::EmitEvent(EventKind kind) {
   UsedValues used;
   used.Add(event.body);
   for (const CheckedMemory& variable : task_.memory) {
-    if (!IsResetAt(kind, variable.scope)) continue;
-    used.memory = true;
-    used.Add(variable.initial);
+    if (IsResetAt(kind, variable.scope)) used.AddReset(variable);
   }
   Begin(NameOf(kind, kEventNames), event.is_declared ? LineOf(event.span) : FirstLineOfMemory(),
-        used);
+        std::move(used));
   SetLocals(event.locals);
   for (uint32_t i = 0; i < task_.memory.size(); ++i) {
     if (IsResetAt(kind, task_.memory[i].scope)) EmitReset(task_.memory[i], i);
   }
   EmitBlock(event.body);
-  if (used.reward) {
+  if (function_.used.reward) {
     writer_.Line("frame->reward = reward;", LineOf(event.span));
   }
   End();
@@ -179,8 +188,9 @@ SourceLine FunctionEmitter::FirstLineOfMemory() const {
 
 void FunctionEmitter::EmitMeasure() {
   UsedValues used;
-  for (const CheckedMetric& metric : task_.metrics) used.Add(metric.value);
-  Begin("measure", LineOf(task_.metrics.front().value.span), used);
+  used.frame = true;
+  for (const CheckedMetric& metric : task_.metrics) used.AddStatement(metric.value);
+  Begin("measure", LineOf(task_.metrics.front().value.span), std::move(used));
   for (uint32_t i = 0; i < task_.metrics.size(); ++i) {
     SourceLine line = LineOf(task_.metrics[i].value.span);
     CppText value = expressions_->EmitScalar(task_.metrics[i].value);
@@ -190,18 +200,22 @@ void FunctionEmitter::EmitMeasure() {
   End();
 }
 
-void FunctionEmitter::Begin(std::string_view name, SourceLine line, const UsedValues& used) {
-  function_ = Function(names_);
-  BeginFunction(fmt::format("void {}(taskc_frame* frame)", name), line);
-  EmitPrologue(used, line);
+void FunctionEmitter::Begin(std::string_view name, SourceLine line, UsedValues used) {
+  function_ = Function(names_, std::move(used));
+  BeginFunction(fmt::format("void {}(taskc_frame*{})", name, function_.used.frame ? " frame" : ""),
+                line);
+  EmitPrologue(line);
 }
 
 void FunctionEmitter::BeginFunction(const std::string& head, SourceLine line) {
   writer_.LeaveSource();
   writer_.BlankLine();
+  const bool is_long = function_.used.size.IsLong();
+  if (is_long) writer_.Line("__attribute__((optimize(\"O0\")))  // too long to optimize");
   writer_.Line(head + " {", line);
   writer_.Indent();
-  expressions_.emplace(function_.values, function_.names, helpers_);
+  expressions_.emplace(function_.values, function_.names, helpers_,
+                       is_long ? kWrittenOutInLongFunctions : kWrittenOut);
 }
 
 void FunctionEmitter::SetLocals(const std::vector<Local>& locals) {
@@ -209,8 +223,9 @@ void FunctionEmitter::SetLocals(const std::vector<Local>& locals) {
   function_.values.locals.resize(locals.size());
 }
 
-void FunctionEmitter::EmitPrologue(const UsedValues& used, SourceLine line) {
+void FunctionEmitter::EmitPrologue(SourceLine line) {
   ValueNames& values = function_.values;
+  const UsedValues& used = function_.used;
   for (uint32_t i = 0; i < task_.sensors.size(); ++i) {
     values.sensors.emplace_back();
     if (!used.sensors.contains(i)) continue;
@@ -261,6 +276,7 @@ void FunctionEmitter::Emit(const CheckedLet& let, SourceLine line) {
   } else {
     definition = ArrayDefinition(name, type, expressions_->EmitElements(let.value, type.size()));
   }
+  definition.front().insert(0, MaybeUnused(function_.used.locals.contains(let.local)));
   WriteLines(expressions_->TakeParts(), line);
   WriteLines(definition, line);
 }
@@ -315,9 +331,9 @@ void FunctionEmitter::Emit(const CheckedFor& loop, SourceLine line) {
     writer_.Line(fmt::format("{{  // {} = {}", loop.variable, pass.value), line);
     writer_.Indent();
     // Each pass is a scope of its own, and its names end with it.
-    UniqueNames outer = function_.names;
+    const size_t outer = function_.names.Mark();
     EmitBlock(pass.body);
-    function_.names = std::move(outer);
+    function_.names.GiveBackTo(outer);
     writer_.Outdent();
     writer_.Line("}");
   }

@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "compiler/check/checked_task.h"
@@ -46,21 +47,24 @@ class FunctionEmitter {
   // The state of the function that is being emitted.
   struct Function {
     Function() = default;
-    explicit Function(const PluginNames& plugin) : names(plugin.taken) {
+    Function(const PluginNames& plugin, UsedValues of_function)
+        : names(&plugin.taken), used(std::move(of_function)) {
       values.functions = plugin.functions;
     }
 
     UniqueNames names;
     ValueNames values;
+    UsedValues used;
     const std::vector<Local>* locals = nullptr;
   };
 
-  void Begin(std::string_view name, SourceLine line, const UsedValues& used);
-  // Opens a function with this head.
+  // Opens a function of the plugin that the host calls.
+  void Begin(std::string_view name, SourceLine line, UsedValues used);
+  // Opens a function with this head; `function_` already knows what it uses.
   void BeginFunction(const std::string& head, SourceLine line);
   // Those of the function; each gets its name where it is defined.
   void SetLocals(const std::vector<Local>& locals);
-  void EmitPrologue(const UsedValues& used, SourceLine line);
+  void EmitPrologue(SourceLine line);
   void End();
 
   // What a function gives: returned, or written to an array.

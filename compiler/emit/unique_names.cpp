@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <utility>
 
 namespace compiler {
 namespace {
@@ -143,10 +144,26 @@ std::string UniqueNames::Add(std::string_view wanted) {
   std::string name = Tidy(wanted);
   if (IsReserved(name)) name += '_';
   std::string unique = name;
-  for (int count = 2; !taken_.insert(unique).second; ++count) {
-    unique = fmt::format("{}{}{}", name, name.ends_with('_') ? "" : "_", count);
+  if (IsTaken(unique)) {
+    int& count = next_.try_emplace(name, 2).first->second;
+    do {
+      unique = fmt::format("{}{}{}", name, name.ends_with('_') ? "" : "_", count++);
+    } while (IsTaken(unique));
   }
+  taken_.insert(unique);
+  added_.push_back({unique, std::move(name)});
   return unique;
+}
+
+void UniqueNames::GiveBackTo(size_t mark) {
+  for (; added_.size() > mark; added_.pop_back()) {
+    taken_.erase(added_.back().unique);
+    next_.erase(added_.back().name);
+  }
+}
+
+bool UniqueNames::IsTaken(const std::string& name) const {
+  return taken_.contains(name) || (outer_ != nullptr && outer_->IsTaken(name));
 }
 
 }  // namespace compiler

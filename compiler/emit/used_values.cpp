@@ -15,12 +15,22 @@ bool Reads(const CheckedExpression& expression, uint32_t memory) {
 }
 
 void UsedValues::Add(const CheckedExpression& expression) {
+  size.Add(expression);
   ForEachPart(expression, [this](const CheckedExpression& part) {
     std::visit(variant::Overloaded{
-                   [this](const SensorRead& node) { sensors.insert(node.sensor); },
-                   [this](const ParamRead& node) { params.insert(node.param); },
-                   [this](const MemoryRead&) { memory = true; },
-                   [this](const RewardSoFar&) { reward = true; },
+                   [&](const SensorRead& node) {
+                     sensors.insert(node.sensor);
+                     frame = true;
+                   },
+                   [&](const ParamRead& node) {
+                     params.insert(node.param);
+                     frame = true;
+                   },
+                   [&](const MemoryRead&) { memory = frame = true; },
+                   [&](const RewardSoFar&) { reward = frame = true; },
+                   [&](const TimeStep&) { frame = true; },
+                   [&](const LocalRead& node) { locals.insert(node.local); },
+                   [&](const ArgumentRead& node) { arguments.insert(node.argument); },
                    [](const auto&) {},
                },
                part.node);
@@ -29,10 +39,28 @@ void UsedValues::Add(const CheckedExpression& expression) {
 
 void UsedValues::Add(const CheckedBlock& block) {
   ForEachStatement(block, [this](const CheckedStatement& statement) {
-    if (std::holds_alternative<CheckedAssign>(statement.node)) memory = true;
-    if (std::holds_alternative<CheckedReward>(statement.node)) reward = true;
+    size.AddStatement();
+    std::visit(variant::Overloaded{
+                   [](const CheckedLet&) {},
+                   [](const CheckedIf&) {},
+                   [](const CheckedFor&) {},
+                   [this](const CheckedAssign&) { memory = frame = true; },
+                   [this](const CheckedReward&) { reward = frame = true; },
+                   [this](const auto&) { frame = true; },
+               },
+               statement.node);
     ForEachExpression(statement, [this](const CheckedExpression& value) { Add(value); });
   });
+}
+
+void UsedValues::AddStatement(const CheckedExpression& value) {
+  size.AddStatement();
+  Add(value);
+}
+
+void UsedValues::AddReset(const CheckedMemory& variable) {
+  memory = frame = true;
+  AddStatement(variable.initial);
 }
 
 }  // namespace compiler

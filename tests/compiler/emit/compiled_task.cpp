@@ -58,9 +58,7 @@ void Compile(const std::string& cpp, const std::string& optimization,
   }
   // What -w hides from users must not hide from us that the text is sloppy.
   std::erase(command, "-w");
-  for (const char* word : {"-Wall", "-Wextra", "-Werror", "-Wno-parentheses", "-Wno-unused"}) {
-    command.emplace_back(word);
-  }
+  for (const char* word : {"-Wall", "-Wextra", "-Werror"}) command.emplace_back(word);
   for (std::string word :
        {std::string("-I"), std::string(SOURCE_DIR "/plugins/abi"), std::string("-x"),
         std::string("c++"), std::string("-"), std::string("-o"), (folder / "plugin.so").string()}) {

@@ -55,6 +55,22 @@ TEST(EmittedText, GrowsInProportionToTheTask) {
   EXPECT_LT(twenty, ten * 5 / 2);
 }
 
+// What a C++ compiler would take minutes for.
+TEST(EmittedText, AsksForNoOptimizationOfALongFunction) {
+  const auto text_of_loop = [](int passes) {
+    return EmitText(
+        fmt::format("task looping\nsensor v: real[9]\non end_of_action {{\n"
+                    "  for i in 0..{} {{ reward a = i * norm(v) }}\n"
+                    "  end_episode success \"\"\n}}\n",
+                    passes));
+  };
+  const std::string unoptimized = "__attribute__((optimize(\"O0\")))";
+  EXPECT_EQ(text_of_loop(50).find(unoptimized), std::string::npos);
+  EXPECT_EQ(text_of_loop(50).find("for (int i"), std::string::npos);
+  EXPECT_NE(text_of_loop(400).find(unoptimized), std::string::npos);
+  EXPECT_NE(text_of_loop(400).find("for (int i"), std::string::npos);
+}
+
 TEST(EmittedText, OfNestedVectorOperationsStaysSmall) {
   std::string nested = "v";
   for (int i = 0; i < 12; ++i) nested = fmt::format("cross({}, w) * norm(w)", nested);

@@ -42,10 +42,22 @@ TEST(UniqueNames, LeavesTheNamesOfTheCompilerAlone) {
 TEST(UniqueNames, AnInnerScopeHidesNothing) {
   UniqueNames outer;
   outer.Reserve("Min");
-  UniqueNames inner = outer;
+  UniqueNames inner(&outer);
   EXPECT_EQ(inner.Add("Min"), "Min_2");
   EXPECT_EQ(inner.Add("x"), "x");
   EXPECT_EQ(outer.Add("x"), "x");
+}
+
+TEST(UniqueNames, ABlockGivesItsNamesBack) {
+  UniqueNames names;
+  names.Add("x");
+  const size_t block = names.Mark();
+  EXPECT_EQ(names.Add("x"), "x_2");
+  EXPECT_EQ(names.Add("y"), "y");
+  names.GiveBackTo(block);
+  EXPECT_EQ(names.Add("y"), "y");
+  EXPECT_EQ(names.Add("x"), "x_2");
+  EXPECT_EQ(names.Add("x"), "x_3");
 }
 
 }  // namespace

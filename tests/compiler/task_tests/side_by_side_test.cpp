@@ -36,6 +36,39 @@ std::string Differing(const std::string& built, const std::string& meant) {
 
 TEST(SideBySide, AgreesOnTheSame) { EXPECT_EQ(Differing("kept = x", "kept = x"), ""); }
 
+// A function that is too long to optimize, with everything that is written out in a short one.
+TEST(SideBySide, AgreesOnALongFunction) {
+  const BuiltTask task(R"(task built
+sensor u: real[9]
+sensor q: quat
+sensor c: bool[9]
+memory v: vec3 = 0
+memory w: real[9] = 0
+memory seen: bool[9] = false
+fn turned(x: real[9]) -> real[9] = x[8, 7, 6, 5, 4, 3, 2, 1, 0] * 0.75
+on end_of_time_step {
+  for i in 0..39 {
+    for k in 0..2 {
+      let x = turned(u * (i + 1) + w) / 3
+      w[5, 3, 1, 0, 7, 8] = x[0..5] + w[3..8] * 0.125
+      v = cross(v, x[2, 4, 6][0] * inverse(q).xyz) + rotate(q, v) / 7
+      seen[0, 2, 4, 6, 8, 7] = c[3..8]
+      if any(seen) and not all(c) { reward touch = norm(x) * count(seen) + min(x) - max(w) }
+      reward rate turn = dot(v, v) * exp(-sum(x) / 50) + select(c[k], 1, tanh(v[k]))
+    }
+  }
+  if norm(w) > 1e6 { end_episode success "far" }
+}
+)");
+  SideBySide both(task.task(), *task.plugin);
+  for (int step = 0; step < 20; ++step) {
+    both.SetSensor(0, Reals{0.5, -1, 0.25, 3, step * 0.1, 1 / 3.0, -0.7, 2, 1e-3});
+    both.SetSensor(1, Reals{0.9, 0.1, -0.3, 0.2});
+    both.SetSensor(2, Integers{1, 0, step % 2, 0, 0, step % 3 == 0, 0, 1, 0});
+    EXPECT_NO_THROW(both.Fire(EventKind::kEndOfTimeStep, 0.005));
+  }
+}
+
 TEST(SideBySide, FindsWhatDiffers) {
   EXPECT_EQ(Differing("kept += x + 0.25", "kept += x"),
             "after `end_of_time_step`, memory `kept`[0] is 0.75 in the plugin and 0.5 in the "

@@ -1,0 +1,37 @@
+#include "compiler/emit/code_size.h"
+
+#include <algorithm>
+
+#include "base/variant/overloaded.h"
+#include "compiler/check/traversal.h"
+
+namespace compiler {
+namespace {
+
+// Reading costs nothing; all else is done for each element.
+uint64_t OperationsIn(const CheckedExpression& part) {
+  return std::visit(
+      variant::Overloaded{
+          [&](const CheckedUnary&) -> uint64_t { return part.type.size(); },
+          [&](const CheckedBinary&) -> uint64_t { return part.type.size(); },
+          [](const BuiltinCall& call) {
+            uint64_t most = 1;
+            for (const CheckedExpressionPtr& argument : call.arguments) {
+              most = std::max<uint64_t>(most, argument->type.size());
+            }
+            return most;
+          },
+          [](const FunctionCall& call) -> uint64_t { return 1 + call.arguments.size(); },
+          [](const auto&) -> uint64_t { return 0; },
+      },
+      part.node);
+}
+
+}  // namespace
+
+void CodeSize::Add(const CheckedExpression& expression) {
+  ForEachPart(expression,
+              [this](const CheckedExpression& part) { operations_ += OperationsIn(part); });
+}
+
+}  // namespace compiler
