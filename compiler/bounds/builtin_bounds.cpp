@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <type_traits>
 #include <utility>
 
 #include "compiler/bounds/expression_bounds.h"
@@ -37,35 +38,37 @@ class BuiltinCalculation {
       case Builtin::kAbs:
         return EachElement(Abs);
       case Builtin::kMin:
-        return Box(Extremum(Min));
+        return arguments_.size() == 1 ? Box(Extremum(Min)) : EachElement(Min);
       case Builtin::kMax:
-        return Box(Extremum(Max));
+        return arguments_.size() == 1 ? Box(Extremum(Max)) : EachElement(Max);
       case Builtin::kClamp:
-        return Box(Min(Max(scalar(0), scalar(1)), scalar(2)));
+        return EachElement([](const Interval& x, const Interval& low, const Interval& high) {
+          return Min(Max(x, low), high);
+        });
       case Builtin::kSqrt:
-        return Box(Sqrt(scalar(0)));
+        return EachElement(Sqrt);
       case Builtin::kExp:
-        return Box(Exp(scalar(0)));
+        return EachElement(Exp);
       case Builtin::kLog:
-        return Box(Log(scalar(0)));
+        return EachElement(Log);
       case Builtin::kTanh:
-        return Box(Tanh(scalar(0)));
+        return EachElement(Tanh);
       case Builtin::kSin:
-        return Box(Sin(scalar(0)));
+        return EachElement(Sin);
       case Builtin::kCos:
-        return Box(Cos(scalar(0)));
+        return EachElement(Cos);
       case Builtin::kAtan2:
-        return Box(Atan2(scalar(0), scalar(1)));
+        return EachElement(Atan2);
       case Builtin::kTan:
-        return Box(Tan(scalar(0)));
+        return EachElement(Tan);
       case Builtin::kAsin:
-        return Box(Asin(scalar(0)));
+        return EachElement(Asin);
       case Builtin::kAcos:
-        return Box(Acos(scalar(0)));
+        return EachElement(Acos);
       case Builtin::kAtan:
-        return Box(Atan(scalar(0)));
+        return EachElement(Atan);
       case Builtin::kPow:
-        return Box(Pow(scalar(0), scalar(1)));
+        return EachElement(Pow);
       case Builtin::kSign:
         return EachElement(Sign);
       case Builtin::kFloor:
@@ -75,7 +78,7 @@ class BuiltinCalculation {
       case Builtin::kRound:
         return EachElement(Round);
       case Builtin::kSelect:
-        return Select();
+        return EachElement(Select);
       case Builtin::kVector:
         return Vector();
     }
@@ -83,24 +86,33 @@ class BuiltinCalculation {
   }
 
  private:
-  const Interval& scalar(size_t argument) const { return arguments_[argument][0]; }
   const Interval& element(size_t argument, size_t i) const { return arguments_[argument][i]; }
   // The number of elements of the first argument, tracked or not.
   uint32_t size() const { return call_.arguments[0]->type.size(); }
   // The number of them that give one element of the result.
   uint32_t length() const { return size() / type_.size(); }
 
+  // `function` gets an interval of each argument.
   template <typename Function>
   Box EachElement(const Function& function) const {
+    size_t size = 1;
+    for (const Box& argument : arguments_) size = std::max(size, argument.size());
     std::vector<Interval> elements;
-    for (const Interval& x : arguments_[0].elements()) elements.push_back(function(x));
+    for (size_t i = 0; i < size; ++i) {
+      if constexpr (std::is_invocable_v<Function, Interval>) {
+        elements.push_back(function(element(0, i)));
+      } else if constexpr (std::is_invocable_v<Function, Interval, Interval>) {
+        elements.push_back(function(element(0, i), element(1, i)));
+      } else {
+        elements.push_back(function(element(0, i), element(1, i), element(2, i)));
+      }
+    }
     return Box(std::move(elements));
   }
 
-  Box Select() const {
-    if (!MayBeFalse(scalar(0))) return arguments_[1];
-    if (!MayBeTrue(scalar(0))) return arguments_[2];
-    return Join(arguments_[1], arguments_[2]);
+  static Interval Select(const Interval& condition, const Interval& x, const Interval& y) {
+    if (!MayBeFalse(condition)) return x;
+    return MayBeTrue(condition) ? Join(x, y) : y;
   }
 
   Box Vector() const {
@@ -164,10 +176,9 @@ class BuiltinCalculation {
     return Box(std::move(elements));
   }
 
-  // Of two numbers, or of the elements of one value.
+  // Of the elements of one value.
   template <typename Function>
   Interval Extremum(const Function& function) const {
-    if (arguments_.size() == 2) return function(scalar(0), scalar(1));
     Interval extremum = element(0, 0);
     for (const Interval& x : arguments_[0].elements()) extremum = function(extremum, x);
     return extremum;

@@ -173,7 +173,7 @@ void EventBounds::NoteOperands(const CheckedExpression& condition, const Values&
     for (const CheckedExpression* operand : {binary->left.get(), binary->right.get()})
       if (!std::holds_alternative<Constant>(operand->node))
         bounds.operands.push_back(
-            {operand->span, ExpressionBounds(task_, values).Of(*operand), operand->unit});
+            {operand->span, Hull(ExpressionBounds(task_, values).AllOf(*operand)), operand->unit});
   });
 }
 

@@ -71,6 +71,11 @@ Interval Narrowing::Of(const CheckedExpression& expression) const {
   return ExpressionBounds(task_, values_).Of(expression);
 }
 
+Interval Narrowing::Of(const CheckedExpression& expression, uint32_t element) const {
+  if (expression.type.shape == Shape::kScalar) return Of(expression);
+  return ExpressionBounds(task_, values_).AllOf(expression)[element];
+}
+
 // ---- Conditions -----------------------------------------------------------------------------
 
 bool Narrowing::Assume(const CheckedExpression& condition, bool truth) {
@@ -88,7 +93,7 @@ bool Narrowing::Assume(const CheckedUnary& unary, bool truth) {
 }
 
 bool Narrowing::Assume(const CheckedBinary& binary, bool truth) {
-  if (IsComparison(binary.op)) return AssumeComparison(binary, truth);
+  if (IsComparison(binary.op)) return AssumeComparison(binary, 0, truth);
   const bool are_both = (binary.op == kAnd) == truth;
   if (are_both) return Assume(*binary.left, truth) && Assume(*binary.right, truth);
   return AssumeEither(*binary.left, *binary.right, truth);
@@ -110,33 +115,36 @@ bool Narrowing::AssumeEither(const CheckedExpression& a, const CheckedExpression
   return holds_a || holds_b;
 }
 
-bool Narrowing::AssumeComparison(const CheckedBinary& comparison, bool truth) {
+bool Narrowing::AssumeComparison(const CheckedBinary& comparison, uint32_t element, bool truth) {
   const CheckedExpression& left = *comparison.left;
   const CheckedExpression& right = *comparison.right;
-  const Interval l = Of(left);
-  const Interval r = Of(right);
+  const auto restrict = [&](const CheckedExpression& operand, const Interval& range) {
+    return RestrictElement(operand, element, range);
+  };
+  const Interval l = Of(left, element);
+  const Interval r = Of(right, element);
   const bool may_be_nan = l.may_be_nan || r.may_be_nan;
   // What is not a number differs from all, and all else that is said of it is false.
   if (may_be_nan && truth == (comparison.op == kNotEqual)) return true;
   const Scalar scalar = left.type.scalar;
   switch (truth ? comparison.op : Opposite(comparison.op)) {
     case kLess:
-      return Restrict(left, {-kInfinity, Below(r.high, scalar)}) &&
-             Restrict(right, {Above(l.low, scalar), kInfinity});
+      return restrict(left, {-kInfinity, Below(r.high, scalar)})&& restrict(
+          right, {Above(l.low, scalar), kInfinity});
     case kLessEqual:
-      return Restrict(left, {-kInfinity, r.high}) && Restrict(right, {l.low, kInfinity});
+      return restrict(left, {-kInfinity, r.high})&& restrict(right, {l.low, kInfinity});
     case kGreater:
-      return Restrict(left, {Above(r.low, scalar), kInfinity}) &&
-             Restrict(right, {-kInfinity, Below(l.high, scalar)});
+      return restrict(left, {Above(r.low, scalar), kInfinity})&& restrict(
+          right, {-kInfinity, Below(l.high, scalar)});
     case kGreaterEqual:
-      return Restrict(left, {r.low, kInfinity}) && Restrict(right, {-kInfinity, l.high});
+      return restrict(left, {r.low, kInfinity})&& restrict(right, {-kInfinity, l.high});
     case kEqual:
-      return Restrict(left, r) && Restrict(right, l);
+      return restrict(left, r)&& restrict(right, l);
     default:
       break;
   }
-  if (IsExact(r) && l.low == r.low) return Restrict(left, {Above(l.low, scalar), kInfinity});
-  if (IsExact(r) && l.high == r.low) return Restrict(left, {-kInfinity, Below(l.high, scalar)});
+  if (IsExact(r) && l.low == r.low) return restrict(left, {Above(l.low, scalar), kInfinity});
+  if (IsExact(r) && l.high == r.low) return restrict(left, {-kInfinity, Below(l.high, scalar)});
   return true;
 }
 
@@ -182,9 +190,9 @@ bool Narrowing::Assume(const BuiltinCall& call, bool truth) {
 }
 
 bool Narrowing::AssumeEach(const CheckedExpression& conditions, bool truth) {
-  if (conditions.type.shape == Shape::kScalar) return Assume(conditions, truth);
+  if (conditions.type.size() > kTrackedElements) return true;
   for (uint32_t i = 0; i < conditions.type.size(); ++i)
-    if (!RestrictElement(conditions, i, Exactly(truth ? 1 : 0))) return false;
+    if (!AssumeElement(conditions, i, truth)) return false;
   return true;
 }
 
@@ -196,7 +204,19 @@ bool Narrowing::AssumeSome(const CheckedExpression& conditions, bool truth) {
   const auto fits = [truth](const Interval& x) { return truth ? MayBeTrue(x) : MayBeFalse(x); };
   if (std::ranges::count_if(now.elements(), fits) > 1) return true;
   const auto only = std::ranges::find_if(now.elements(), fits) - now.elements().begin();
-  return RestrictElement(conditions, static_cast<uint32_t>(only), Exactly(truth ? 1 : 0));
+  return AssumeElement(conditions, static_cast<uint32_t>(only), truth);
+}
+
+bool Narrowing::AssumeElement(const CheckedExpression& conditions, uint32_t element, bool truth) {
+  if (conditions.type.shape == Shape::kScalar) return Assume(conditions, truth);
+  if (const auto* unary = std::get_if<CheckedUnary>(&conditions.node))
+    return AssumeElement(*unary->operand, element, !truth);
+  const auto* binary = std::get_if<CheckedBinary>(&conditions.node);
+  if (binary == nullptr) return RestrictElement(conditions, element, Exactly(truth ? 1 : 0));
+  if (IsComparison(binary->op)) return AssumeComparison(*binary, element, truth);
+  const bool are_both = (binary->op == kAnd) == truth;
+  return !are_both || (AssumeElement(*binary->left, element, truth) &&
+                       AssumeElement(*binary->right, element, truth));
 }
 
 // ---- Numbers --------------------------------------------------------------------------------
@@ -309,6 +329,7 @@ bool Narrowing::Restrict(const BuiltinCall& call, const Interval& range) {
 
 bool Narrowing::RestrictElement(const CheckedExpression& expression, uint32_t element,
                                 const Interval& range) {
+  if (expression.type.shape == Shape::kScalar) return Restrict(expression, range);
   if (const auto* elements = std::get_if<Elements>(&expression.node))
     return RestrictElement(*elements->operand, elements->indices[element], range);
   Box* box = BoxOf(expression);

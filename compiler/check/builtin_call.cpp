@@ -41,7 +41,7 @@ class BuiltinCheck {
     if (rule() == kTwoRows) MakeAlike(argument(0), argument(1));
     const bool goes_by_parts = rule() == kNumbers || rule() == kTwoVec3;
     if (goes_by_parts && HasVectors()) return Replaced(function, *unit);
-    return Build(function, ResultType(), *unit);
+    return Build(function, *unit);
   }
 
  private:
@@ -51,7 +51,7 @@ class BuiltinCheck {
   bool Is(std::variant<Builtin, Composite> function) const { return builtin_.function == function; }
   bool IsComposite() const { return std::holds_alternative<Composite>(builtin_.function); }
   // `min`, `max`: of one vector or array, or of several numbers.
-  bool IsExtremum() const { return builtin_.arguments == kScalars && builtin_.min_arguments == 1; }
+  bool IsExtremum() const { return Is(Builtin::kMin) || Is(Builtin::kMax); }
   ArgumentRule rule() const {
     return IsExtremum() && arguments_.size() == 1 ? kNumbers : builtin_.arguments;
   }
@@ -75,8 +75,37 @@ class BuiltinCheck {
     for (size_t i = 0; i < arguments_.size(); ++i) fits = CheckType(i) && fits;
     if (!fits) return false;
     if (rule() == kTwoRows || rule() == kTwoVec3) return AreVectorsAlike();
-    if (rule() == kChoice) return AreOfOneType(1, 2);
+    if (rule() == kChoice && IsScalar(type(0))) return AreOfOneType(1, 2);
+    if (rule() == kChoice)
+      return IsBool(type(1)) == IsBool(type(2)) ? AreOfOneShape() : AreOfOneType(1, 2);
+    if (IsOfElements() && !AreOfOneShape()) return false;
     return !Is(Composite::kTolerance) || HasMargin();
+  }
+
+  // Does it apply to each element of what it is given?
+  bool IsOfElements() const { return rule() == kElements || rule() == kRealElements; }
+
+  // The first of the arguments that is no scalar, or the first one.
+  const CheckedExpression& FirstWithShape(size_t count) {
+    for (size_t i = 0; i < count; ++i)
+      if (!IsScalar(type(i))) return argument(i);
+    return argument(0);
+  }
+
+  // But for those that are scalars, which apply to each element of the others.
+  bool AreOfOneShape() {
+    const CheckedExpression& first = FirstWithShape(arguments_.size());
+    for (size_t i = 0; i < arguments_.size(); ++i) {
+      Type shape = type(i);
+      shape.scalar = first.type.scalar;
+      if (IsScalar(shape) || shape == first.type) continue;
+      Report(diagnostics_, code::kWrongArgument, span_,
+             fmt::format("`{}` needs values of one shape, or single ones", builtin_.name),
+             {.labels = {{first.span, fmt::format("`{}`", ToString(first.type))},
+                         {argument(i).span, fmt::format("`{}`", ToString(type(i)))}}});
+      return false;
+    }
+    return true;
   }
 
   bool HasVectors() const {
@@ -134,7 +163,7 @@ class BuiltinCheck {
       case kTwoVec3:
         return IsOfVec3(type) && IsOpenTo(type);
       case kChoice:
-        return i > 0 || (IsBool(type) && IsScalar(type));
+        return i > 0 || IsBool(type);
       case kRotation:
         return i > 0 ? IsOfVec3(type)
                      : type.shape == Shape::kQuaternion ||
@@ -144,9 +173,8 @@ class BuiltinCheck {
       case kMatrix:
         return type.shape == Shape::kMatrix;
       case kElements:
+      case kRealElements:
         return IsNumber(type) && !IsOfQuaternions(type);
-      case kScalars:
-      case kRealScalars:
       case kParts:
         return IsNumber(type) && IsScalar(type);
     }
@@ -172,7 +200,7 @@ class BuiltinCheck {
       case kTwoVec3:
         return "two `vec3`";
       case kChoice:
-        return "a single `bool` first";
+        return "a `bool` or an array of them first";
       case kRotation:
         return i > 0 ? "a `vec3` to rotate" : "a `quat` or a `mat3` first";
       case kQuaternion:
@@ -180,11 +208,10 @@ class BuiltinCheck {
       case kMatrix:
         return "a matrix";
       case kElements:
+      case kRealElements:
         return "numbers";
-      case kScalars:
-      case kRealScalars:
       case kParts:
-        return arguments_.size() == 1 ? "a single number" : "single numbers";
+        return "single numbers";
     }
     return "";
   }
@@ -300,32 +327,35 @@ class BuiltinCheck {
   void ConvertArguments() {
     const ArgumentRule applied = rule();
     if (applied == kChoice) return ConvertChoice();
-    const bool keeps_ints =
-        !IsComposite() && (applied == kNumbers || applied == kElements || applied == kScalars);
+    const bool keeps_ints = !IsComposite() && (applied == kNumbers || applied == kElements);
     if (applied == kConditions || (keeps_ints && AllInts())) return;
     for (Operand& operand : arguments_) operand.expression = ToReal(std::move(operand.expression));
   }
 
   void ConvertChoice() {
-    if (type(1) == type(2)) return;
+    if (type(1).scalar == type(2).scalar) return;
     for (size_t i : {1, 2}) argument(i) = ToReal(std::move(argument(i)));
   }
 
-  // After the conversion of the arguments.
-  Type ResultType() {
+  // Of a call with the first `count` arguments, after their conversion.
+  Type ResultType(size_t count) {
     switch (rule()) {
       case kConditions:
         return ScalarType(Is(Builtin::kCount) ? Scalar::kInt : Scalar::kBool);
       case kNumbers:
         return ScalarType(type(0).scalar);
       case kTwoVec3:
-      case kElements:
-      case kScalars:
         return type(0);
+      case kElements:
+      case kRealElements:
+        return FirstWithShape(count).type;
       case kParts:
         return *FindType(builtin_.name);
-      case kChoice:
-        return type(1);
+      case kChoice: {
+        Type result = IsScalar(type(0)) ? type(1) : type(0);
+        result.scalar = type(1).scalar;
+        return result;
+      }
       case kRow:
       case kTwoRows:
         if (HasVectors()) return WithEntries(type(0), ScalarType(Scalar::kReal));
@@ -333,7 +363,6 @@ class BuiltinCheck {
       case kRotation:
       case kQuaternion:
       case kMatrix:
-      case kRealScalars:
         break;
     }
     return ScalarType(Scalar::kReal);
@@ -346,19 +375,19 @@ class BuiltinCheck {
     return Expand(function, span_, unit, std::move(values), diagnostics_);
   }
 
-  std::optional<CheckedExpression> Build(Builtin function, const Type& result, const Unit& unit) {
+  std::optional<CheckedExpression> Build(Builtin function, const Unit& unit) {
     while (IsExtremum() && arguments_.size() > 2) {
-      auto inner = Call(function, result, unit, 2);
+      auto inner = Call(function, unit, 2);
       if (!inner) return std::nullopt;
       arguments_.erase(arguments_.begin());
       argument(0) = std::move(*inner);
     }
-    return Call(function, result, unit, arguments_.size());
+    return Call(function, unit, arguments_.size());
   }
 
   // The call with the first `count` arguments.
-  std::optional<CheckedExpression> Call(Builtin function, const Type& result, const Unit& unit,
-                                        size_t count) {
+  std::optional<CheckedExpression> Call(Builtin function, const Unit& unit, size_t count) {
+    const Type result = ResultType(count);
     BuiltinCall call{function, {}};
     for (size_t i = 0; i < count; ++i)
       call.arguments.push_back(std::make_unique<CheckedExpression>(std::move(argument(i))));

@@ -15,19 +15,18 @@ namespace compiler {
 // of an array element by element; what takes a vector takes each vector of an array, if need be
 // beside the same other one.
 enum class ArgumentRule {
-  kConditions,   // a bool or an array of them -> a bool, or an int for `count`
-  kNumbers,      // a number, vector or array -> its scalar type; of vectors: a vector
-  kRow,          // a vector or array -> a real; an array of vectors -> an array
-  kTwoRows,      // two of the same vector or array type -> as kRow
-  kTwoVec3,      // two vec3 -> a vec3; one or both an array of them -> such an array
-  kElements,     // anything of numbers, element by element -> the same type
-  kScalars,      // numbers -> an int if all are, else a real
-  kRealScalars,  // numbers -> a real
-  kParts,        // numbers -> the type called like the function
-  kChoice,       // a condition and two values of one type -> that type
-  kRotation,     // a quat or a mat3, and a vec3 or an array of them -> the type of what is rotated
-  kQuaternion,   // a quat -> a quat for `inverse`, else a real
-  kMatrix,       // a matrix -> the same type
+  kConditions,    // a bool or an array of them -> a bool, or an int for `count`
+  kNumbers,       // a number, vector or array -> its scalar type; of vectors: a vector
+  kRow,           // a vector or array -> a real; an array of vectors -> an array
+  kTwoRows,       // two of the same vector or array type -> as kRow
+  kTwoVec3,       // two vec3 -> a vec3; one or both an array of them -> such an array
+  kElements,      // single numbers, or elements of one shape -> ints if all are, else reals
+  kRealElements,  // single numbers, or elements of one shape -> reals
+  kParts,         // numbers -> the type called like the function
+  kChoice,        // a condition and two values of one type -> that type; or elements of one shape
+  kRotation,      // a quat or a mat3, and a vec3 or an array of them -> the type of what is rotated
+  kQuaternion,    // a quat -> a quat for `inverse`, else a real
+  kMatrix,        // a matrix -> the same type
 };
 
 // What the units of arguments and result have to do with each other.

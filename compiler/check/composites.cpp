@@ -29,6 +29,17 @@ class Expansion {
 
   std::optional<CheckedExpression> Build(std::variant<Builtin, Composite> function,
                                          const Unit& unit) {
+    return Build([&] { return std::visit([&](auto each) { return Equation(each); }, function); },
+                 unit);
+  }
+
+  std::optional<CheckedExpression> BuildProduct(const Unit& unit) {
+    return Build([&] { return QuaternionProduct(); }, unit);
+  }
+
+ private:
+  template <typename WriteEquation>
+  std::optional<CheckedExpression> Build(const WriteEquation& write, const Unit& unit) {
     for (const CheckedExpression& argument : arguments_) {
       if (SizeOf(argument) <= kLargestArgument) continue;
       Report(diagnostics_, code::kTooDeep, argument.span,
@@ -36,13 +47,12 @@ class Expansion {
              {.help = "give parts of it a name with `let`"});
       return std::nullopt;
     }
-    CheckedExpression result = std::visit([&](auto each) { return Equation(each); }, function);
+    CheckedExpression result = write();
     result.unit = unit;
     if (has_failed_) return std::nullopt;
     return result;
   }
 
- private:
   CheckedExpression Equation(Composite function) {
     switch (function) {
       case Composite::kMean:
@@ -66,11 +76,11 @@ class Expansion {
         return Call(Builtin::kAtan2, kReal, Norm(Cross(Argument(0), Argument(1))),
                     Call(Builtin::kDot, kReal, Argument(0), Argument(1)));
       case Composite::kWrap:
-        return Subtract(Argument(0),
-                        Multiply(Number(2 * std::numbers::pi),
-                                 Call(Builtin::kCeil, kReal,
-                                      Divide(Subtract(Argument(0), Number(std::numbers::pi)),
-                                             Number(2 * std::numbers::pi)))));
+        return Subtract(
+            Argument(0),
+            Multiply(Number(2 * std::numbers::pi),
+                     Each(Builtin::kCeil, Divide(Subtract(Argument(0), Number(std::numbers::pi)),
+                                                 Number(2 * std::numbers::pi)))));
       case Composite::kTolerance:
         return Tolerance();
     }
@@ -148,6 +158,20 @@ class Expansion {
                   Call(Builtin::kSum, kReal, Multiply(Argument(0), Argument(0))));
   }
 
+  // q w + i x + j y + k z of the elements of q, each times the elements of p in their places.
+  CheckedExpression QuaternionProduct() {
+    const Type& type = arguments_[1].type;
+    const auto summand = [&](uint32_t i, std::vector<uint32_t> places, const double(&signs)[4]) {
+      CheckedExpression factors = Call(Builtin::kVector, type, Number(signs[0]), Number(signs[1]),
+                                       Number(signs[2]), Number(signs[3]));
+      return Multiply(Part(0, {i}),
+                      Multiply(Picked(Argument(1), std::move(places), type), std::move(factors)));
+    };
+    return Add(
+        Add(Multiply(Part(0, {0}), Argument(1)), summand(1, {1, 0, 3, 2}, {-1, 1, -1, 1})),
+        Add(summand(2, {2, 3, 0, 1}, {-1, 1, 1, -1}), summand(3, {3, 2, 1, 0}, {-1, -1, 1, 1})));
+  }
+
   CheckedExpression Transposed() {
     const Type type = arguments_[0].type;
     std::vector<uint32_t> indices;
@@ -173,12 +197,11 @@ class Expansion {
 
   CheckedExpression Tolerance() {
     const auto excess = [&] {
-      CheckedExpression distance = Call(Builtin::kMax, kReal, Subtract(Argument(1), Argument(0)),
+      CheckedExpression distance = Each(Builtin::kMax, Subtract(Argument(1), Argument(0)),
                                         Subtract(Argument(0), Argument(2)));
-      return Divide(Call(Builtin::kMax, kReal, std::move(distance), Number(0)), Argument(3));
+      return Divide(Each(Builtin::kMax, std::move(distance), Number(0)), Argument(3));
     };
-    return Call(Builtin::kExp, kReal,
-                Multiply(Number(-std::numbers::ln10), Multiply(excess(), excess())));
+    return Each(Builtin::kExp, Multiply(Number(-std::numbers::ln10), Multiply(excess(), excess())));
   }
 
   // ---- Parts ----
@@ -216,6 +239,14 @@ class Expansion {
     return Node(type, CheckedBinary{op, Owned(std::move(a)), Owned(std::move(b))});
   }
 
+  // Of each element; the second argument of two is no larger than the first, or the first a scalar.
+  template <typename... Others>
+  CheckedExpression Each(Builtin function, CheckedExpression x, Others... others) {
+    Type type = x.type;
+    ((type = IsScalar(type) ? others.type : type), ...);
+    return Call(function, type, std::move(x), std::move(others)...);
+  }
+
   template <typename... Arguments>
   CheckedExpression Call(Builtin function, const Type& type, Arguments... arguments) {
     BuiltinCall call{function, {}};
@@ -243,6 +274,14 @@ class Expansion {
 };
 
 }  // namespace
+
+std::optional<CheckedExpression> ExpandProduct(CheckedExpression q, CheckedExpression p, Span span,
+                                               const Unit& unit, Diagnostics& diagnostics) {
+  std::vector<CheckedExpression> factors;
+  factors.push_back(std::move(q));
+  factors.push_back(std::move(p));
+  return Expansion(span, std::move(factors), diagnostics).BuildProduct(unit);
+}
 
 std::optional<CheckedExpression> Expand(std::variant<Builtin, Composite> function, Span span,
                                         const Unit& unit, std::vector<CheckedExpression> arguments,

@@ -1,5 +1,5 @@
-// Functions of the language that are equations of others. A call is replaced by its equation, so
-// that nothing after the checker has to know them.
+// Functions of the language, and the product of two quaternions, that are equations of others. A
+// call is replaced by its equation, so that nothing after the checker has to know them.
 //
 //   mean(v)                 sum(v) / n
 //   normalize(v)            v / max(norm(v), smallest), so that a vector of zeros stays one
@@ -42,5 +42,9 @@ enum class Composite {
 std::optional<CheckedExpression> Expand(std::variant<Builtin, Composite> function, Span span,
                                         const Unit& unit, std::vector<CheckedExpression> arguments,
                                         Diagnostics& diagnostics);
+
+// The same, of `q * p`, Hamilton's product of two quaternions.
+std::optional<CheckedExpression> ExpandProduct(CheckedExpression q, CheckedExpression p, Span span,
+                                               const Unit& unit, Diagnostics& diagnostics);
 
 }  // namespace compiler

@@ -5,6 +5,7 @@
 
 #include "compiler/check/arithmetic.h"
 #include "compiler/check/report.h"
+#include "compiler/check/type.h"
 
 namespace compiler {
 namespace {
@@ -20,6 +21,7 @@ struct Evaluate {
     const auto left = ValueOf(*binary.left);
     const auto right = ValueOf(*binary.right);
     if (left && right) return Calculate(binary.op, *left, *right);
+    if (!IsScalar(binary.left->type) || !IsScalar(binary.right->type)) return std::nullopt;
     const auto known = left ? left : right;
     if (binary.op == BinaryOperator::kAnd && known == 0) return 0;
     if (binary.op == BinaryOperator::kOr && known == 1) return 1;

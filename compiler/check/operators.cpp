@@ -3,6 +3,7 @@
 #include <string_view>
 #include <utility>
 
+#include "compiler/check/composites.h"
 #include "compiler/check/elements.h"
 #include "compiler/check/fold.h"
 #include "compiler/check/report.h"
@@ -74,32 +75,49 @@ class BinaryCheck {
   std::optional<CheckedExpression> CheckLogic() {
     const bool left_fits = IsCondition(left());  // both are checked, for their messages
     const bool fits = IsCondition(right()) && left_fits;
-    return fits ? Build(ScalarType(Scalar::kBool), {}) : std::nullopt;
+    return fits ? BuildConditions() : std::nullopt;
   }
 
   bool IsCondition(const CheckedExpression& operand) {
-    if (operand.type == ScalarType(Scalar::kBool)) return true;
-    const bool is_row = IsBool(operand.type);
-    Report(
-        diagnostics_, code::kWrongOperand, operand.span,
-        fmt::format("`{}` joins two `bool` values", TextOf(op_)),
-        {.note = fmt::format("this is {}", WithArticle(operand.type)),
-         .help = is_row ? "reduce it with `any`, `all` or `none`" : "compare it, as in `x > 0`"});
+    if (IsBool(operand.type)) return true;
+    Report(diagnostics_, code::kWrongOperand, operand.span,
+           fmt::format("`{}` joins two `bool` values", TextOf(op_)),
+           {.note = fmt::format("this is {}", WithArticle(operand.type)),
+            .help = "compare it, as in `x > 0`"});
     return false;
   }
 
+  // A condition, or one for each element.
+  std::optional<CheckedExpression> BuildConditions() {
+    const Type& shaped = IsScalar(left().type) ? right().type : left().type;
+    Type other = right().type;
+    other.scalar = shaped.scalar;
+    if (!IsScalar(other) && other != shaped)
+      return WrongOperands("both need the same shape, or one a single value");
+    if (IsScalar(shaped)) return Build(ScalarType(Scalar::kBool), {});
+    return Build(ArrayOf(ScalarType(Scalar::kBool), shaped.rows, shaped.index), {});
+  }
+
   std::optional<CheckedExpression> CheckComparison() {
-    if (!IsScalar(left().type) || !IsScalar(right().type))
+    if (!IsComparable(left().type) || !IsComparable(right().type))
       return WrongOperands("compare one element, or reduce with `norm`, `max`, `any` or the like");
     if (IsBool(left().type) != IsBool(right().type)) return WrongOperands("");
     if (IsBool(left().type) && !IsEquality(op_))
       return WrongOperands("only `==` and `!=` compare `bool` values");
     if (IsNumber(left().type) && !UnifyUnits()) return std::nullopt;
     UnifyScalars(false);
-    return Build(ScalarType(Scalar::kBool), {});
+    return BuildConditions();
+  }
+
+  // A single value, or a row of such.
+  static bool IsComparable(const Type& type) {
+    return IsScalar(type) || (IsRow(type) && !HasVectors(type));
   }
 
   std::optional<CheckedExpression> CheckArithmetic() {
+    const bool are_quaternions =
+        left().type.shape == Shape::kQuaternion && right().type.shape == Shape::kQuaternion;
+    if (are_quaternions && op_ == BinaryOperator::kMultiply) return CheckProduct();
     const auto type = ArithmeticType();
     if (!type) return std::nullopt;
     const auto unit = ArithmeticUnit();
@@ -109,6 +127,14 @@ class BinaryCheck {
     Type result = *type;
     result.scalar = left().type.scalar;
     return Build(result, *unit);
+  }
+
+  // Of two quaternions.
+  std::optional<CheckedExpression> CheckProduct() {
+    const auto unit = ArithmeticUnit();
+    if (!unit) return std::nullopt;
+    const Span span = Cover(left().span, right().span);
+    return ExpandProduct(std::move(left()), std::move(right()), span, *unit, diagnostics_);
   }
 
   std::optional<Type> ArithmeticType() {
@@ -222,11 +248,9 @@ std::optional<CheckedExpression> CheckUnaryOperator(UnaryOperator op, Span span,
                                                     Diagnostics& diagnostics) {
   const Type type = operand.type;
   const bool is_not = op == UnaryOperator::kNot;
-  const bool fits =
-      is_not ? type == ScalarType(Scalar::kBool) : IsNumber(type) && !IsOfQuaternions(type);
+  const bool fits = is_not ? IsBool(type) : IsNumber(type) && !IsOfQuaternions(type);
   if (!fits) {
     std::string help;
-    if (is_not && IsBool(type)) help = "write `none(...)` for: none of them is true";
     if (!is_not && IsBool(type)) help = "write `not` for the opposite of a condition";
     Report(diagnostics, code::kWrongOperand, span,
            fmt::format("`{}` cannot be applied to {}", is_not ? "not" : "-", WithArticle(type)),

@@ -52,15 +52,42 @@ Value Joined(const std::vector<Value>& values) {
   return integers;
 }
 
-Value ApplyToEach(Builtin function, const Value& value) {
+template <typename Number>
+Value ApplyToEach(Builtin function, const std::vector<std::vector<Number>>& arguments,
+                  size_t size) {
+  std::vector<Number> result;
+  std::vector<Number> elements(arguments.size());
+  for (size_t i = 0; i < size; ++i) {
+    for (size_t k = 0; k < arguments.size(); ++k) elements[k] = ElementOf(arguments[k], i);
+    result.push_back(Calculate(function, std::span<const Number>(elements)));
+  }
+  return result;
+}
+
+// Element by element, as ints where all are.
+Value ApplyToEach(Builtin function, const std::vector<Value>& arguments, size_t size) {
+  std::vector<Integers> integers;
+  std::vector<Reals> reals;
+  for (const Value& argument : arguments) {
+    if (const auto* elements = std::get_if<Integers>(&argument)) integers.push_back(*elements);
+    reals.push_back(ToReals(argument));
+  }
+  if (integers.size() == arguments.size()) return ApplyToEach(function, integers, size);
+  return ApplyToEach(function, reals, size);
+}
+
+Value Select(const std::vector<Value>& arguments, size_t size) {
+  const auto& conditions = std::get<Integers>(arguments[0]);
   return std::visit(
-      [&]<typename Number>(std::vector<Number> elements) -> Value {
-        for (Number& element : elements) {
-          element = Calculate(function, std::span<const Number>(&element, 1));
+      [&]<typename Number>(const std::vector<Number>& wanted) -> Value {
+        const auto& others = std::get<std::vector<Number>>(arguments[2]);
+        std::vector<Number> selected;
+        for (size_t i = 0; i < size; ++i) {
+          selected.push_back(ElementOf(ElementOf(conditions, i) != 0 ? wanted : others, i));
         }
-        return elements;
+        return selected;
       },
-      value);
+      arguments[1]);
 }
 
 Value ApplyToAll(Builtin function, const std::vector<Value>& arguments) {
@@ -82,19 +109,21 @@ Value Apply(Builtin function, const std::vector<Value>& arguments, const Type& t
     case Builtin::kCross:
       return Cross(ToReals(arguments[0]), ToReals(arguments[1]));
     case Builtin::kSelect:
-      return ToReals(arguments[0])[0] != 0 ? arguments[1] : arguments[2];
+      return Select(arguments, type.size());
     case Builtin::kVector:
       return Joined(arguments);
-    case Builtin::kAbs:
-    case Builtin::kSign:
-      return ApplyToEach(function, arguments[0]);
     case Builtin::kAny:
     case Builtin::kAll:
     case Builtin::kNone:
     case Builtin::kCount:
     case Builtin::kSum:
+      return ApplyToAll(function, arguments);
     case Builtin::kMin:
     case Builtin::kMax:
+      if (arguments.size() == 1) return ApplyToAll(function, arguments);
+      return ApplyToEach(function, arguments, type.size());
+    case Builtin::kAbs:
+    case Builtin::kSign:
     case Builtin::kClamp:
     case Builtin::kSqrt:
     case Builtin::kExp:
@@ -111,7 +140,7 @@ Value Apply(Builtin function, const std::vector<Value>& arguments, const Type& t
     case Builtin::kFloor:
     case Builtin::kCeil:
     case Builtin::kRound:
-      return ApplyToAll(function, arguments);
+      return ApplyToEach(function, arguments, type.size());
   }
   std::abort();
 }

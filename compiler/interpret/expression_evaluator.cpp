@@ -11,12 +11,6 @@ namespace {
 
 bool IsArithmetic(BinaryOperator op) { return op <= BinaryOperator::kDivide; }
 
-// A scalar applies to each element of the other operand.
-template <typename Number>
-Number ElementOf(const std::vector<Number>& elements, size_t i) {
-  return elements.size() == 1 ? elements.front() : elements[i];
-}
-
 template <typename Number>
 Value Combine(BinaryOperator op, const std::vector<Number>& left, const std::vector<Number>& right,
               size_t size) {
@@ -90,7 +84,11 @@ Value ExpressionEvaluator::Of(const CheckedBinary& node, const Type& type) const
   if (const auto* reals = std::get_if<Reals>(&left)) {
     const auto& others = std::get<Reals>(right);
     if (IsArithmetic(node.op)) return Combine(node.op, *reals, others, type.size());
-    return Integers{Holds(node.op, reals->front(), others.front())};
+    Integers holds;
+    for (size_t i = 0; i < type.size(); ++i) {
+      holds.push_back(Holds(node.op, ElementOf(*reals, i), ElementOf(others, i)));
+    }
+    return holds;
   }
   return Combine(node.op, std::get<Integers>(left), std::get<Integers>(right), type.size());
 }

@@ -25,6 +25,12 @@ bool IsTrue(const Value& value);
 // Each element as a double: exact but for ints beyond 2^53.
 Reals ToReals(const Value& value);
 
+// One element; a scalar has the same everywhere.
+template <typename Number>
+Number ElementOf(const std::vector<Number>& elements, size_t i) {
+  return elements.size() == 1 ? elements.front() : elements[i];
+}
+
 // The elements at `indices`, in that order.
 Value Pick(const Value& value, const std::vector<uint32_t>& indices);
 

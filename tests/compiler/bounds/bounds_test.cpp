@@ -90,6 +90,31 @@ TEST(Bounds, AreNarrowedByConditions) {
   EXPECT_NEAR(inside("2 * x + 1 <= 2", "x").high, 0.5, 1e-12);
 }
 
+TEST(Bounds, AreNarrowedByConditionsOnEachElement) {
+  const auto inside = [](const std::string& condition, const std::string& value) {
+    return BoundsOf("sensor few: real[3] in -1 .. 1\nsensor c: bool[3]",
+                    "if " + condition + " { reward rate tested = " + value + " }")
+        .terms[0]
+        .rate.value_or(kNothing);
+  };
+  ExpectEnds(inside("all(few >= 0.5)", "few[1]"), 0.5, 1);
+  ExpectEnds(inside("none(few > 0.5 or few < 0)", "few[1]"), 0, 0.5);
+  ExpectEnds(inside("all(c and few >= 0.5)", "few[1]"), 0.5, 1);
+  ExpectEnds(inside("not any(not (few >= 0.5))", "few[2]"), 0.5, 1);
+  ExpectEnds(inside("any(few >= 0.5)", "few[2]"), -1, 1);
+  ExpectEnds(inside("x >= 0.25 and all(few >= x)", "few[0]"), 0.25, 1);
+  ExpectEnds(inside("all(not c)", "count(c)"), 0, 0);
+}
+
+TEST(Bounds, OfFunctionsOfEachElement) {
+  const std::string sensors = "sensor few: real[3] in -1 .. 2\nsensor c: bool[3]";
+  ExpectEnds(RateOf("sum(max(few, 0))", sensors), 0, 6);
+  ExpectEnds(RateOf("sum(clamp(few, -0.5, 1))", sensors), -1.5, 3);
+  ExpectEnds(RateOf("sum(select(c, 1, few))", sensors), -3, 6);
+  ExpectEnds(RateOf("count(few > 3)", sensors), 0, 0);
+  ExpectEnds(RateOf("count(few >= -1 and c)", sensors), 0, 3);
+}
+
 TEST(Bounds, OfABranchWithAContradictionAreNone) {
   const TaskBounds bounds = BoundsOf("", R"(
     if x > 0.5 and x < 0.25 { reward rate never = 1 end_episode failure "never" }

@@ -96,6 +96,9 @@ TEST(Builtins, ChooseBetweenValuesOfOneType) {
   EXPECT_EQ(TypeOf("select(contact[head], 0, 1 m)"), "real [m]");
   EXPECT_EQ(TypeOf("select(contact[head], 1, 2)"), "int");
   EXPECT_EQ(TypeOf("select(contact[head], contact[body], true)"), "bool");
+  EXPECT_EQ(TypeOf("select(contact, 1, 2)"), "int[link]");
+  EXPECT_EQ(TypeOf("select(contact, 1 m, 0)"), "real[link] [m]");
+  EXPECT_EQ(TypeOf("select(contact, not contact, true)"), "bool[link]");
 }
 
 // An equation that repeats its arguments must not grow without bound.
@@ -112,6 +115,22 @@ TEST(Builtins, AreFoundByName) {
   EXPECT_EQ(std::get<Builtin>(FindBuiltin("clamp")->function), Builtin::kClamp);
   EXPECT_EQ(FindBuiltin("Clamp"), nullptr);
   EXPECT_EQ(BuiltinNames().size(), 44u);
+}
+
+TEST(Builtins, OfSingleNumbersApplyToEachElement) {
+  EXPECT_EQ(TypeOf("max(joint.angle, 0 rad)"), "real[joint] [rad]");
+  EXPECT_EQ(TypeOf("max(1, joint.angle / 1 rad, 2)"), "real[joint]");
+  EXPECT_EQ(TypeOf("clamp(base.velocity, 0, base.velocity)"), "vec3 [m/s]");
+  EXPECT_EQ(TypeOf("sqrt(base.velocity * base.velocity)"), "vec3 [m/s]");
+  EXPECT_EQ(TypeOf("sin(joint.angle)"), "real[joint]");
+  EXPECT_EQ(TypeOf("wrap(joint.angle)"), "real[joint] [rad]");
+  EXPECT_EQ(TypeOf("tolerance(joint.angle, 0, 1 rad, 1 rad)"), "real[joint]");
+  EXPECT_EQ(TypeOf("min(joint.angle)"), "real [rad]");
+  EXPECT_EQ(TypeOf("joint.angle > 1 rad"), "bool[joint]");
+  EXPECT_EQ(TypeOf("base.velocity > 1 m/s"), "bool[3]");
+  EXPECT_EQ(TypeOf("not contact"), "bool[link]");
+  EXPECT_EQ(TypeOf("contact and contact[head]"), "bool[link]");
+  EXPECT_EQ(TypeOf("base.orientation * inverse(base.orientation)"), "quat");
 }
 
 TEST(Builtins, AreDocumented) {

@@ -188,6 +188,65 @@ TEST(Expressions, Rotate) {
 }
 
 // Not a number must reach the check at the payment, whichever argument it is.
+TEST(Expressions, ApplyFunctionsToEachElement) {
+  ExpectValues(
+      "sensor x: real[3]\nsensor y: real[3]\nsensor n: int[3]\n"
+      "sensor v: vec3\n",
+      {{"sum(max(x, 0))", 8.5},
+       {"max(x, y)[1]", 2},
+       {"sum(max(x, y, 4))", 15.5},  // 4 + 4 + 7.5
+       {"max(x, y, 4)[2]", 7.5},
+       {"sum(clamp(x, y, 1))", 3},  // each raised to y, then lowered to 1
+       {"sum(min(n, 3))", 6},
+       {"sum(sqrt(x * x))", 9.5},
+       {"exp(x)[1]", std::exp(-1.0)},
+       {"sum(pow(2 * v / v, v))", 14},  // 2 + 4 + 8
+       {"atan2(y, x)[2] / 1 rad", std::atan2(-1.0, 7.5)},
+       {"sum(sin(x * 1 rad) - sin(x * 1 rad))", 0},
+       {"sum(tolerance(v, 1, 2, 1))", 2 + std::exp(-2.302585092994046)},
+       {"wrap(x * 1 rad)[2] / 1 rad", 7.5 - 2 * 3.141592653589793},
+       {"sum(round(x / 2))", 4},  // 1, -1, 4
+       {"norm(max(v, 2))", std::sqrt(4.0 + 4.0 + 9.0)}},
+      {{"x", {1, -1, 7.5}}, {"y", {0.5, 2, -1}}, {"n", {1, 2, 7}}, {"v", {1, 2, 3}}});
+}
+
+TEST(Expressions, CompareAndJoinEachElement) {
+  ExpectValues(
+      "sensor x: real[3]\nsensor c: bool[3]\nsensor d: bool[3]\nsensor v: vec3\n"
+      "sensor n: int[3]\n",
+      {{"count(x > 1)", 1},
+       {"count(x > n)", 1},
+       {"count(1 > x)", 1},
+       {"count(not c)", 1},
+       {"count(c and d)", 1},
+       {"count(c or d)", 3},
+       {"count(c == d)", 1},
+       {"count((x > 1) != c)", 1},
+       {"count(c and v.x > 0)", 2},
+       {"select(any(not c[0, 2]), 1, 0)", 1},
+       {"count(v >= 2)", 2},
+       {"sum(select(c, x, 10))", 18.5},  // 1 + 7.5 + 10
+       {"sum(select(c, 1, 0))", 2},
+       {"count(select(c, d, true))", 2},
+       {"select(v.x > 0, x, 2 * x)[2]", -1}},
+      {{"x", {1, 7.5, -1}},
+       {"c", {1, 1, 0}},
+       {"d", {0, 1, 1}},
+       {"v", {1, 2, 3}},
+       {"n", {1, 2, 7}}});
+}
+
+TEST(Expressions, MultiplyQuaternions) {
+  ExpectValues("sensor q: quat\nsensor p: quat\n",
+               {{"(q * p).w", 1 * 5 - 2 * 6 - 3 * 7 - 4 * 8},
+                {"(q * p).x", 1 * 6 + 2 * 5 + 3 * 8 - 4 * 7},
+                {"(q * p).y", 1 * 7 - 2 * 8 + 3 * 5 + 4 * 6},
+                {"(q * p).z", 1 * 8 + 2 * 7 - 3 * 6 + 4 * 5},
+                {"(q * inverse(quat(0, 1, 0, 0))).w", 2},
+                {"(q * p * q).w", -60 - 24 - 90 - 96}},  // -60 1 - 12 2 - 30 3 - 24 4
+               {{"q", {1, 2, 3, 4}}, {"p", {5, 6, 7, 8}}});
+}
+
 TEST(Expressions, KeepWhatIsNotANumber) {
   ExpectValues("sensor a: real\nsensor bad: real\nsensor v: vec3\n",
                {{"min(a, bad)", kNan},

@@ -200,9 +200,11 @@ RandomExpressions::Text RandomExpressions::Make(const Type& type, const Unit& un
   if (type.shape == Shape::kQuaternion) {
     if (random_.OneIn(6)) return {Constructed("quat", 4, {}, depth)};
     const std::string read = Read(type, {});
+    if (random_.OneIn(4)) return {fmt::format("({} * {})", read, Make(type, {}, depth - 2).text)};
     return {random_.OneIn(3) ? fmt::format("inverse({})", read) : read};
   }
   if (HasVectors(type)) return MakeVectors(type, unit, depth);
+  if (IsRow(type) && IsBool(type)) return MakeConditions(type, depth);
   if (IsRow(type)) return MakeRow(type, unit, depth);
   switch (type.scalar) {
     case Scalar::kBool:
@@ -232,8 +234,7 @@ RandomExpressions::Text RandomExpressions::MakeBool(int depth) {
       return {fmt::format("(not {})", operand.text), operand.is_constant};
     }
     case 2: {
-      const std::string row = Read(RandomRow(Scalar::kBool).value_or(boolean), {});
-      return {fmt::format("{}({})", random_.OneOf({"any", "all", "none"}), row)};
+      return {fmt::format("{}({})", random_.OneOf({"any", "all", "none"}), SomeConditions(depth))};
     }
     default: {
       const Text left = Make(boolean, {}, depth - 1);
@@ -245,14 +246,54 @@ RandomExpressions::Text RandomExpressions::MakeBool(int depth) {
   }
 }
 
+// A row of conditions where there is one, or comparisons of the elements of a row.
+std::string RandomExpressions::SomeConditions(int depth) {
+  if (const auto numbers = RandomRow(Scalar::kReal); numbers && random_.OneIn(2)) {
+    const Unit unit = RandomUnit();
+    return Comparison(*numbers, random_.OneIn(2) ? *numbers : ScalarType(Scalar::kReal), unit,
+                      depth);
+  }
+  const auto row = RandomRow(Scalar::kBool);
+  return row ? Make(*row, {}, depth - 2).text : Read(ScalarType(Scalar::kBool), {});
+}
+
+std::string RandomExpressions::Comparison(const Type& left, const Type& right, const Unit& unit,
+                                          int depth) {
+  return fmt::format("({} {} {})", Make(left, unit, depth - 2).text,
+                     random_.OneOf({"<", "<=", ">", ">=", "==", "!="}),
+                     Make(right, unit, depth - 2).text);
+}
+
+RandomExpressions::Text RandomExpressions::MakeConditions(const Type& type, int depth) {
+  const auto part = [&] { return Make(type, {}, depth - 1).text; };
+  Type numbers = type;
+  numbers.scalar = Scalar::kReal;
+  switch (depth <= 0 ? 0 : random_.Below(6)) {
+    case 0:
+      return {Read(type, {})};
+    case 1:
+      return {fmt::format("(not {})", part())};
+    case 2:
+      if (Read(numbers, {}).empty()) return {part()};
+      return {Comparison(numbers, random_.OneIn(2) ? numbers : ScalarType(Scalar::kReal),
+                         RandomUnit(), depth)};
+    case 3:
+      return {fmt::format("select({}, {}, {})",
+                          random_.OneIn(2) ? part() : MakeBool(depth - 1).text, part(), part())};
+    case 4:
+      return {fmt::format("({} {} {})", MakeBool(depth - 1).text,
+                          random_.OneOf({"and", "or", "==", "!="}), part())};
+    default:
+      return {fmt::format("({} {} {})", part(), random_.OneOf({"and", "or", "==", "!="}), part())};
+  }
+}
+
 RandomExpressions::Text RandomExpressions::MakeInt(int depth) {
   const Type integer = ScalarType(Scalar::kInt);
   const auto part = [&] { return Make(integer, {}, depth - 1).text; };
   switch (random_.Below(7)) {
     case 0: {
-      const Type boolean = ScalarType(Scalar::kBool);
-      const std::string row = Read(RandomRow(Scalar::kBool).value_or(boolean), {});
-      return {fmt::format("count({})", row)};
+      return {fmt::format("count({})", SomeConditions(depth))};
     }
     case 1:
       return {fmt::format("{}({}, {})", random_.OneOf({"min", "max"}), part(),
@@ -389,15 +430,16 @@ RandomExpressions::Text RandomExpressions::MakeRow(const Type& type, const Unit&
   const auto part = [&] { return Make(type, unit, depth - 1).text; };
   const std::string read = Read(type, unit);
   const bool is_vector = type.shape == Shape::kVector;
-  if (type.scalar == Scalar::kBool || (depth <= 0 && !read.empty())) {
-    return {read};
-  }
+  if (depth <= 0 && !read.empty()) return {read};
   if (type == kVec3 && depth > 0 && random_.OneIn(4)) return MakeVec3(unit, depth);
   if (depth > 0 && random_.OneIn(6)) {
     if (std::string made = OfEachVector(type, unit, depth); !made.empty()) return {made};
   }
   if (is_vector && depth > 0 && random_.OneIn(6)) {
     return {Constructed(ToString(type), type.rows, unit, depth)};
+  }
+  if (depth > 0 && random_.OneIn(4)) {
+    if (std::string made = OfEachElement(type, unit, depth); !made.empty()) return {made};
   }
   const Type element = ScalarType(type.scalar);
   switch (depth <= 0 ? 0 : random_.Below(7)) {
@@ -434,6 +476,45 @@ RandomExpressions::Text RandomExpressions::MakeRow(const Type& type, const Unit&
       return {part()};
     default:
       return {fmt::format("({} {} {})", part(), random_.OneOf({"+", "-"}), part())};
+  }
+}
+
+std::string RandomExpressions::OfEachElement(const Type& type, const Unit& unit, int depth) {
+  const auto part = [&] { return Make(type, unit, depth - 2).text; };
+  const auto any = [&] {
+    return random_.OneIn(2) ? part() : Make(ScalarType(type.scalar), unit, depth - 2).text;
+  };
+  const auto of = [&](const Unit& other) { return Make(type, other, depth - 2).text; };
+  const bool is_real = type.scalar == Scalar::kReal;
+  if (is_real && IsPlain(unit) && random_.OneIn(2)) {
+    switch (random_.Below(4)) {
+      case 0:
+        return fmt::format("{}({})",
+                           random_.OneOf({"exp", "log", "tanh", "floor", "ceil", "round"}), part());
+      case 1:
+        return fmt::format("{}({})", random_.OneOf({"sin", "cos", "tan"}), of(kRadian));
+      case 2:
+        return fmt::format("pow({}, {})", part(), any());
+      default:
+        return fmt::format("tolerance({}, {}, {}, {})", part(), any(), any(),
+                           VariableReal({}, depth - 2));
+    }
+  }
+  if (is_real && unit == kRadian && random_.OneIn(2)) {
+    if (random_.OneIn(3)) return fmt::format("wrap({})", part());
+    if (random_.OneIn(2)) return fmt::format("atan2({}, {})", any(), part());
+    return fmt::format("{}({})", random_.OneOf({"asin", "acos", "atan"}), of({}));
+  }
+  Type conditions = ArrayOf(ScalarType(Scalar::kBool), type.rows, type.index);
+  const bool are_some = type.shape == Shape::kArray && !Read(conditions, {}).empty();
+  switch (random_.Below(3)) {
+    case 0:
+      return fmt::format("{}({}, {})", random_.OneOf({"min", "max"}), any(), part());
+    case 1:
+      return fmt::format("clamp({}, {}, {})", part(), any(), any());
+    default:
+      if (!are_some) return "";
+      return fmt::format("select({}, {}, {})", Make(conditions, {}, depth - 2).text, any(), any());
   }
 }
 

@@ -57,6 +57,11 @@ class RandomExpressions {
   Text MakeRealOfReals(const Unit& unit, int depth);
   Text MakeReduction(const Unit& unit, int depth);
   Text MakeRow(const Type& type, const Unit& unit, int depth);
+  // A function of single numbers, of rows; empty where what it needs is not there.
+  std::string OfEachElement(const Type& type, const Unit& unit, int depth);
+  Text MakeConditions(const Type& type, int depth);
+  std::string SomeConditions(int depth);
+  std::string Comparison(const Type& left, const Type& right, const Unit& unit, int depth);
   Text MakeVec3(const Unit& unit, int depth);
   Text MakeVectors(const Type& array, const Unit& unit, int depth);
   // What a function makes of an array of vectors, an array of numbers or a vector; empty where
