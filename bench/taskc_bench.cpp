@@ -150,6 +150,14 @@ void BuildUncached(benchmark::State& state) {
 }
 BENCHMARK(BuildUncached)->UseManualTime()->Unit(benchmark::kMillisecond);
 
+void BuildThousandLines(benchmark::State& state) {
+  RunTaskc(
+      state,
+      fmt::format("build '{}' --cache '{}'", TaskOfThousandLines().string(), BenchCache().string()),
+      BenchCache());
+}
+BENCHMARK(BuildThousandLines)->UseManualTime()->Unit(benchmark::kMillisecond);
+
 void BuildCached(benchmark::State& state) {
   RunTaskc(state, fmt::format("build '{}' --cache '{}'", kTask, BenchCache().string()));
 }

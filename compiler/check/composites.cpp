@@ -239,7 +239,7 @@ class Expansion {
     return Node(type, CheckedBinary{op, Owned(std::move(a)), Owned(std::move(b))});
   }
 
-  // Of each element; the second argument of two is no larger than the first, or the first a scalar.
+  // Of each element of those that are no scalars.
   template <typename... Others>
   CheckedExpression Each(Builtin function, CheckedExpression x, Others... others) {
     Type type = x.type;
