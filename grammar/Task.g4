@@ -25,7 +25,8 @@ file : (allow | header | declaration)* EOF ;
 header : TASK name (EXTENDS base=STRING)? (FOR robot=name)? LINE_END? ;
 
 declaration
-    : ( start | sensor | param | memory | goal | metric | event | function | imported | test | change )
+    : ( start | afterEnd | sensor | param | memory | goal | metric | event | function | imported | test
+      | change )
       LINE_END?
     ;
 
@@ -34,6 +35,9 @@ allow : ALLOW NAME (',' NAME)* (LINE_END | EOF) ;
 
 // start standing
 start : START name ;
+
+// after_end continue
+afterEnd : AFTER_END behavior=NAME ;
 
 // sensor pole.angle: real [rad] in -180 deg .. 180 deg
 sensor : SENSOR name ('.' name)* ':' type range? ;
@@ -72,7 +76,9 @@ bodyStatement : ( let | RETURN expression ) LINE_END? ;
 
 // ---- What a task changes of the one that it extends ---------------------------------------------
 
-change : OVERRIDE ( start | newDefault | newGoal | metric | reward | event | function ) ;
+change
+    : OVERRIDE ( start | afterEnd | newDefault | newGoal | metric | reward | event | function )
+    ;
 
 // override param direction = -1
 newDefault : PARAM name '=' expression range? ;
@@ -244,6 +250,7 @@ IMPORT : 'import' ;
 EXTENDS : 'extends' ;
 OVERRIDE : 'override' ;
 ALLOW : 'allow' ;
+AFTER_END : 'after_end' ;
 TEST : 'test' ;
 GIVEN : 'given' ;
 FIRE : 'fire' ;

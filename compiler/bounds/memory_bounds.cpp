@@ -96,6 +96,8 @@ class MemoryFixpoint {
     }
     for (const CheckedGoal& goal : task_.goals)
       values.memory[goal.memory] = GoalBounds(task_, values, goal);
+    // No statement sets it.
+    if (task_.ended) values.memory[*task_.ended] = Box(kAnyBool);
     return values.memory;
   }
 

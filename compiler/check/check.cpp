@@ -2,6 +2,7 @@
 
 #include <cassert>
 
+#include "compiler/check/after_end.h"
 #include "compiler/check/declarations.h"
 #include "compiler/check/functions.h"
 #include "compiler/check/goals.h"
@@ -47,6 +48,7 @@ std::optional<CheckedTask> Check(const SyntaxTree& tree, const robot::RobotDescr
   CheckMetrics(tree, scope, task);
   CheckEvents(tree, scope, task);
   AddGoalStatements(task);
+  AddMemoryOfEnd(tree, task);
   CheckTests(tree, scope, task);
   if (diagnostics.has_errors()) return std::nullopt;
 

@@ -121,7 +121,7 @@ struct TestRead {
     kMetric,  // metric `index`, measured now
     kLog,     // the last value of log `index`; NaN before the first
     kReward,  // what the last callback has paid
-    kEnded    // whether an end was reached since the test began
+    kEnded    // whether an end was reached since the test began, or a requirement did not hold
   };
   Kind kind = kTotal;
   uint32_t index = 0;
@@ -244,7 +244,7 @@ struct CheckedMemory {
   CheckedExpression initial;  // a constant or a param, as a scalar: the value of every element
   Span span;
   std::string doc{};
-  bool is_declared = true;  // false: made for a `once`
+  bool is_declared = true;  // false: made for a `once`, or CheckedTask::ended
 };
 // A goal lives in memory: its value, whether the host holds it, how often it was drawn in this
 // episode, and the time that is left until it is drawn again. It is drawn when memory is
@@ -358,6 +358,9 @@ struct CheckedTask {
   std::vector<CheckedSensor> sensors;  // those that something reads
   std::vector<CheckedParam> params;
   std::vector<CheckedMemory> memory;
+  // The one in which the task remembers, for the rest of an episode, that it has ended it; nothing:
+  // it ends none, or its callbacks run on. See after_end.h.
+  std::optional<uint32_t> ended{};
   std::vector<CheckedGoal> goals;
   std::vector<CheckedTerm> terms;
   std::vector<CheckedMetric> metrics;

@@ -19,6 +19,7 @@ namespace {
 
 // How the language calls it: what follows `override`.
 std::string_view KindOf(const StartDeclaration&) { return "start"; }
+std::string_view KindOf(const AfterEndDeclaration&) { return "after_end"; }
 std::string_view KindOf(const SensorDeclaration&) { return "sensor"; }
 std::string_view KindOf(const ParamDeclaration&) { return "param"; }
 std::string_view KindOf(const ParamOverride&) { return "param"; }
@@ -33,6 +34,7 @@ std::string_view KindOf(const ImportDeclaration&) { return "import"; }
 std::string_view KindOf(const TestDeclaration&) { return "test"; }
 
 const Identifier& NameIn(const StartDeclaration& start) { return start.pose; }
+const Identifier& NameIn(const AfterEndDeclaration& after) { return after.word; }
 const Identifier& NameIn(const RewardOverride& changed) { return changed.reward.name; }
 const Identifier& NameIn(const ImportDeclaration&) {
   static const Identifier none;
@@ -55,10 +57,13 @@ const Identifier& NameOf(const Declaration& declaration) {
                     declaration.node);
 }
 
-// Do the two declare the same thing? There is one start pose, whatever its name.
+// Of these there is one in a task, whatever its name.
+bool IsOnly(std::string_view kind) { return kind == "start" || kind == "after_end"; }
+
+// Do the two declare the same thing?
 bool AreOfTheSame(const Declaration& a, const Declaration& b) {
   if (KindOf(a) != KindOf(b)) return false;
-  return KindOf(a) == "start" || NameOf(a).text == NameOf(b).text;
+  return IsOnly(KindOf(a)) || NameOf(a).text == NameOf(b).text;
 }
 
 // ---- Statements ---------------------------------------------------------------------------------
@@ -229,7 +234,7 @@ class Extension {
 
   std::vector<std::string> InheritedNames(std::string_view kind) const {
     std::vector<std::string> names;
-    if (kind == "start") return names;
+    if (IsOnly(kind)) return names;
     for (size_t i = 0; i < inherited_; ++i)
       if (KindOf(base_.declarations[i]) == kind)
         names.push_back(NameOf(base_.declarations[i]).text);
@@ -310,6 +315,7 @@ class Extension {
   static std::string DescriptionOf(const Declaration& declaration) {
     const std::string_view kind = KindOf(declaration);
     if (kind == "start") return "start pose";
+    if (kind == "after_end") return "declaration `after_end`";
     const std::string& name = NameOf(declaration).text;
     if (kind == "on") return fmt::format("block for `{}`", name);
     if (kind == "reward") return fmt::format("reward term `{}`", name);

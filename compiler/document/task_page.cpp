@@ -198,6 +198,9 @@ class PageWriter {
     if (table.rows.empty()) return;
     AddHeading("An episode ends");
     AddTable(std::move(table));
+    if (!task_.ended)
+      page_.blocks.push_back(
+          Paragraph{Plain("After an end, the task pays on until the episode is over.")});
   }
 
   void Requirements() {

@@ -69,10 +69,21 @@ std::string ForRobot(const std::string& name, const robot::RobotDescription& rob
          "  if contact[" +
          robot.links.front().name +
          "] {\n"
+         "    // After an end nothing else is paid: a fall costs this once.\n"
          "    reward fall = -fall_penalty\n"
          "    end_episode failure \"falls\"\n"
          "  }\n"
          "  if time > 20 s { truncate_episode \"time is up\" }\n"
+         "}\n"
+         "\n"
+         "// `taskc test` runs this, without a simulation.\n"
+         "test \"a fall is paid once and ends the episode\" {\n"
+         "  given contact[" +
+         robot.links.front().name +
+         "] = true\n"
+         "  fire 3 * end_of_time_step\n"
+         "  expect total(fall) == -fall_penalty\n"
+         "  expect end_episode failure \"falls\"\n"
          "}\n";
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "compiler/check/after_end.h"
 #include "compiler/check/memory_reset.h"
 #include "compiler/syntax/words.h"
 
@@ -164,20 +165,32 @@ void FunctionEmitter::EmitDraw(uint32_t index) {
 
 void FunctionEmitter::EmitEvent(EventKind kind) {
   const CheckedEvent& event = task_.events[static_cast<size_t>(kind)];
+  const bool stops_after_end = StopsAfterEnd(task_, kind);
+  const bool notes_end = task_.ended && CanEnd(event.body);
   UsedValues used;
   used.Add(event.body);
+  used.memory |= stops_after_end || notes_end;
   for (const CheckedMemory& variable : task_.memory) {
     if (IsResetAt(kind, variable.scope)) used.AddReset(variable);
   }
   Begin(NameOf(kind, kEventNames), event.is_declared ? LineOf(event.span) : FirstLineOfMemory(),
         std::move(used));
   SetLocals(event.locals);
+  if (stops_after_end) {
+    writer_.Line(fmt::format("if ({}) return;", function_.values.memory[*task_.ended]),
+                 LineOf(task_.memory[*task_.ended].span));
+  }
   for (uint32_t i = 0; i < task_.memory.size(); ++i) {
     if (IsResetAt(kind, task_.memory[i].scope)) EmitReset(task_.memory[i], i);
   }
   EmitBlock(event.body);
   if (function_.used.reward) {
     writer_.Line("frame->reward = reward;", LineOf(event.span));
+  }
+  if (notes_end) {
+    writer_.Line(fmt::format("if (frame->end >= 0 || frame->violation >= 0) {} = true;",
+                             function_.values.memory[*task_.ended]),
+                 LineOf(event.span));
   }
   End();
 }

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "compiler/check/after_end.h"
 #include "compiler/check/arithmetic.h"
 #include "compiler/check/memory_reset.h"
 #include "compiler/interpret/expression_evaluator.h"
@@ -42,12 +43,17 @@ void Evaluator::Fire(EventKind kind, double time_step) {
   frame_.end = -1;
   frame_.fault = -1;
   frame_.violation = -1;
+  if (StopsAfterEnd(task_, kind) && IsTrue(frame_.memory[*task_.ended])) return;
   for (uint32_t i = 0; i < task_.memory.size(); ++i) {
     if (IsResetAt(kind, task_.memory[i].scope)) Reset(i);
   }
   locals_.assign(event.locals.size(), {});
   Run(event.body);
   if (frame_.first_end < 0) frame_.first_end = frame_.end;
+  if (frame_.first_violation < 0) frame_.first_violation = frame_.violation;
+  if (task_.ended && (frame_.end >= 0 || frame_.violation >= 0)) {
+    frame_.memory[*task_.ended] = Integers{1};
+  }
 }
 
 void Evaluator::Measure() {

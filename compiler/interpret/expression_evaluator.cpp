@@ -149,7 +149,7 @@ Value ExpressionEvaluator::Of(const TestRead& node, const Type&) const {
     case TestRead::kEnded:
       break;
   }
-  return Integers{frame_.first_end >= 0};
+  return Integers{frame_.first_end >= 0 || frame_.first_violation >= 0};
 }
 
 Value ExpressionEvaluator::Of(const IntToReal& node, const Type&) const {

@@ -36,8 +36,9 @@ struct Frame {
   int32_t end = -1;
   int32_t fault = -1;
   int32_t violation = -1;
-  // The first end since the frame was made, or -1.
+  // The first of that kind since the frame was made, or -1.
   int32_t first_end = -1;
+  int32_t first_violation = -1;
 };
 
 }  // namespace compiler

@@ -51,7 +51,8 @@ class Completer {
       case Expected::kBodyStatement:
         return OfferWords(BodyWords());
       case Expected::kOverridden:
-        for (const char* word : {"param", "reward", "metric", "goal", "on", "start", "fn"}) {
+        for (const char* word :
+             {"param", "reward", "metric", "goal", "on", "start", "after_end", "fn"}) {
           Add(word, protocol::kCompleteKeyword, "", std::string(ExplanationOf(word)));
         }
         return;
@@ -103,6 +104,8 @@ class Completer {
         return OfferWords(ReductionWords(), protocol::kCompleteEnumMember);
       case Expected::kOutcome:
         return OfferWords(OutcomeWords(), protocol::kCompleteEnumMember);
+      case Expected::kAfterEnd:
+        return OfferWords(AfterEndWords(), protocol::kCompleteEnumMember);
       case Expected::kTerm:
         Add("rate", protocol::kCompleteKeyword, "", std::string(ExplanationOf("rate")));
         return OfferNames({NameKind::kTerm}, protocol::kCompleteProperty);

@@ -27,7 +27,8 @@ const std::map<std::string_view, Expected>& AfterKeyword() {
       {"reward", Expected::kTerm},         {"end_episode", Expected::kOutcome},
       {"given", Expected::kTarget},        {"fire", Expected::kEvent},
       {"expect", Expected::kExpectation},  {"allow", Expected::kWarningCode},
-      {"override", Expected::kOverridden}, {"truncate_episode", Expected::kAnyText}};
+      {"override", Expected::kOverridden}, {"truncate_episode", Expected::kAnyText},
+      {"after_end", Expected::kAfterEnd}};
   return expected;
 }
 

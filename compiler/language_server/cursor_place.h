@@ -32,6 +32,7 @@ enum class Expected {
   kScope,
   kReduction,
   kOutcome,
+  kAfterEnd,     // after `after_end`
   kTerm,         // after `reward`
   kGoal,         // after `redraw`
   kTarget,       // after `given`

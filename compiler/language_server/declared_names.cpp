@@ -27,9 +27,9 @@ constexpr std::array<Keyword, 13> kKeywords = {{{"task", NameKind::kTask},
                                                 {"for", NameKind::kLoop}}};
 
 bool IsTopLevel(std::string_view keyword) {
-  constexpr std::array<std::string_view, 12> kTopLevel = {"task",   "start",  "sensor",   "param",
-                                                          "memory", "metric", "on",       "fn",
-                                                          "test",   "import", "override", "goal"};
+  constexpr std::array<std::string_view, 13> kTopLevel = {
+      "task",   "start", "after_end", "sensor", "param",  "memory",  "goal",
+      "metric", "on",    "fn",        "test",   "import", "override"};
   return std::ranges::find(kTopLevel, keyword) != kTopLevel.end();
 }
 

@@ -8,6 +8,9 @@ namespace {
 constexpr auto kDeclarations = std::to_array<ExplainedWord>({
     {"task", "The task's name, and the robot that it is written for: `task NAME for ROBOT`."},
     {"start", "The pose of the robot in which episodes begin."},
+    {"after_end",
+     "What the task does from the end that it reaches until the episode is over: `after_end "
+     "continue`."},
     {"sensor", "A sensor that the host supplies: `sensor NAME: TYPE [UNIT]`."},
     {"param",
      "A number that can be set while the trainer runs: `param NAME: TYPE = VALUE in LOW .. HIGH`."},
@@ -96,6 +99,10 @@ constexpr auto kOutcomes = std::to_array<ExplainedWord>({
     {"success", "The robot has done what it should."},
     {"failure", "The robot has failed."},
 });
+constexpr auto kAfterEnd = std::to_array<ExplainedWord>({
+    {"stop", "After an end, no callback runs and nothing is paid until the next episode."},
+    {"continue", "After an end, callbacks run and pay on until the episode is over."},
+});
 constexpr auto kOthers = std::to_array<ExplainedWord>({
     {"once",
      "Runs the block when the condition first holds: `once per action if CONDITION { ... }`."},
@@ -127,11 +134,12 @@ std::span<const ExplainedWord> EventWords() { return kEvents; }
 std::span<const ExplainedWord> ReductionWords() { return kReductions; }
 std::span<const ExplainedWord> ScopeWords() { return kScopes; }
 std::span<const ExplainedWord> OutcomeWords() { return kOutcomes; }
+std::span<const ExplainedWord> AfterEndWords() { return kAfterEnd; }
 
 std::string_view ExplanationOf(std::string_view word) {
-  const std::span<const ExplainedWord> lists[] = {kDeclarations, kStatements, kTests,  kBody,
-                                                  kValues,       kOperators,  kEvents, kReductions,
-                                                  kScopes,       kOutcomes,   kOthers};
+  const std::span<const ExplainedWord> lists[] = {
+      kDeclarations, kStatements, kTests,  kBody,     kValues,   kOperators,
+      kEvents,       kReductions, kScopes, kOutcomes, kAfterEnd, kOthers};
   for (const auto& list : lists) {
     for (const ExplainedWord& explained : list) {
       if (explained.word == word) return explained.explanation;

@@ -24,6 +24,7 @@ std::span<const ExplainedWord> EventWords();
 std::span<const ExplainedWord> ReductionWords();
 std::span<const ExplainedWord> ScopeWords();
 std::span<const ExplainedWord> OutcomeWords();
+std::span<const ExplainedWord> AfterEndWords();
 
 // Of any word of the language; empty for others.
 std::string_view ExplanationOf(std::string_view word);

@@ -145,13 +145,16 @@ Description BadOverride(const Failure& failure) {
   }
   const std::string word = failure.found.getText();
   if (IsReserved(failure.type())) {
-    return WithHelp(MakeDiagnostic(code::kBadOverride, SpanOf(failure.found),
-                                   fmt::format("`{}` cannot be overridden", word)),
-                    "only `start`, `param`, `metric`, `reward`, `on` and `fn` can");
+    return WithHelp(
+        MakeDiagnostic(code::kBadOverride, SpanOf(failure.found),
+                       fmt::format("`{}` cannot be overridden", word)),
+        "only `start`, `after_end`, `param`, `goal`, `metric`, `reward`, `on` and `fn` can");
   }
-  Diagnostic diagnostic = Expected(failure, "`start`, `param`, `metric`, `reward`, `on` or `fn`");
+  Diagnostic diagnostic =
+      Expected(failure, "`start`, `after_end`, `param`, `goal`, `metric`, `reward`, `on` or `fn`");
   if (failure.type() != TaskParser::NAME) return diagnostic;
-  diagnostic.help = Nearest(failure.found, {"start", "param", "metric", "reward", "on", "fn"});
+  diagnostic.help = Nearest(
+      failure.found, {"start", "after_end", "param", "goal", "metric", "reward", "on", "fn"});
   if (failure.next_type() == TaskParser::ASSIGN) {
     diagnostic.help = {fmt::format("say what it is: `override param {} = ...`", word),
                        {{SpanOf(failure.found), "param " + word}}};

@@ -34,6 +34,7 @@ using grammar::TaskParser;
 
 std::string NameWanted(const Failure& failure) {
   if (failure.rule == TaskParser::RuleEnd) return "`success` or `failure`";
+  if (failure.rule == TaskParser::RuleAfterEnd) return "`continue` or `stop`";
   if (failure.last_type() == TaskParser::PER) return "`run`, `episode` or `action`";
   switch (failure.parent_rule) {
     case TaskParser::RuleType:

@@ -276,6 +276,13 @@ struct StartDeclaration {  // `start standing`
   Identifier pose;
 };
 
+// What the task does from the end that it reaches to the end of the episode.
+enum class AfterEnd { kStop, kContinue };
+struct AfterEndDeclaration {  // `after_end continue`
+  AfterEnd behavior = AfterEnd::kStop;
+  Identifier word;  // "continue"
+};
+
 struct ImportDeclaration {  // `import "shaping.task"`
   std::string path;         // as written: relative to the folder of the file it stands in
   Span path_span;
@@ -351,8 +358,9 @@ struct TestDeclaration {  // `test "a fall is paid once" { ... }`
 struct Declaration {
   Span span;
   std::variant<SensorDeclaration, ParamDeclaration, MemoryDeclaration, GoalDeclaration,
-               MetricDeclaration, EventDeclaration, StartDeclaration, ImportDeclaration,
-               FunctionDeclaration, ParamOverride, GoalOverride, RewardOverride, TestDeclaration>
+               MetricDeclaration, EventDeclaration, StartDeclaration, AfterEndDeclaration,
+               ImportDeclaration, FunctionDeclaration, ParamOverride, GoalOverride, RewardOverride,
+               TestDeclaration>
       node;
   std::optional<Span> override_span{};  // of the word `override`, where it stands before it
 };

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "compiler/syntax/allowances.h"
@@ -130,6 +131,7 @@ class TreeBuilder {
 
   DeclarationNode BuildNew(TaskParser::DeclarationContext& context) {
     if (auto* start = context.start()) return Start(*start);
+    if (auto* after = context.afterEnd()) return AfterAnEnd(*after);
     if (auto* sensor = context.sensor()) return Sensor(*sensor);
     if (auto* param = context.param()) return Param(*param);
     if (auto* memory = context.memory()) return Memory(*memory);
@@ -143,6 +145,7 @@ class TreeBuilder {
 
   DeclarationNode BuildOverride(TaskParser::ChangeContext& context) {
     if (auto* start = context.start()) return Start(*start);
+    if (auto* after = context.afterEnd()) return AfterAnEnd(*after);
     if (auto* param = context.newDefault()) return NewDefault(*param);
     if (auto* goal = context.newGoal()) return GoalOverride{BuildName(*goal->name()), Draw(*goal)};
     if (auto* metric = context.metric()) return Metric(*metric);
@@ -155,15 +158,30 @@ class TreeBuilder {
 
   StartDeclaration Start(TaskParser::StartContext& context) {
     const Identifier pose = BuildName(*context.name());
-    if (start_) {
-      Diagnostic diagnostic =
-          MakeDiagnostic(code::kRepeatedHeader, SpanOf(context), "the start pose is given twice");
-      diagnostic.labels.push_back({start_->span, "first given here"});
-      diagnostic.help = "remove one of them";
-      report_.Add(std::move(diagnostic));
-    }
-    if (!start_) start_ = pose;
+    CheckGivenOnce("the start pose", SpanOf(context), pose.span, start_);
     return {pose};
+  }
+
+  AfterEndDeclaration AfterAnEnd(TaskParser::AfterEndContext& context) {
+    const Identifier word = BuildName(*context.behavior);
+    const AfterEnd behavior =
+        LookUp(word, kAfterEndNames, code::kUnknownWord, "what a task does after an end", report_);
+    CheckGivenOnce("what follows an end", SpanOf(context), word.span, after_end_);
+    return {behavior, word};
+  }
+
+  // `first`: where it was given before, if it was.
+  void CheckGivenOnce(std::string_view what, Span declaration, Span given,
+                      std::optional<Span>& first) {
+    if (!first) {
+      first = given;
+      return;
+    }
+    Diagnostic diagnostic =
+        MakeDiagnostic(code::kRepeatedHeader, declaration, fmt::format("{} is given twice", what));
+    diagnostic.labels.push_back({*first, "first given here"});
+    diagnostic.help = "remove one of them";
+    report_.AddUnlessFaulty(std::move(diagnostic));
   }
 
   SensorDeclaration Sensor(TaskParser::SensorContext& context) {
@@ -299,7 +317,8 @@ class TreeBuilder {
   TaskParser::HeaderContext* header_ = nullptr;          // the first
   TaskParser::DeclarationContext* first_ = nullptr;      // the first declaration
   TaskParser::DeclarationContext* misplaced_ = nullptr;  // the first that no library holds
-  std::optional<Identifier> start_;                      // the first start pose
+  std::optional<Span> start_;                            // the first start pose
+  std::optional<Span> after_end_;                        // the first word after `after_end`
 };
 
 }  // namespace

@@ -42,6 +42,12 @@ inline constexpr std::array<Word<MemoryScope>, 3> kScopeNames = {{
     {"action", MemoryScope::kPerAction},
 }};
 
+// `after_end continue`
+inline constexpr std::array<Word<AfterEnd>, 2> kAfterEndNames = {{
+    {"stop", AfterEnd::kStop},
+    {"continue", AfterEnd::kContinue},
+}};
+
 // `end_episode failure`
 inline constexpr std::array<Word<EndKind>, 2> kOutcomeNames = {{
     {"success", EndKind::kSuccess},

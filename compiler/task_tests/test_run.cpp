@@ -65,11 +65,18 @@ class TestRun {
 
   void Run(const CheckedExpectEnd& expect, Span span) {
     const int32_t end = frame().first_end;
-    if (end < 0) return failures_.push_back({span, "the episode has not ended", {}});
+    if (end < 0) return failures_.push_back({span, WithoutEnd(), {}});
     const CheckedEndReason& reached = task_.ends[static_cast<size_t>(end)];
     if (reached.kind == expect.kind && reached.reason == expect.reason) return;
     failures_.push_back(
         {span, "it ended differently: " + EndText(reached.kind, reached.reason), {}});
+  }
+
+  std::string WithoutEnd() const {
+    const int32_t violation = frame().first_violation;
+    if (violation < 0) return "the episode has not ended";
+    return fmt::format("the episode has ended by a requirement: {}",
+                       task_.requirements[static_cast<size_t>(violation)].reason);
   }
 
   const CheckedTask& task_;

@@ -56,6 +56,8 @@ const samples = [
   ['on end_of_time_step {', 'end_of_time_step', 'entity.name.function.event.task'],
   ['  end_episode failure "falls"', 'failure', 'constant.language.outcome.task'],
   ['  end_episode failure "falls"', 'falls', 'string.quoted.double.task'],
+  ['after_end continue', 'after_end', 'keyword.declaration.task'],
+  ['after_end continue', 'continue', 'constant.language.task'],
   ['override fn near(d: real) -> real = d', 'near', 'entity.name.function.task'],
   ['allow W0706, W0712', 'W0712', 'constant.other.warning.task'],
 ];

@@ -51,6 +51,14 @@ enum {
   TASKC_EVENT_COUNT
 };
 
+// Of the events that follow an end, a task may rely on this: the first callback that reaches an
+// end, or in which a requirement does not hold, is the last of its episode that does anything.
+// Until `start_of_episode` begins anew, each other event function but `end_of_episode` returns at
+// once: it pays nothing, reaches no end and changes no memory, whether the host calls it for the
+// rest of an action or not. The functions see to this themselves, by a variable in the memory
+// block. `measure` always measures. A task that says `after_end continue` has no such variable; its
+// functions do the same after an end as before.
+
 // Besides the events: the evaluation of the metrics. Used as a bit number in
 // `taskc_sensor.read_by`.
 enum { TASKC_MEASURE = TASKC_EVENT_COUNT };

@@ -45,7 +45,7 @@ std::string AsTask(const std::string& example) {
   if (HasLineWith(example, "task ")) return example;
   if (HasLineWith(example, "sensor ")) return "task example\n" + example;
   for (const char* word :
-       {"start ", "param ", "memory ", "goal ", "metric ", "fn ", "test ", "on "})
+       {"start ", "after_end ", "param ", "memory ", "goal ", "metric ", "fn ", "test ", "on "})
     if (HasLineWith(example, word)) return "task example for humanoid\n" + example;
   return TaskText("", example);
 }

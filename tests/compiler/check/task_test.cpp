@@ -93,6 +93,21 @@ TEST(Task, HasOneEndForEachStatement) {
   EXPECT_EQ(task.ends[2].kind, EndKind::kTruncated);
 }
 
+TEST(Task, RemembersThatItHasEndedTheEpisode) {
+  const std::string end = "if contact[head] { end_episode failure \"falls\" }";
+  const CheckedTask task = CheckTask(TaskText("memory n: int = 0", "n += 1\n" + end));
+  ASSERT_EQ(task.ended, 1u);
+  EXPECT_FALSE(task.memory[1].is_declared);
+  EXPECT_EQ(task.memory[1].scope, MemoryScope::kPerEpisode);
+  EXPECT_TRUE(CheckTask(TaskText("", "require base.position.z > 0 m")).ended);
+  EXPECT_TRUE(CheckTask(TaskText("after_end stop", end)).ended);
+  EXPECT_FALSE(CheckTask(TaskText("after_end continue", end)).ended);
+  EXPECT_FALSE(CheckTask(TaskText("", "reward a = 1")).ended);
+  EXPECT_FALSE(CheckTask("task t for humanoid\n"
+                         "on end_of_episode { require base.position.z > 0 m }\n")
+                   .ended);
+}
+
 TEST(Task, HasMetricsAsReals) {
   const CheckedTask task = CheckTask(
       "task measured for humanoid\n/// Links on the ground.\nmetric max touches = count(contact)\n"

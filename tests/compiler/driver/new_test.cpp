@@ -27,6 +27,7 @@ TEST(New, WritesATaskForARobot) {
               AllOf(HasSubstr("task walking for humanoid\n"), HasSubstr("start standing"),
                     HasSubstr("left_knee_pitch"), HasSubstr("base.velocity: vec3 [m/s]")));
   ExpectFlawless(taskc, "walking.task");
+  EXPECT_EQ(taskc.Run("test walking.task").status, 0);
 }
 
 TEST(New, WritesATaskWithItsOwnSensors) {

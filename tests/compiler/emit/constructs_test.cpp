@@ -142,6 +142,7 @@ TEST(Constructs, TheFirstRequirementThatDoesNotHoldIsReported) {
   CompiledTask task(R"(task t
 sensor x: real
 memory after: int = 0
+after_end continue
 on end_of_action {
   require x < 3 "small"
   require x < 2
@@ -154,7 +155,7 @@ on end_of_action {
   ASSERT_EQ(plugin.requirement_count, 2u);
   EXPECT_THAT(plugin.requirements[0].reason, StrEq("small"));
   EXPECT_THAT(plugin.requirements[1].reason, StrEq("x < 2"));
-  EXPECT_EQ(plugin.requirements[1].place.line, 6u);
+  EXPECT_EQ(plugin.requirements[1].place.line, 7u);
   Instance instance(task);
   for (auto [x, violation] : {std::pair(1.0, -1), {2.5, 1}, {4.0, 0}, {std::nan(""), 0}}) {
     instance.Sense("x", {x});

@@ -195,8 +195,10 @@ TEST_F(Crawling, DescribesItself) {
   EXPECT_THAT(plugin.terms[2].name, StrEq("fall"));
   EXPECT_EQ(plugin.terms[2].place.source, 0u);
   EXPECT_EQ(plugin.terms[2].place.line, 15u);
-  ASSERT_EQ(plugin.memory_count, 2u);
+  ASSERT_EQ(plugin.memory_count, 3u);
   EXPECT_EQ(plugin.memory[1].scope, TASKC_PER_ACTION);
+  EXPECT_THAT(plugin.memory[2].name, StrEq("ended#"));
+  EXPECT_EQ(plugin.memory[2].scope, TASKC_PER_EPISODE);
   EXPECT_LE(plugin.memory[1].offset + 1, plugin.memory_size);
 }
 

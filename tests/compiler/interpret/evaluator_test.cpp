@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <limits>
+#include <string>
 
 #include "tests/compiler/check/checked_source.h"
 
@@ -170,6 +171,7 @@ TEST(Evaluator, TakesTheFirstBranchThatHolds) {
 
 TEST(Evaluator, EndsForTheFirstReason) {
   Evaluation run(
+      "after_end continue\n"
       "on end_of_time_step {\n  if x > 0 { truncate_episode \"a\" }\n"
       "  if x != 0 { end_episode failure \"b\" }\n}\n");
   run.Step();
@@ -181,6 +183,50 @@ TEST(Evaluator, EndsForTheFirstReason) {
   run.Step();
   EXPECT_EQ(run.frame().end, 0);
   EXPECT_EQ(run.frame().first_end, 1);
+}
+
+// Pays beside an end.
+constexpr const char* kEnding =
+    "memory steps: int = 0\nmemory actions: int = 0 per action\n"
+    "on start_of_action { actions += 1 }\n"
+    "on end_of_time_step {\n  steps += 1\n  reward rate all = 200\n"
+    "  if x > 0 { reward fall = -2 end_episode failure \"falls\" }\n"
+    "  require x < 5\n  reward behind = 1\n}\n"
+    "on end_of_episode { reward last = 3 }\n";
+
+TEST(Evaluator, DoesNothingAfterAnEndButWhatEpisodesBeginAndEndWith) {
+  Evaluation run(kEnding);
+  run.Step();
+  run.Sense("x", Reals{1});
+  run.Step(EventKind::kStartOfAction);
+  for (int i = 0; i < 3; ++i) run.Step();
+  EXPECT_EQ(run.frame().end, -1);
+  EXPECT_EQ(run.frame().reward, 0);
+  run.Step(EventKind::kStartOfAction);
+  EXPECT_THAT(run.frame().terms, ElementsAre(2, -2, 2, 0));
+  EXPECT_THAT(run.MemoryReals("steps"), ElementsAre(2));
+  EXPECT_THAT(run.MemoryReals("actions"), ElementsAre(1));
+  run.Step(EventKind::kEndOfEpisode);
+  EXPECT_THAT(run.frame().terms, ElementsAre(2, -2, 2, 3));
+  run.Step(EventKind::kStartOfEpisode);
+  run.Step();
+  EXPECT_THAT(run.frame().terms, ElementsAre(3, -4, 3, 3));
+}
+
+TEST(Evaluator, DoesNothingAfterARequirementThatDoesNotHold) {
+  Evaluation run("on end_of_time_step {\n  require x < 5\n  reward a = 1\n}\n");
+  run.Sense("x", Reals{6});
+  for (int i = 0; i < 3; ++i) run.Step();
+  EXPECT_THAT(run.frame().terms, ElementsAre(1));
+  EXPECT_EQ(run.frame().first_violation, 0);
+}
+
+TEST(Evaluator, GoesOnAfterAnEndWhereTheTaskSaysSo) {
+  Evaluation run(std::string("after_end continue\n") + kEnding);
+  run.Sense("x", Reals{1});
+  for (int i = 0; i < 3; ++i) run.Step();
+  EXPECT_THAT(run.frame().terms, ElementsAre(3, -6, 3, 0));
+  EXPECT_EQ(run.frame().end, 0);
 }
 
 TEST(Evaluator, ResetsMemoryAsItsScopeSays) {

@@ -26,6 +26,8 @@ TEST(CursorPlace, KnowsDeclarations) {
   EXPECT_EQ(ExpectedIn("task t |"), Expected::kOperator);
   EXPECT_EQ(ExpectedIn("task t for |"), Expected::kRobot);
   EXPECT_EQ(ExpectedIn("task t\nstart s|"), Expected::kPose);
+  EXPECT_EQ(ExpectedIn("task t\nafter_end |"), Expected::kAfterEnd);
+  EXPECT_EQ(ExpectedIn("task t\noverride after_end |"), Expected::kAfterEnd);
   EXPECT_EQ(ExpectedIn("task t\non |"), Expected::kEvent);
   EXPECT_EQ(ExpectedIn("task t\nmetric m|"), Expected::kReduction);
   EXPECT_EQ(ExpectedIn("task t\nmemory a: |"), Expected::kType);

@@ -18,6 +18,8 @@ class TaskWriter {
 
   std::string Write() {
     text_ = "task random\n";
+    // Else an early end would leave little to compare.
+    if (!random_.OneIn(3)) Line("after_end continue");
     DeclareSensors();
     DeclareParams();
     DeclareMemory();

@@ -46,8 +46,9 @@ TEST(Overrides, EveryKind) {
       "override reward rate roll = 3\n"
       "override reward fall = -1\n"
       "override on end_of_action { n = 1 }\n"
-      "override fn f() -> int = 3\n");
-  ASSERT_EQ(tree.declarations.size(), 8u);
+      "override fn f() -> int = 3\n"
+      "override after_end stop\n");
+  ASSERT_EQ(tree.declarations.size(), 9u);
   for (const Declaration& declaration : tree.declarations) {
     ASSERT_TRUE(declaration.override_span.has_value());
     EXPECT_EQ(declaration.override_span->end - declaration.override_span->begin, 8u);
@@ -63,6 +64,7 @@ TEST(Overrides, EveryKind) {
   EXPECT_FALSE(DeclarationOf<RewardOverride>(tree, 5).reward.is_rate);
   EXPECT_EQ(ToText(DeclarationOf<EventDeclaration>(tree, 6).body), "n = 1");
   EXPECT_EQ(DeclarationOf<FunctionDeclaration>(tree, 7).name.text, "f");
+  EXPECT_EQ(DeclarationOf<AfterEndDeclaration>(tree, 8).behavior, AfterEnd::kStop);
 }
 
 TEST(Overrides, BelongToThePlaceOfTheDeclaration) {

@@ -8,9 +8,9 @@
 namespace compiler {
 namespace {
 
-const char* const kWords[] = {"fn",   "import",  "extends", "override", "allow",
-                              "test", "given",   "fire",    "expect",   "once",
-                              "log",  "require", "goal",    "redraw",   "return"};
+const char* const kWords[] = {"fn",      "import", "extends", "override", "allow", "after_end",
+                              "test",    "given",  "fire",    "expect",   "once",  "log",
+                              "require", "goal",   "redraw",  "return"};
 
 class ContextualWord : public testing::TestWithParam<const char*> {};
 

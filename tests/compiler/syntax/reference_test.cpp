@@ -32,7 +32,7 @@ std::string MakeTask(const std::string& example) {
   const std::string header = "task example for humanoid\n";
   if (example.find("task ") == 0 || example.find("\ntask ") != std::string::npos) return example;
   for (const char* word : {"start ", "sensor ", "param ", "memory ", "metric ", "on ", "override ",
-                           "fn ", "import ", "test ", "allow "}) {
+                           "fn ", "after_end ", "import ", "test ", "allow "}) {
     if (example.find(word) == 0 || example.find(std::string("\n") + word) != std::string::npos) {
       return header + example;
     }

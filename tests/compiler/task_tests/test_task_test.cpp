@@ -127,6 +127,28 @@ TEST(TestTask, KnowsTheFirstEnd) {
 )");
 }
 
+TEST(TestTask, PaysOnceBesideAnEnd) {
+  EXPECT_EQ(TextOf(R"(test "once" {
+  given time = 21 s
+  fire 3 * end_of_time_step, start_of_action, end_of_time_step
+  expect total(up) == 0.005
+  fire start_of_episode, end_of_time_step
+  expect total(up) == 0.01
+}
+test "a requirement" {
+  given base.position.z = -2 m
+  fire 3 * end_of_time_step
+  expect ended and total(up) == 0.005
+  expect truncate_episode "time is up"
+}
+)"),
+            R"(ok      once
+FAILED  a requirement
+        tested.task:30: expect truncate_episode "time is up"
+            the episode has ended by a requirement: above the ground
+)");
+}
+
 TEST(TestTask, BeginsEachTestAnew) {
   const std::string test = R"({
   expect not fallen and total(fall) == 0
