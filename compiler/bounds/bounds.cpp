@@ -10,29 +10,29 @@ namespace {
 
 // A metric is measured after a time step, of whatever length.
 ValueBounds MetricBounds(const CheckedTask& task, const CheckedMetric& metric,
-                         const std::vector<Box>& memory, double without_range) {
-  Values values = ValuesAtStart(task, EventKind::kEndOfTimeStep, without_range);
-  values.memory = memory;
+                         const Assumptions& assumptions, const TaskBounds& found) {
+  Values values = ValuesAtStart(task, EventKind::kEndOfTimeStep, assumptions);
+  values.memory = found.memory;
   return {ExpressionBounds(task, values).Of(metric.value),
           CausesOf(task, values, {}, metric.value)};
 }
 
 }  // namespace
 
-TaskBounds ComputeBounds(const CheckedTask& task, double without_range) {
+TaskBounds ComputeBounds(const CheckedTask& task, const Assumptions& assumptions) {
   TaskBounds bounds;
   bounds.terms.resize(task.terms.size());
   bounds.logs.resize(task.logs.size());
   bounds.ends_reached.resize(task.ends.size());
-  bounds.memory = MemoryBounds(task, without_range);
+  bounds.memory = MemoryBounds(task, assumptions);
   EventBounds events(task, &bounds);
   for (size_t i = 0; i < task.events.size(); ++i) {
-    Values values = ValuesAtStart(task, static_cast<EventKind>(i), without_range);
+    Values values = ValuesAtStart(task, static_cast<EventKind>(i), assumptions);
     values.memory = bounds.memory;
     events.Run(task.events[i], std::move(values));
   }
   for (const CheckedMetric& metric : task.metrics)
-    bounds.metrics.push_back(MetricBounds(task, metric, bounds.memory, without_range));
+    bounds.metrics.push_back(MetricBounds(task, metric, assumptions, bounds));
   return bounds;
 }
 

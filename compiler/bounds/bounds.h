@@ -60,8 +60,20 @@ struct TaskBounds {
   std::vector<ConditionBounds> conditions;
 };
 
-// What has no range (some sensors and params, perhaps the time step) is taken to be smaller than
-// `without_range`.
-TaskBounds ComputeBounds(const CheckedTask& task, double without_range = kInfinity);
+// What is known of sensors and params beyond their ranges.
+struct Assumptions {
+  // What has no range (some sensors and params, perhaps the time step) is smaller than this.
+  double without_range = kInfinity;
+  // Sensors whose range is only claimed, see CheckedSensor::is_nominal, stay within this share of
+  // it where it reaches equally far to both sides.
+  double share_of_nominal = 1;
+  bool has_initial_params = false;  // all params have their initial values
+};
+
+// Of a range that is claimed, a robot that moves as it should hardly uses more than this share: so
+// much is what we call moderate motions.
+inline constexpr double kModerateShare = 0.01;
+
+TaskBounds ComputeBounds(const CheckedTask& task, const Assumptions& assumptions = {});
 
 }  // namespace compiler

@@ -20,17 +20,22 @@ constexpr int kRoundsBack = 2;
 
 Interval Within(const Interval& range, double limit) { return Meet(range, {-limit, limit}); }
 
-Box SensorBox(const CheckedSensor& sensor, double without_range) {
+Box SensorBox(const CheckedSensor& sensor, const Assumptions& assumptions) {
   const uint32_t size = sensor.type.size();
-  std::vector<Interval> elements(size, Within(AnyOf(sensor.type.scalar), without_range));
-  for (uint32_t i = 0; i < std::min<size_t>(size, sensor.minimum.size()); ++i)
+  std::vector<Interval> elements(size,
+                                 Within(AnyOf(sensor.type.scalar), assumptions.without_range));
+  for (uint32_t i = 0; i < std::min<size_t>(size, sensor.minimum.size()); ++i) {
     elements[i] = Meet(elements[i], {sensor.minimum[i], sensor.maximum[i]});
+    if (sensor.is_nominal && sensor.minimum[i] == -sensor.maximum[i])
+      elements[i] = Within(elements[i], assumptions.share_of_nominal * sensor.maximum[i]);
+  }
   return MakeBox(std::move(elements));
 }
 
-Box ParamBox(const CheckedParam& param, double without_range) {
+Box ParamBox(const CheckedParam& param, const Assumptions& assumptions) {
+  if (assumptions.has_initial_params) return Box(Exactly(param.initial));
   if (param.type.scalar == Scalar::kBool) return Box(kAnyBool);
-  return Box(Within({param.minimum, param.maximum}, without_range));
+  return Box(Within({param.minimum, param.maximum}, assumptions.without_range));
 }
 
 bool SetsMemory(const CheckedEvent& event) {
@@ -64,11 +69,8 @@ std::vector<double> LandmarksOf(const CheckedTask& task) {
 
 class MemoryFixpoint {
  public:
-  MemoryFixpoint(const CheckedTask& task, double without_range)
-      : task_(task),
-        without_range_(without_range),
-        landmarks_(LandmarksOf(task)),
-        initial_(Initial()) {
+  MemoryFixpoint(const CheckedTask& task, const Assumptions& assumptions)
+      : task_(task), assumptions_(assumptions), landmarks_(LandmarksOf(task)), initial_(Initial()) {
     for (size_t i = 0; i < task.events.size(); ++i)
       if (SetsMemory(task.events[i])) setting_.push_back(static_cast<EventKind>(i));
   }
@@ -89,7 +91,7 @@ class MemoryFixpoint {
  private:
   // Goals are drawn as soon as all else has its first value.
   std::vector<Box> Initial() const {
-    Values values = ValuesAtStart(task_, EventKind::kStartOfEpisode, without_range_);
+    Values values = ValuesAtStart(task_, EventKind::kStartOfEpisode, assumptions_);
     for (const CheckedMemory& memory : task_.memory) {
       const Interval first = ExpressionBounds(task_, values).Of(memory.initial);
       values.memory.push_back(MakeBox(std::vector<Interval>(memory.type.size(), first)));
@@ -105,7 +107,7 @@ class MemoryFixpoint {
   std::vector<Box> AfterAnyEvent(const std::vector<Box>& before) const {
     std::vector<Box> after = initial_;
     for (const EventKind event : setting_) {
-      Values values = ValuesAtStart(task_, event, without_range_);
+      Values values = ValuesAtStart(task_, event, assumptions_);
       values.memory = before;
       values = EventBounds(task_, nullptr).Run(task_.events[static_cast<size_t>(event)], values);
       after = Join(after, values.memory);
@@ -134,7 +136,7 @@ class MemoryFixpoint {
   }
 
   const CheckedTask& task_;
-  double without_range_;
+  const Assumptions& assumptions_;
   std::vector<double> landmarks_;
   std::vector<Box> initial_;
   std::vector<EventKind> setting_;
@@ -142,19 +144,20 @@ class MemoryFixpoint {
 
 }  // namespace
 
-Values ValuesAtStart(const CheckedTask& task, EventKind event, double without_range) {
+Values ValuesAtStart(const CheckedTask& task, EventKind event, const Assumptions& assumptions) {
   Values values;
   for (const CheckedSensor& sensor : task.sensors)
-    values.sensors.push_back(SensorBox(sensor, without_range));
+    values.sensors.push_back(SensorBox(sensor, assumptions));
   for (const CheckedParam& param : task.params)
-    values.params.push_back(ParamBox(param, without_range));
+    values.params.push_back(ParamBox(param, assumptions));
   const bool has_time_step = event >= EventKind::kStartOfTimeStep;
-  values.time_step = {0, has_time_step ? std::min(task.longest_time_step, without_range) : 0};
+  values.time_step = {
+      0, has_time_step ? std::min(task.longest_time_step, assumptions.without_range) : 0};
   return values;
 }
 
-std::vector<Box> MemoryBounds(const CheckedTask& task, double without_range) {
-  return MemoryFixpoint(task, without_range).Find();
+std::vector<Box> MemoryBounds(const CheckedTask& task, const Assumptions& assumptions) {
+  return MemoryFixpoint(task, assumptions).Find();
 }
 
 }  // namespace compiler

@@ -79,23 +79,34 @@ class NeverHappens {
 
 double SizeOf(const std::optional<Interval>& value) { return value ? Magnitude(*value) : 0; }
 
-void WarnOfTinyTerms(const CheckedTask& task, const TaskBounds& bounds, bool are_rates,
-                     Diagnostics& diagnostics) {
-  constexpr double kShareThatMatters = 1e-3;
+std::vector<double> SizesOf(const TaskBounds& bounds, bool are_rates) {
   std::vector<double> sizes;
   for (const TermBounds& term : bounds.terms)
     sizes.push_back(SizeOf(are_rates ? term.rate : term.payment));
-  const auto largest = std::ranges::max_element(sizes);
-  if (largest == sizes.end() || *largest == kInfinity) return;
-  const std::string& first = task.terms[static_cast<size_t>(largest - sizes.begin())].name;
+  return sizes;
+}
+
+// A term is held against what another one is in moderate motions, not against its bound: that may
+// be a hundred times what the robot ever does.
+void WarnOfTinyTerms(const CheckedTask& task, const TaskBounds& bounds, const TaskBounds& moderate,
+                     bool are_rates, Diagnostics& diagnostics) {
+  constexpr double kShareThatMatters = 1e-3;
+  const std::vector<double> sizes = SizesOf(bounds, are_rates);
+  const std::vector<double> usual = SizesOf(moderate, are_rates);
+  const auto largest = std::ranges::max_element(usual);
+  if (largest == usual.end() || *largest == kInfinity) return;
+  const auto first = static_cast<size_t>(largest - usual.begin());
   for (size_t i = 0; i < sizes.size(); ++i) {
     // What is also paid in another way may matter by that.
     const bool has_both = bounds.terms[i].rate && bounds.terms[i].payment;
     if (has_both || sizes[i] == 0 || sizes[i] > kShareThatMatters * *largest) continue;
-    Report(diagnostics, code::kTinyTerm, task.terms[i].span,
-           fmt::format("`{}` hardly matters beside `{}`", task.terms[i].name, first),
-           {.note = fmt::format("it is at most {}{}, the other {}", EndText(sizes[i]),
-                                are_rates ? " per second" : "", EndText(*largest))});
+    const bool is_share = *largest < sizes[first];
+    Report(
+        diagnostics, code::kTinyTerm, task.terms[i].span,
+        fmt::format("`{}` hardly matters beside `{}`", task.terms[i].name, task.terms[first].name),
+        {.note = fmt::format("it is at most {}{}, the other {}{}", EndText(sizes[i]),
+                             are_rates ? " per second" : "", EndText(*largest),
+                             is_share ? " in moderate motions" : "")});
   }
 }
 
@@ -123,7 +134,7 @@ void WarnOfTermsWithoutBound(const CheckedTask& task, const TaskBounds& bounds,
   const auto is_unbounded = [](const TermBounds& term) { return !term.causes.empty(); };
   if (std::ranges::none_of(bounds.terms, is_unbounded)) return;
   constexpr double kAnySensor = 1e9;
-  const TaskBounds with_ranges = ComputeBounds(task, kAnySensor);
+  const TaskBounds with_ranges = ComputeBounds(task, {.without_range = kAnySensor});
   for (size_t i = 0; i < task.terms.size(); ++i) {
     const auto& causes = with_ranges.terms[i].causes;
     const auto harm =
@@ -184,11 +195,12 @@ void WarnOfBounds(const CheckedTask& task, Diagnostics& diagnostics) {
   NeverHappens never(bounds, diagnostics);
   for (const CheckedEvent& event : task.events) never.Look(event);
   WarnOfTermsThatPayNothing(task, bounds, diagnostics);
-  WarnOfTinyTerms(task, bounds, true, diagnostics);
-  WarnOfTinyTerms(task, bounds, false, diagnostics);
+  const TaskBounds moderate = ComputeBounds(task, {.share_of_nominal = kModerateShare});
+  WarnOfTinyTerms(task, bounds, moderate, true, diagnostics);
+  WarnOfTinyTerms(task, bounds, moderate, false, diagnostics);
   WarnOfTermsWithoutBound(task, bounds, diagnostics);
   WarnOfMemory(task, bounds, diagnostics);
-  WarnOfEarlyDeath(task, bounds, diagnostics);
+  WarnOfEarlyDeath(task, diagnostics);
 }
 
 }  // namespace compiler

@@ -225,6 +225,8 @@ struct CheckedSensor {
   // element.
   std::vector<double> minimum{};
   std::vector<double> maximum{};
+  // The range is the robot author's claim: no stop, limit or length keeps the values in it.
+  bool is_nominal = false;
 };
 struct CheckedParam {
   std::string name;

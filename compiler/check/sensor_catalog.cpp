@@ -39,6 +39,9 @@ SensorCatalog SensorCatalog::OfRobot(const robot::RobotDescription& robot,
       checked.minimum.push_back(range.low);
       checked.maximum.push_back(range.high);
     }
+    checked.is_nominal =
+        std::ranges::find(robot.nominal_ranges, sensor.name, &robot::NominalRange::sensor) !=
+        robot.nominal_ranges.end();
     catalog.Add(std::move(checked));
   }
   return catalog;

@@ -84,19 +84,56 @@ TEST(BoundsWarnings, AreNotGivenForOnceAnEpisode) {
               IsEmpty());
 }
 
+TEST(BoundsWarnings, OfTinyTermsAreNotGivenForWhatOnlyBoundsMakeTiny) {
+  // The joints' velocities are bounded by 2,886 rad/s in norm; a robot reaches 20.
+  EXPECT_THAT(WarningsIn("",
+                         "reward rate upright = base.up.z\n"
+                         "reward rate motion = -norm(joint.velocity)"),
+              IsEmpty());
+  EXPECT_THAT(WarningsIn("",
+                         "reward rate upright = 0.001 * base.up.z\n"
+                         "reward rate motion = -norm(joint.velocity)"),
+              ElementsAre("W0713"));
+}
+
+TEST(BoundsWarnings, OfEarlyDeathAreNotGivenWhereSomethingIsToBeGained) {
+  const std::string end = "if contact[head] { end_episode failure \"falls\" }\n";
+  EXPECT_THAT(WarningsIn("", "reward rate up = base.up.z - 1.0\n" + end), ElementsAre("W0715"));
+  EXPECT_THAT(WarningsIn("", "reward rate up = -acos(base.up.z) / 1 rad\n" + end),
+              ElementsAre("W0715"));
+  EXPECT_THAT(WarningsIn("", "reward rate up = base.up.z\n" + end), IsEmpty());
+  EXPECT_THAT(WarningsIn("", "reward rate waiting = -1\n" + end +
+                                 "if base.position.x > 1 m { reward line = 10 end_episode success "
+                                 "\"arrives\" }\n"
+                                 "if base.position.x < -1 m { end_episode failure \"flees\" }"),
+              IsEmpty());
+}
+
+TEST(BoundsWarnings, OfEarlyDeathTakeNoUnknownCostForALargeOne) {
+  const auto falling = [](const std::string& payment) {
+    return WarningsOf(
+        "task tested\nsensor force: real[4]\nsensor tilt: real in -1 .. 1\n"
+        "on end_of_time_step {\n  reward rate effort = -norm(force)\n"
+        "  if tilt > 0.5 { " +
+        payment + "end_episode failure \"falls\" }\n}\n");
+  };
+  EXPECT_THAT(falling("reward fall = -1 "), IsEmpty());
+  EXPECT_THAT(falling(""), ElementsAre("W0715"));
+}
+
 TEST(BoundsWarnings, OfEarlyDeathAreNotGivenWhereFailingCosts) {
   const std::string waiting = "reward rate waiting = -1\n";
   const std::string end = "end_episode failure \"falls\"";
-  EXPECT_THAT(WarningsIn("", waiting + "if contact[head] { reward fall = -9 " + end + " }"),
+  EXPECT_THAT(WarningsIn("", waiting + "if contact[head] { reward fall = -29 " + end + " }"),
               IsEmpty());
   EXPECT_THAT(WarningsIn("", waiting +
-                                 "if contact[head] { reward fall = -9 }\n"
+                                 "if contact[head] { reward fall = -29 }\n"
                                  "if contact[head] { " +
                                  end + " }"),
               IsEmpty());
   EXPECT_THAT(
       WarningsIn("memory fallen: bool = false per action", waiting +
-                                                               "if fallen { reward fall = -9 }\n"
+                                                               "if fallen { reward fall = -29 }\n"
                                                                "if contact[head] { fallen = true " +
                                                                end + " }"),
       IsEmpty());
