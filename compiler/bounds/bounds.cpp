@@ -1,6 +1,7 @@
 #include "compiler/bounds/bounds.h"
 
 #include "compiler/bounds/causes.h"
+#include "compiler/bounds/domains.h"
 #include "compiler/bounds/event_bounds.h"
 #include "compiler/bounds/expression_bounds.h"
 #include "compiler/bounds/memory_bounds.h"
@@ -10,9 +11,10 @@ namespace {
 
 // A metric is measured after a time step, of whatever length.
 ValueBounds MetricBounds(const CheckedTask& task, const CheckedMetric& metric,
-                         const Assumptions& assumptions, const TaskBounds& found) {
+                         const Assumptions& assumptions, TaskBounds& found) {
   Values values = ValuesAtStart(task, EventKind::kEndOfTimeStep, assumptions);
   values.memory = found.memory;
+  FindLeftDomains(task, values, {}, metric.value, found.left_domains);
   return {ExpressionBounds(task, values).Of(metric.value),
           CausesOf(task, values, {}, metric.value)};
 }

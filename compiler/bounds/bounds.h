@@ -51,6 +51,14 @@ struct ConditionBounds {
   std::vector<Operand> operands{};
 };
 
+// A call of a function of one number that has no value for some that its argument can have.
+struct LeftDomain {
+  Builtin function;
+  Span argument;
+  Interval value;  // of the argument
+  Unit unit;
+};
+
 struct TaskBounds {
   std::vector<TermBounds> terms;     // as in the task
   std::vector<ValueBounds> metrics;  // whenever they are measured
@@ -58,6 +66,7 @@ struct TaskBounds {
   std::vector<Box> memory;  // between callbacks
   std::vector<bool> ends_reached;
   std::vector<ConditionBounds> conditions;
+  std::vector<LeftDomain> left_domains;
 };
 
 // What is known of sensors and params beyond their ranges.

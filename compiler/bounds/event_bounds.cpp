@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "compiler/bounds/causes.h"
+#include "compiler/bounds/domains.h"
 #include "compiler/bounds/expression_bounds.h"
 #include "compiler/bounds/narrowing.h"
 #include "compiler/check/assignment.h"
@@ -50,6 +51,7 @@ void EventBounds::Run(const CheckedBlock& block, Reached& values) {
 }
 
 void EventBounds::Run(const CheckedLet& let, Reached& values) {
+  FindDomainsLeft(let.value, *values);
   values->locals[let.local] = ExpressionBounds(task_, *values).AllOf(let.value);
   definitions_[let.local] = IsLasting(let.value, definitions_) ? &let.value : nullptr;
   if (found_ != nullptr)
@@ -57,6 +59,7 @@ void EventBounds::Run(const CheckedLet& let, Reached& values) {
 }
 
 void EventBounds::Run(const CheckedAssign& assign, Reached& values) {
+  FindDomainsLeft(assign.value, *values);
   const Box value = ExpressionBounds(task_, *values).AllOf(assign.value);
   const Type& type = task_.memory[assign.memory].type;
   Box& memory = values->memory[assign.memory];
@@ -88,6 +91,7 @@ void EventBounds::Run(const CheckedIf& branches, Reached& values) {
   };
   for (const CheckedIfBranch& branch : branches.branches) {
     if (!values) break;
+    FindDomainsLeft(branch.condition, *values);
     Reached inside = values;
     if (!Assume(branch.condition, true, *inside)) inside.reset();
     Reached outside = values;
@@ -116,6 +120,7 @@ void EventBounds::Run(const CheckedReward& reward, Reached& values) {
   if (sum.may_be_nan || sum.may_be_infinite) sum = Join(sum, values->reward);
   values->reward = {sum.low, sum.high};
   if (found_ == nullptr) return;
+  FindDomainsLeft(reward.value, *values);
   TermBounds& term = found_->terms[reward.term];
   JoinInto(reward.is_rate ? term.rate : term.payment, value);
   AddCauses(term.causes, CausesOf(task_, *values, local_causes_, reward.value));
@@ -127,6 +132,7 @@ void EventBounds::Run(const CheckedEnd& end, Reached&) {
 
 void EventBounds::Run(const CheckedLog& log, Reached& values) {
   if (found_ == nullptr) return;
+  FindDomainsLeft(log.value, *values);
   ValueBounds& bounds = found_->logs[log.log];
   bounds.value = Join(bounds.value, ExpressionBounds(task_, *values).Of(log.value));
   AddCauses(bounds.causes, CausesOf(task_, *values, local_causes_, log.value));
@@ -143,6 +149,7 @@ void EventBounds::Run(const CheckedRedraw& redraw, Reached& values) {
 
 // A callback goes on where what it requires does not hold.
 void EventBounds::Run(const CheckedRequire& require, Reached& values) {
+  FindDomainsLeft(require.condition, *values);
   const Interval truth = ExpressionBounds(task_, *values).Of(require.condition);
   Note(require.condition, MayBeTrue(truth), MayBeFalse(truth), *values);
 }
@@ -151,6 +158,11 @@ bool EventBounds::Assume(const CheckedExpression& condition, bool truth, Values&
   // Twice: what the last part of an `and` says may narrow what the first part compares with.
   Narrowing narrowing(task_, definitions_, values);
   return narrowing.Assume(condition, truth) && narrowing.Assume(condition, truth);
+}
+
+void EventBounds::FindDomainsLeft(const CheckedExpression& expression, const Values& values) const {
+  if (found_ != nullptr)
+    FindLeftDomains(task_, values, definitions_, expression, found_->left_domains);
 }
 
 void EventBounds::Note(const CheckedExpression& condition, bool may_be_true, bool may_be_false,

@@ -38,6 +38,7 @@ class EventBounds {
   void Run(const CheckedRedraw& redraw, Reached& values);
 
   bool Assume(const CheckedExpression& condition, bool truth, Values& values) const;
+  void FindDomainsLeft(const CheckedExpression& expression, const Values& values) const;
   void Note(const CheckedExpression& condition, bool may_be_true, bool may_be_false,
             const Values& values);
   void NoteOperands(const CheckedExpression& condition, const Values& values,

@@ -8,7 +8,9 @@
 #include "compiler/bounds/bounds.h"
 #include "compiler/bounds/bounds_text.h"
 #include "compiler/bounds/dependence.h"
+#include "compiler/bounds/domains.h"
 #include "compiler/bounds/early_death.h"
+#include "compiler/bounds/end_warnings.h"
 #include "compiler/check/fold.h"
 #include "compiler/check/report.h"
 #include "compiler/check/traversal.h"
@@ -200,6 +202,8 @@ void WarnOfBounds(const CheckedTask& task, Diagnostics& diagnostics) {
   WarnOfTinyTerms(task, bounds, moderate, false, diagnostics);
   WarnOfTermsWithoutBound(task, bounds, diagnostics);
   WarnOfMemory(task, bounds, diagnostics);
+  WarnOfLeftDomains(bounds, diagnostics);
+  WarnOfEnds(task, bounds, diagnostics);
   WarnOfEarlyDeath(task, diagnostics);
 }
 

@@ -7,6 +7,7 @@
 
 #include "compiler/check/fold.h"
 #include "compiler/check/names.h"
+#include "compiler/check/real_equality.h"
 #include "compiler/check/report.h"
 #include "compiler/check/traversal.h"
 
@@ -261,6 +262,7 @@ void Warn(const CheckedTask& task, const SyntaxTree& tree, Diagnostics& diagnost
   WarnOfUnusedFunctions(task, tree, diagnostics);
   WarnOfNoEnd(task, tree, diagnostics);
   WarnOfTests(task, diagnostics);
+  WarnOfRealEquality(task, diagnostics);
   for (size_t i = 0; i < task.events.size(); ++i) {
     const auto kind = static_cast<EventKind>(i);
     const CheckedEvent& event = task.events[i];

@@ -144,6 +144,28 @@ TEST(BoundsWarnings, OfEarlyDeathAreNotGivenWhereFailingCosts) {
   EXPECT_THAT(WarningsIn("", waiting + "if contact[head] { " + end + " }"), ElementsAre("W0715"));
 }
 
+TEST(EndWarnings, AreNotGivenWhereAnEndStopsTheTask) {
+  EXPECT_THAT(WarningsIn("",
+                         "reward rate up = base.up.z\n"
+                         "if contact[head] { reward fall = -2 end_episode failure \"falls\" }"),
+              IsEmpty());
+}
+
+TEST(EndWarnings, AreNotGivenForEpisodesOfOneAction) {
+  EXPECT_THAT(
+      WarningsOf("task tested for humanoid\n"
+                 "on end_of_action { reward up = base.up.z end_episode success \"done\" }\n"),
+      IsEmpty());
+}
+
+TEST(DomainWarnings, AreNotGivenForSensorsWithoutRange) {
+  EXPECT_THAT(WarningsOf("task tested\nsensor speed: real\nsensor time: real [s]\n"
+                         "on end_of_time_step {\n"
+                         "  reward rate root = tanh(sqrt(speed))\n"
+                         "  if time > 1 s { truncate_episode \"time is up\" }\n}\n"),
+              IsEmpty());
+}
+
 TEST(Allowances, SilenceWhatTheyNameWithinWhatTheyCover) {
   const std::string tiny = "reward rate effort = -1e-5 * norm(joint.torque)\n";
   const std::string large = "reward rate forward = 50 * base.velocity.x";
