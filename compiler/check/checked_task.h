@@ -118,8 +118,8 @@ struct FunctionCall {
 struct TestRead {
   enum Kind {
     kTotal,   // what reward term `index` has paid since the test began
-    kMetric,  // metric `index`, measured now
-    kLog,     // the last value of log `index`; NaN before the first
+    kMetric,  // metric `index`, as it would be recorded if the episode ended now
+    kLog,     // log `index`, in the same way
     kReward,  // what the last callback has paid
     kEnded    // whether an end was reached since the test began, or a requirement did not hold
   };

@@ -1,7 +1,6 @@
 #include "compiler/interpret/expression_evaluator.h"
 
 #include <cmath>
-#include <limits>
 
 #include "compiler/check/arithmetic.h"
 #include "compiler/interpret/builtins.h"
@@ -138,12 +137,13 @@ Value ExpressionEvaluator::Of(const TestRead& node, const Type&) const {
   switch (node.kind) {
     case TestRead::kTotal:
       return Reals{frame_.terms[node.index]};
-    case TestRead::kMetric:
-      return Evaluate(task_.metrics[node.index].value);
-    case TestRead::kLog: {
-      const LogState& log = frame_.logs[node.index];
-      return Reals{log.count > 0 ? log.last : std::numeric_limits<double>::quiet_NaN()};
+    case TestRead::kMetric: {
+      const CheckedMetric& metric = task_.metrics[node.index];
+      if (metric.reduction == Reduction::kLast) return Evaluate(metric.value);
+      return Reals{frame_.recorded_metrics[node.index]};
     }
+    case TestRead::kLog:
+      return Reals{frame_.recorded_logs[node.index]};
     case TestRead::kReward:
       return Reals{frame_.reward};
     case TestRead::kEnded:

@@ -39,6 +39,10 @@ struct Frame {
   // The first of that kind since the frame was made, or -1.
   int32_t first_end = -1;
   int32_t first_violation = -1;
+  // What `value(NAME)` reads: what would be recorded if the episode ended now. A test's business;
+  // only a metric that is reduced to its last value is computed when it is read.
+  std::vector<double> recorded_metrics;
+  std::vector<double> recorded_logs;
 };
 
 }  // namespace compiler

@@ -118,7 +118,8 @@ constexpr auto kOthers = std::to_array<ExplainedWord>({
     {"mat4", "4 x 4 numbers, indexed by row and column."},
     {"quat", "A rotation as a quaternion: `.w`, `.x`, `.y`, `.z`."},
     {"total", "What a reward term has paid since the test began: `total(TERM)`."},
-    {"value", "A metric now, or the last value of a log: `value(NAME)`."},
+    {"value",
+     "A metric or a log, as it would be recorded if the episode ended now: `value(NAME)`."},
     {"ended", "Whether the episode has ended since the test began."},
 });
 

@@ -26,6 +26,7 @@ class PluginInstance {
   void Fire(int event, double time_step) { host_.Call(event, time_step); }
   void Measure() { host_.Measure(); }
 
+  const taskc_plugin& table() const { return host_.plugin(); }
   // What the last callback did.
   const taskc_frame& frame() const { return host_.frame(); }
 

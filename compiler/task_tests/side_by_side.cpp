@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "compiler/syntax/words.h"
+#include "plugins/host/log_value.h"
 
 namespace compiler {
 namespace {
@@ -41,8 +42,12 @@ void CompareIndices(const std::string& what, int32_t plugin, int32_t evaluator) 
 }  // namespace
 
 SideBySide::SideBySide(const CheckedTask& task, const taskc_plugin& plugin)
-    : task_(task), plugin_(plugin), evaluator_(task) {
+    : task_(task),
+      plugin_(plugin),
+      reducer_({plugin.metrics, plugin.metric_count}),
+      evaluator_(task) {
   Compare();
+  Record();
 }
 
 void SideBySide::SetSensor(uint32_t sensor, const Value& value) {
@@ -70,6 +75,18 @@ void SideBySide::Fire(EventKind event, double time_step) {
   } catch (const Disagreement& found) {
     throw Disagreement(fmt::format("after `{}`, {}", NameOf(event, kEventNames), found.what()));
   }
+  if (event == EventKind::kEndOfTimeStep) reducer_.EndTimeStep(evaluator_.frame().metrics);
+}
+
+void SideBySide::Record() {
+  Frame& frame = evaluator_.frame();
+  host::MetricReducer episode = reducer_;
+  episode.EndEpisode(frame.metrics);
+  frame.recorded_metrics.assign(episode.values().begin(), episode.values().end());
+  frame.recorded_logs.clear();
+  for (size_t i = 0; i < task_.logs.size(); ++i)
+    frame.recorded_logs.push_back(
+        host::LogValue(plugin_.table().logs[i].reduction, plugin_.frame().logs[i]));
 }
 
 void SideBySide::Compare() const {

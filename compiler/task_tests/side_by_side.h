@@ -7,6 +7,7 @@
 
 #include "compiler/interpret/evaluator.h"
 #include "compiler/task_tests/plugin_instance.h"
+#include "plugins/host/metric_reducer.h"
 
 namespace compiler {
 
@@ -34,6 +35,10 @@ class SideBySide {
   // tell them apart. Throws Disagreement.
   void Fire(EventKind event, double time_step);
 
+  // Brings up to date what `value(NAME)` reads: what a trainer would record if the episode, which
+  // began with this object, ended now.
+  void Record();
+
   const Evaluator& evaluator() const { return evaluator_; }
 
  private:
@@ -42,6 +47,7 @@ class SideBySide {
 
   const CheckedTask& task_;
   PluginInstance plugin_;
+  host::MetricReducer reducer_;
   Evaluator evaluator_;
 };
 

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <string_view>
 
-#include "runtime/core/task/log_value.h"
+#include "plugins/host/log_value.h"
 #include "runtime/core/task/saved_values.h"
 
 namespace runtime {
@@ -181,7 +181,7 @@ void TaskInstance::EndEpisode() {
   Measure();
   reducer_.EndEpisode(host_.metrics());
   for (size_t i = 0; i < logged_.size(); ++i) {
-    logged_[i] = LogValue(table().logs[i].reduction, host_.logs()[i]);
+    logged_[i] = host::LogValue(table().logs[i].reduction, host_.logs()[i]);
   }
 }
 

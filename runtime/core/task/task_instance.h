@@ -11,10 +11,10 @@
 #include <string>
 #include <vector>
 
+#include "plugins/host/metric_reducer.h"
 #include "plugins/host/task_frame.h"
 #include "runtime/core/module/module.h"
 #include "runtime/core/module/values.h"
-#include "runtime/core/task/metric_reducer.h"
 #include "runtime/core/task/plugin.h"
 #include "runtime/core/task/plugin_watch.h"
 #include "runtime/core/task/task_goals.h"
@@ -117,7 +117,7 @@ class TaskInstance {
   TaskGoals goals_;
   std::vector<Param> params_;
 
-  MetricReducer reducer_;
+  host::MetricReducer reducer_;
   std::vector<double> logged_;
   std::vector<Incidents> faults_;
   int64_t fault_count_ = 0;

@@ -32,12 +32,16 @@ on end_of_time_step {
 }
 )";
 
-// Each as "ok", or what is said of it.
-std::string TextOf(const std::string& tests, const std::string& filter = "") {
+// Each test as "ok", or what is said of it.
+std::string ResultsOf(const std::string& task, const std::string& filter = "") {
   static const TemporaryFolder cache;
-  const CheckedSource checked("tested.task", kTask + tests);
+  const CheckedSource checked("tested.task", task);
   if (!checked.task) return checked.Messages();
   return ToText(TestTask(*checked.task, checked.sources, filter, cache.path()), checked.sources);
+}
+
+std::string TextOf(const std::string& tests, const std::string& filter = "") {
+  return ResultsOf(kTask + tests, filter);
 }
 
 TEST(TestTask, RunsATestOfThePaper) {
@@ -105,6 +109,50 @@ TEST(TestTask, GivesParamsMemoryAndTheTimeStep) {
 }
 )"),
             "ok      given\n");
+}
+
+TEST(TestTask, ReducesMetricsAndLogsAsAnEpisodeDoes) {
+  EXPECT_EQ(ResultsOf(R"(task reduced
+sensor x: real
+metric now = x
+metric sum all = x
+metric max high = x
+metric min low = x
+metric mean middle = x
+on start_of_time_step { log sum added = x log max peak = x log min dip = x log mean level = x }
+on end_of_time_step { if x > 90 { truncate_episode "far" } }
+test "of three time steps" {
+  given x = 3
+  fire start_of_time_step, end_of_time_step
+  given x = -1
+  fire start_of_time_step, end_of_time_step
+  given x = 10
+  fire start_of_time_step, end_of_time_step
+  given x = 7
+  expect value(now) == 7 and value(all) == 12 and value(middle) == 4
+  expect value(high) == 10 and value(low) == -1
+  expect value(added) == 12 and value(level) == 4
+  expect value(peak) == 10 and value(dip) == -1
+}
+test "of other events" {
+  given x = 5
+  fire start_of_time_step, end_of_action, start_of_physics_step
+  expect value(all) == 0 and value(now) == 5 and value(added) == 5
+}
+test "of nothing" {
+  expect value(all) == 0 and value(added) == 0
+  expect value(middle) == 0
+  expect value(peak) == 0
+}
+)"),
+            R"(ok      of three time steps
+ok      of other events
+FAILED  of nothing
+        tested.task:30: expect value(middle) == 0
+            value(middle) is not a number
+        tested.task:31: expect value(peak) == 0
+            value(peak) is not a number
+)");
 }
 
 TEST(TestTask, KnowsTheFirstEnd) {

@@ -1,11 +1,11 @@
-#include "runtime/core/task/metric_reducer.h"
+#include "plugins/host/metric_reducer.h"
 
 #include <gmock/gmock.h>
 
 #include <cmath>
 #include <limits>
 
-namespace runtime {
+namespace host {
 namespace {
 
 using testing::ElementsAre;
@@ -65,4 +65,4 @@ TEST(MetricReducer, LastNeedsNoTimeSteps) {
 }
 
 }  // namespace
-}  // namespace runtime
+}  // namespace host

@@ -1,10 +1,10 @@
-#include "runtime/core/task/metric_reducer.h"
+#include "plugins/host/metric_reducer.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace runtime {
+namespace host {
 namespace {
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
@@ -80,4 +80,4 @@ void MetricReducer::TakeOver(size_t index, const MetricReducer& other, size_t ot
   time_steps_[index] = other.time_steps_[other_index];
 }
 
-}  // namespace runtime
+}  // namespace host

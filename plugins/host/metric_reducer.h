@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace runtime {
+namespace host {
 
 // One number per episode from what each metric was at its time steps: the last, the sum, the
 // largest, the smallest or the mean. A value that is not a number makes the whole episode's not a
@@ -38,4 +38,4 @@ class MetricReducer {
   bool needs_time_steps_ = false;
 };
 
-}  // namespace runtime
+}  // namespace host

@@ -1,8 +1,8 @@
-#include "runtime/core/task/log_value.h"
+#include "plugins/host/log_value.h"
 
 #include <limits>
 
-namespace runtime {
+namespace host {
 
 double LogValue(int reduction, const taskc_log_state& state) {
   if (reduction == TASKC_SUM) return state.sum;
@@ -19,4 +19,4 @@ double LogValue(int reduction, const taskc_log_state& state) {
   }
 }
 
-}  // namespace runtime
+}  // namespace host
