@@ -150,7 +150,7 @@ class Extension {
 
   void Override(Declaration& declaration) {
     if (auto* reward = std::get_if<RewardOverride>(&declaration.node)) {
-      if (!OverrideReward(declaration.span, *reward)) ReportNothing(declaration, TermNames());
+      if (!OverrideReward(declaration, *reward)) ReportNothing(declaration, TermNames());
       return;
     }
     if (const auto* event = std::get_if<EventDeclaration>(&declaration.node))
@@ -196,19 +196,55 @@ class Extension {
   }
 
   // In place of every statement of the term. True if there was one.
-  bool OverrideReward(Span span, const RewardOverride& changed) {
-    bool is_found = false;
+  bool OverrideReward(const Declaration& declaration, const RewardOverride& changed) {
+    const RewardStatement& model = changed.reward;
+    std::vector<Statement*> statements;
     ForEachReward(base_, [&](Statement& statement) {
-      auto& reward = std::get<RewardStatement>(statement.node);
-      if (reward.name.text != changed.reward.name.text) return;
-      is_found = true;
-      removed_.push_back(statement.span);
-      const RewardStatement& model = changed.reward;
-      statement.span = span;
-      statement.node = RewardStatement{model.doc.empty() ? reward.doc : model.doc, model.is_rate,
-                                       model.name, CopyOf(model.value)};
+      if (PaidBy(statement).name.text == model.name.text) statements.push_back(&statement);
     });
-    return is_found;
+    CheckKind(declaration, model, statements);
+    for (Statement* statement : statements) {
+      removed_.push_back(statement->span);
+      statement->span = declaration.span;
+      const std::string& doc = model.doc.empty() ? PaidBy(*statement).doc : model.doc;
+      statement->node = RewardStatement{doc, model.is_rate, model.name, CopyOf(model.value)};
+    }
+    return !statements.empty();
+  }
+
+  static const RewardStatement& PaidBy(const Statement& statement) {
+    return std::get<RewardStatement>(statement.node);
+  }
+
+  // Does the override pay at once, or per second, where the base does?
+  void CheckKind(const Declaration& declaration, const RewardStatement& own,
+                 const std::vector<Statement*>& statements) {
+    const auto is_same = [&](const Statement* statement) {
+      return PaidBy(*statement).is_rate == own.is_rate;
+    };
+    const auto other = std::ranges::find_if_not(statements, is_same);
+    if (other == statements.end()) return;
+    const RewardStatement& inherited = PaidBy(**other);
+    const bool is_mixed = std::ranges::any_of(statements, is_same);
+    const std::string base_way = is_mixed ? "both at once and per second" : WayOf(inherited);
+    Diagnostic diagnostic =
+        MakeDiagnostic(code::kOtherKindOfReward, own.name.span,
+                       fmt::format("the base pays `{}` {}{}", own.name.text, base_way,
+                                   is_mixed ? "" : fmt::format(", not {}", WayOf(own))));
+    diagnostic.labels = {{inherited.name.span, fmt::format("paid {} here", WayOf(inherited))}};
+    if (is_mixed) {
+      diagnostic.help = "override the blocks in which it is paid";
+    } else {
+      diagnostic.note = "to pay it in another way, override the block in which it is paid";
+      diagnostic.help = WriteInstead(
+          {declaration.override_span->begin, own.name.span.end},
+          fmt::format("override reward {}{}", inherited.is_rate ? "rate " : "", own.name.text));
+    }
+    diagnostics_.Add(std::move(diagnostic));
+  }
+
+  static std::string WayOf(const RewardStatement& reward) {
+    return reward.is_rate ? "per second" : "at once";
   }
 
   Declaration* FindInherited(const Declaration& declaration) {

@@ -76,7 +76,7 @@ const std::string kBase =
     "/// How fast.\nmetric max top = speed\n"
     "fn half(x: real) -> real = x / 2\n"
     "on end_of_time_step {\n  let v = speed\n  /// For speed.\n  reward rate run = v * gain\n"
-    "  if v > 2 m/s { reward run = half(3) far = true }\n"
+    "  if v > 2 m/s { reward rate run = half(3) far = true }\n"
     "}\n"
     "on end_of_action {\n  if far { end_episode success \"far\" }\n}\n"
     "test \"nothing\" { fire end_of_action }\n";
