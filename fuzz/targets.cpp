@@ -55,8 +55,9 @@ void Use(const CheckedTask& task, const Sources& sources) {
 void Parse(const std::string& text) {
   const Sources sources("fuzz.task", text);
   Diagnostics diagnostics;
-  const bool is_parsed = compiler::Parse(sources.main(), diagnostics).has_value();
-  Require(is_parsed == !diagnostics.has_errors(), "neither a tree nor an error, or both");
+  const auto tree = compiler::Parse(sources.main(), diagnostics);
+  Require(tree || diagnostics.has_errors(), "neither a tree nor an error");
+  Require(!tree || tree->lost.is_empty() || diagnostics.has_errors(), "something is lost silently");
   Show(sources, diagnostics);
 }
 

@@ -169,7 +169,8 @@ product : factor (('*' | '/') factor)* ;
 
 factor : '-' factor | postfix ;
 
-postfix : primary (member | selection)* ;
+// With `arguments` it is never well-formed, which the checker says: it knows what was meant.
+postfix : primary (member arguments? | selection)* ;
 
 // base.position, .xy
 member : '.' name ;
@@ -192,7 +193,9 @@ primary
     | SET_BEGIN items SET_END    // only in an index set, which the tree builder checks
     ;
 
-call : callee=word '(' (expression (',' expression)*)? ')' ;
+call : callee=word arguments ;
+
+arguments : '(' (expression (',' expression)*)? ')' ;
 
 // ---- Numbers and units --------------------------------------------------------------------------
 
@@ -310,7 +313,11 @@ BLANK : [ \t\r\n\f]+ -> skip ;
 
 UNCLOSED_STRING : '"' (~["\\\r\n] | '\\' ~[\r\n])* '\\'? ;
 NUMBER_WITHOUT_ZERO : '.' DIGITS ([eE] [+-]? DIGITS)? ;
-FOREIGN : '&&' | '||' | '!' | ';' | '%' | '**' | '++' | '<>' | '#' ;
+FOREIGN
+    : '&&' | '||' | '!' | '&' | '|' | '~' | '<>' | '~=' | '===' | '!==' | '=<' | '=>' | ':='
+    | '.*' | './' | '.^' | '**' | '++' | '@' | '%' | '?' | ';'
+    ;
+FOREIGN_COMMENT : '#' ~[\r\n]* ;
 FOREIGN_STRING : '\'' ~['\r\n]* '\'' ;
 BLOCK_COMMENT : '/*' .*? ('*/' | EOF) ;
 // The lexer reads bytes: a run of them is a run of characters beyond ASCII.

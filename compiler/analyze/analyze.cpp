@@ -9,13 +9,11 @@
 namespace compiler {
 namespace {
 
-// True where the task has the robot that it needs; many need none.
-bool GetRobot(Analysis& analysis, const std::filesystem::path& robots) {
+void GetRobot(Analysis& analysis, const std::filesystem::path& robots) {
   const auto& name = analysis.tree->robot;
-  if (!name) return true;
+  if (!name) return;
   const std::string& file = analysis.sources.FileOf(name->span).path();
   analysis.robot = FindRobot(*name, file, robots, analysis.diagnostics);
-  return analysis.robot.has_value();
 }
 
 }  // namespace
@@ -24,7 +22,8 @@ Analysis Analyze(const std::filesystem::path& file, const FileReader& read,
                  const std::filesystem::path& robots, References* references) {
   Analysis analysis;
   analysis.tree = Compose(file, read, analysis.sources, analysis.diagnostics);
-  if (!analysis.tree || !GetRobot(analysis, robots)) return analysis;
+  if (!analysis.tree) return analysis;
+  GetRobot(analysis, robots);
   analysis.task = Check(*analysis.tree, analysis.robot ? &*analysis.robot : nullptr,
                         analysis.diagnostics, references);
   if (!analysis.task) return analysis;

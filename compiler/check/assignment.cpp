@@ -11,9 +11,28 @@
 #include "compiler/check/target.h"
 #include "compiler/check/type.h"
 #include "compiler/check/unit.h"
+#include "compiler/syntax/foreign_words.h"
 
 namespace compiler {
 namespace {
+
+// `done = true`: other languages end an episode by setting a flag. False: it is none of these.
+bool ReportEndByFlag(const AssignStatement& assign, const TaskScope& scope) {
+  const Identifier& name = assign.target.name;
+  const ForeignWord* foreign = FindForeign(ForeignPlace::kStatement, name.text);
+  const bool is_end =
+      foreign != nullptr && foreign->instead.find("_episode") != std::string_view::npos;
+  if (!is_end || scope.symbols.Find(name.text) != nullptr || scope.refused.contains(name.text))
+    return false;
+  const auto* value = std::get_if<BoolLiteral>(&assign.value.node);
+  Help help = std::string(foreign->help);
+  if (value != nullptr && value->value && assign.op == AssignOperator::kSet)
+    help.fixes = {{Cover(assign.target.span, assign.value.span),
+                   fmt::format("{} \"{}\"", foreign->instead, name.text)}};
+  Report(scope.diagnostics, code::kUnknownName, name.span,
+         fmt::format("there is nothing called `{}`", name.text), {.help = std::move(help)});
+  return true;
+}
 
 // The memory that is assigned to, or null after a message. A wrong declaration has had its own.
 const Symbol* FindMemory(const Identifier& target, const TaskScope& scope) {
@@ -84,6 +103,7 @@ BinaryOperator OperatorOf(AssignOperator op) {
 
 std::optional<CheckedAssign> CheckAssignment(const AssignStatement& assign, const Place& place,
                                              const TaskScope& scope) {
+  if (ReportEndByFlag(assign, scope)) return std::nullopt;
   const Symbol* memory = FindMemory(PathOf(assign.target).front(), scope);
   std::optional<CheckedExpression> target;
   if (memory != nullptr)

@@ -1,5 +1,6 @@
 #include "compiler/check/check.h"
 
+#include <algorithm>
 #include <cassert>
 
 #include "compiler/check/after_end.h"
@@ -13,11 +14,25 @@
 #include "compiler/check/warnings.h"
 
 namespace compiler {
+namespace {
+
+bool DeclaresSensors(const SyntaxTree& tree) {
+  return std::ranges::any_of(tree.declarations, [](const Declaration& declaration) {
+    return std::holds_alternative<SensorDeclaration>(declaration.node);
+  });
+}
+
+}  // namespace
 
 std::optional<CheckedTask> Check(const SyntaxTree& tree, const robot::RobotDescription* robot,
                                  Diagnostics& diagnostics, References* references) {
-  assert(tree.robot.has_value() == (robot != nullptr));
-  TaskScope scope{.has_robot = robot != nullptr,
+  assert(robot == nullptr || tree.robot);
+  const bool knows_robot =
+      tree.robot ? robot != nullptr : !tree.lost.has_header && !tree.lost.has_anything;
+  TaskScope scope{.has_robot = robot != nullptr || !knows_robot,
+                  .knows_robot = knows_robot,
+                  .knows_names = !tree.lost.has_anything,
+                  .knows_functions = !tree.lost.has_anything && !tree.lost.has_imports,
                   .enumerations = EnumerationsOf(robot),
                   .sensors = {},
                   .symbols = {},
@@ -30,16 +45,19 @@ std::optional<CheckedTask> Check(const SyntaxTree& tree, const robot::RobotDescr
                   .refused = {},
                   .around = nullptr,
                   .references = references};
-  if (scope.has_robot) scope.sensors = SensorCatalog::OfRobot(*robot, scope.enumerations);
+  if (robot != nullptr) scope.sensors = SensorCatalog::OfRobot(*robot, scope.enumerations);
+  if (!knows_robot && !DeclaresSensors(tree)) scope.sensors = SensorCatalog::OfAnyRobot();
 
   CheckedTask task;
-  task.name = tree.task->text;
+  if (tree.task) task.name = tree.task->text;
   task.doc = tree.doc;
   if (tree.robot) task.robot = tree.robot->text;
   if (robot != nullptr) task.longest_time_step = robot->controller.time_step;
-  CheckStartPose(tree, robot, task, diagnostics);
+  CheckStartPose(tree, robot, scope, task);
   // The names first, wherever they are declared; then what uses them.
   CheckSensors(tree, scope);
+  for (const std::string& word : tree.lost.words)
+    if (!scope.sensors.IsRoot(word)) scope.refused.insert(word);
   DeclareFunctions(tree, scope);
   CheckParams(tree, scope, task);
   CheckMemory(tree, scope, task);
@@ -50,9 +68,9 @@ std::optional<CheckedTask> Check(const SyntaxTree& tree, const robot::RobotDescr
   AddGoalStatements(task);
   AddMemoryOfEnd(tree, task);
   CheckTests(tree, scope, task);
+  task.sensors = scope.sensors.list();
   if (diagnostics.has_errors()) return std::nullopt;
 
-  task.sensors = scope.sensors.list();
   KeepReadSensors(task, diagnostics);
   KeepCalledFunctions(task);
   if (diagnostics.has_errors()) return std::nullopt;

@@ -12,8 +12,10 @@
 namespace compiler {
 
 // Checks names, types, shapes, index ranges and units. `robot` is the description of the robot that
-// the task names, or null if it names none. All mistakes go to `diagnostics`; returns nothing if
-// any of them was an error. What the names stand for goes to `references`, as far as it is known.
+// the task names, or null if it names none or that is nowhere. All mistakes go to `diagnostics`,
+// which may hold errors of what was done before; returns nothing if any of them was an error. What
+// the tree has lost is not missed. What the names stand for goes to `references`, as far as it is
+// known.
 std::optional<CheckedTask> Check(const SyntaxTree& tree, const robot::RobotDescription* robot,
                                  Diagnostics& diagnostics, References* references = nullptr);
 

@@ -108,7 +108,10 @@ class ParamCheck {
   // All parts are looked at, so that all mistakes are reported.
   std::optional<CheckedParam> Check() {
     const auto declared = CheckDeclaredType(param_.type, param_.unit, scope_);
-    if (!declared || !HasValidType(declared->type)) return std::nullopt;
+    if (!declared || !HasValidType(declared->type)) {
+      CheckExpression(param_.initial, kConstantPlace, scope_);
+      return std::nullopt;
+    }
     const auto range = CheckRange(param_, *declared, scope_);
     const auto initial = CheckConstant(param_.initial, *declared, param_.name, scope_);
     if (!range || !initial) return std::nullopt;
@@ -174,20 +177,22 @@ void CheckOneMemory(const MemoryDeclaration& memory, TaskScope& scope, CheckedTa
     if (!initial) initial = CheckedExpression{memory.initial.span, declared->type, {}, Constant{}};
     task.memory.push_back({memory.name.text, declared->type, declared->unit, memory.scope,
                            std::move(*initial), memory.name.span, memory.doc});
+  } else {
+    CheckExpression(memory.initial, kConstantPlace, scope);
   }
   DeclareSymbol(memory.name, symbol, scope);
 }
 
 }  // namespace
 
-void CheckStartPose(const SyntaxTree& tree, const robot::RobotDescription* robot, CheckedTask& task,
-                    Diagnostics& diagnostics) {
+void CheckStartPose(const SyntaxTree& tree, const robot::RobotDescription* robot,
+                    const TaskScope& scope, CheckedTask& task) {
   const StartDeclaration* declared = nullptr;
   ForEachDeclared<StartDeclaration>(tree, [&](const StartDeclaration& each) { declared = &each; });
-  if (declared == nullptr) return;
+  if (declared == nullptr || !scope.knows_robot) return;
   const Identifier& start = declared->pose;
   if (robot == nullptr) {
-    Report(diagnostics, code::kPoseWithoutRobot, start.span,
+    Report(scope.diagnostics, code::kPoseWithoutRobot, start.span,
            fmt::format("there is no pose `{}` without a robot", start.text),
            {.help = "write `for ROBOT` after the task's name, or leave out `start`"});
     return;
@@ -196,7 +201,7 @@ void CheckStartPose(const SyntaxTree& tree, const robot::RobotDescription* robot
   if (robot->FindPose(start.text) != nullptr) return;
   std::vector<std::string> poses;
   for (const robot::Pose& pose : robot->poses) poses.push_back(pose.name);
-  Report(diagnostics, code::kUnknownPose, start.span,
+  Report(scope.diagnostics, code::kUnknownPose, start.span,
          fmt::format("the {} has no pose `{}`", robot->name, start.text),
          {.help = Suggest(start.span, start.text, poses, "poses")});
 }
@@ -204,7 +209,8 @@ void CheckStartPose(const SyntaxTree& tree, const robot::RobotDescription* robot
 void CheckSensors(const SyntaxTree& tree, TaskScope& scope) {
   std::map<std::string, Span> seen;
   ForEachDeclared<SensorDeclaration>(tree, [&](const SensorDeclaration& sensor) {
-    if (scope.has_robot) {
+    if (scope.has_robot && scope.knows_robot) {
+      scope.refused.insert(sensor.name.text.substr(0, sensor.name.text.find('.')));
       Report(scope.diagnostics, code::kTwoSensorSources, sensor.name.span,
              "the sensors of this task are those of its robot",
              {.help = "leave out the declaration, or `for ROBOT` to declare all sensors",
@@ -244,9 +250,12 @@ void CheckMetrics(const SyntaxTree& tree, TaskScope& scope, CheckedTask& task) {
              {.labels = {{first->second, "first declared here"}}});
     NoteReference(metric.name, ReferenceKind::kMetric, scope);
     auto value = CheckRealNumber(metric.value, "a metric", {Place::kMetric}, scope);
-    if (value)
-      task.metrics.push_back(
-          {metric.name.text, metric.doc, metric.reduction, std::move(*value), metric.name.span});
+    if (!value) {
+      scope.refused.insert(metric.name.text);
+      return;
+    }
+    task.metrics.push_back(
+        {metric.name.text, metric.doc, metric.reduction, std::move(*value), metric.name.span});
   });
 }
 

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <charconv>
+#include <utility>
 
 #include "compiler/check/expressions.h"
 #include "compiler/check/report.h"
 #include "compiler/check/type.h"
+#include "compiler/syntax/foreign_words.h"
 
 namespace compiler {
 namespace {
@@ -31,6 +33,13 @@ std::optional<Type> CheckArray(const Type& entry, const Identifier& index, const
   }
   if (const Enumeration* enumeration = FindEnumeration(scope.enumerations, index.text))
     return ArrayOf(entry, enumeration->size(), enumeration->name);
+  // `real [Nm]`: what is no unit is read as an index.
+  if (Help help = HelpForForeign(ForeignPlace::kUnit, index.text, index.span); !help.empty()) {
+    Report(scope.diagnostics, code::kUnknownUnit, index.span,
+           fmt::format("there is no unit `{}`", index.text), {.help = std::move(help)});
+    return std::nullopt;
+  }
+  if (!scope.knows_robot) return std::nullopt;
   std::vector<std::string> valid;
   for (const Enumeration& enumeration : scope.enumerations) valid.push_back(enumeration.name);
   Report(scope.diagnostics, code::kBadArrayType, index.span,
@@ -43,9 +52,11 @@ std::optional<Type> CheckArray(const Type& entry, const Identifier& index, const
 std::optional<Type> CheckType(const TypeExpression& written, const TaskScope& scope) {
   const auto type = FindType(written.name.text);
   if (!type) {
-    Report(scope.diagnostics, code::kUnknownType, written.name.span,
-           fmt::format("there is no type `{}`", written.name.text),
-           {.help = Suggest(written.name.span, written.name.text, TypeNames(), "types")});
+    const Identifier& name = written.name;
+    Help help = HelpForForeign(ForeignPlace::kType, name.text, name.span);
+    if (help.empty()) help = Suggest(name.span, name.text, TypeNames(), "types");
+    Report(scope.diagnostics, code::kUnknownType, name.span,
+           fmt::format("there is no type `{}`", name.text), {.help = std::move(help)});
     return std::nullopt;
   }
   if (!written.index) return type;

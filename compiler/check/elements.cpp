@@ -3,10 +3,12 @@
 #include <string_view>
 #include <utility>
 
+#include "compiler/check/builtins.h"
 #include "compiler/check/fold.h"
 #include "compiler/check/index_set.h"
 #include "compiler/check/report.h"
 #include "compiler/check/type.h"
+#include "compiler/syntax/foreign_words.h"
 
 namespace compiler {
 namespace {
@@ -41,6 +43,15 @@ std::string HelpForMember(const Type& type) {
   for (const char letter : LettersOf(type)) letters.emplace_back(1, letter);
   return fmt::format("the elements of a `{}` are {}; several make a vector, as in `.{}`",
                      ToString(whole), List(letters), LettersOf(type).substr(0, 2));
+}
+
+// `m.T`, `v.norm`: what is a function here; `otherwise`: the help for anything else.
+std::string HelpForFunction(const std::string& member, std::string otherwise) {
+  const ForeignWord* foreign = FindForeign(ForeignPlace::kFunction, member);
+  const std::string function = foreign != nullptr ? std::string(foreign->instead) : member;
+  const BuiltinDescription* builtin = FindBuiltin(function);
+  return builtin != nullptr ? fmt::format("it is a function here: `{}`", builtin->usage)
+                            : std::move(otherwise);
 }
 
 // What `picked` of the elements of each of `rows` rows stand at, where a row has `columns`.
@@ -110,7 +121,7 @@ std::optional<CheckedExpression> CheckMember(CheckedExpression operand, const Id
   if (indices.size() < member.text.size() || indices.size() > kLongestSwizzle) {
     Report(diagnostics, code::kUnknownElement, member.span,
            fmt::format("{} has no element `{}`", WithArticle(operand.type), member.text),
-           {.help = HelpForMember(operand.type)});
+           {.help = HelpForFunction(member.text, HelpForMember(operand.type))});
     return std::nullopt;
   }
   const Span span = Cover(operand.span, member.span);

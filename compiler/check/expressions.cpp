@@ -13,12 +13,14 @@
 #include "compiler/check/elements.h"
 #include "compiler/check/fold.h"
 #include "compiler/check/function_call.h"
+#include "compiler/check/method_call.h"
 #include "compiler/check/names.h"
 #include "compiler/check/operators.h"
 #include "compiler/check/report.h"
 #include "compiler/check/test_read.h"
 #include "compiler/check/type.h"
 #include "compiler/check/unit.h"
+#include "compiler/check/written_form.h"
 
 namespace compiler {
 namespace {
@@ -63,16 +65,15 @@ class ExpressionChecker {
 
   Result CheckNode(const MemberExpression&, const Expression& expression) const {
     // `base.velocity.xy` is written as members of members: the path from its root.
-    std::vector<Identifier> path;
+    std::vector<Identifier> path = PathOf(expression);
+    if (!path.empty()) return CheckPath(path);
     const Expression* object = &expression;
     while (const auto* member = std::get_if<MemberExpression>(&object->node)) {
       path.push_back(member->member);
       object = member->object.get();
     }
-    const auto* root = std::get_if<NameExpression>(&object->node);
-    if (root != nullptr) path.push_back(root->name);
     std::ranges::reverse(path);
-    return root != nullptr ? CheckPath(path) : CheckMembers(Check(*object), path, 0);
+    return CheckMembers(Check(*object), path, 0);
   }
 
   Result CheckPath(const std::vector<Identifier>& path) const {
@@ -99,7 +100,10 @@ class ExpressionChecker {
     const bool is_draw = place_.kind == Place::kGoal && IsDrawFunction(call.function.text);
     const BuiltinDescription* builtin = FindBuiltin(call.function.text);
     const FunctionSignature* function = nullptr;
-    if (builtin == nullptr && !is_draw) function = ResolveFunction(call.function, place_, scope_);
+    if (builtin == nullptr && !is_draw) {
+      if (ReportCalledArray(call, expression.span, scope_)) return std::nullopt;
+      function = ResolveFunction(call.function, place_, scope_);
+    }
     std::vector<Operand> arguments;
     for (const ExpressionPtr& argument : call.arguments) {
       auto checked = Check(*argument);
@@ -125,9 +129,27 @@ class ExpressionChecker {
     auto left = Check(*binary.left);
     auto right = Check(*binary.right);
     if (!left || !right) return std::nullopt;
+    if (binary.op == BinaryOperator::kDivide && ReportZero(*binary.right)) return std::nullopt;
     return CheckBinaryOperator(binary.op, binary.op_span, {std::move(*left), binary.left.get()},
                                {std::move(*right), binary.right.get()}, scope_.diagnostics);
   }
+
+  // A `let` that is always 0 as the divisor.
+  bool ReportZero(const Expression& divisor) const {
+    const auto* name = std::get_if<NameExpression>(&divisor.node);
+    const Symbol* symbol = name != nullptr ? scope_.symbols.Find(name->name.text) : nullptr;
+    if (symbol == nullptr || symbol->constant != 0) return false;
+    Report(scope_.diagnostics, code::kDivisionByZero, divisor.span, "the divisor is always 0",
+           {.labels = {{symbol->span, "this is 0"}}});
+    return true;
+  }
+
+  Result CheckNode(const MethodExpression& method, const Expression& expression) const {
+    ReportMethodCall(method, expression.span, scope_);
+    return std::nullopt;
+  }
+
+  Result CheckNode(const LostExpression&, const Expression&) const { return std::nullopt; }
 
   // The parser lets ranges and sets stand only inside an index, which CheckIndex resolves.
   Result CheckNode(const RangeExpression&, const Expression&) const { return OnlyInsideIndex(); }
@@ -182,6 +204,7 @@ std::optional<ScaledUnit> CheckUnit(const std::optional<UnitExpression>& unit,
                                     Diagnostics& diagnostics) {
   std::optional<ScaledUnit> product = ScaledUnit{};
   if (!unit) return product;
+  if (unit->is_lost) return std::nullopt;
   for (const UnitFactor& factor : unit->factors) {
     const auto named = FindUnit(factor.name.text);
     assert(named);  // the names of units are words of the grammar

@@ -1,11 +1,13 @@
 #include "compiler/check/functions.h"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "compiler/check/conversion.h"
 #include "compiler/check/declared_type.h"
 #include "compiler/check/expressions.h"
+#include "compiler/check/fold.h"
 #include "compiler/check/names.h"
 #include "compiler/check/report.h"
 #include "compiler/check/traversal.h"
@@ -54,13 +56,16 @@ FunctionSignature SignatureOf(const FunctionDeclaration& function, const TaskSco
 // checked.
 TaskScope ScopeInside(const TaskScope& task) {
   TaskScope inside{.has_robot = task.has_robot,
+                   .knows_robot = task.knows_robot,
+                   .knows_names = task.knows_names,
+                   .knows_functions = task.knows_functions,
                    .enumerations = task.enumerations,
                    .sensors = {},
                    .symbols = {},
                    .functions = task.functions,
                    .locals = {},
                    .diagnostics = task.diagnostics,
-                   .refused = {},
+                   .refused = task.refused,
                    .around = &task,
                    .references = task.references};
   for (uint32_t i = 0; i < task.functions.size(); ++i) {
@@ -103,7 +108,8 @@ CheckedFunction CheckBody(const FunctionDeclaration& function, const FunctionSig
       symbol = {.kind = SymbolKind::kLocal,
                 .index = static_cast<uint32_t>(checked.locals.size()),
                 .type = value->type,
-                .unit = value->unit};
+                .unit = value->unit,
+                .constant = ValueOf(*value)};
       checked.locals.push_back({let.name.text, value->type, value->unit});
       checked.lets.push_back({symbol.index, std::move(*value)});
     }
@@ -143,7 +149,7 @@ class CallCheck {
       : task_(task), diagnostics_(diagnostics), functions_(task.functions.size()) {}
 
   void Run() {
-    for (uint32_t i = 0; i < task_.functions.size() && !is_wrong_; ++i) Visit(i);
+    for (uint32_t i = 0; i < task_.functions.size() && !is_too_large_; ++i) Visit(i);
   }
 
  private:
@@ -167,16 +173,16 @@ class CallCheck {
       way_.pop_back();
     });
     function.state = Function::kDone;
-    if (!is_wrong_ && function.calls > kMostCalls)
+    if (!is_too_large_ && function.calls > kMostCalls)
       ReportTooMany(index, fmt::format("a call of `{}` leads to more than {} other calls",
                                        task_.functions[index].name, kMostCalls));
   }
 
   // Goes on to the function at the end of `way_`.
   void Follow(uint32_t callee) {
-    if (is_wrong_) return;
+    if (is_too_large_) return;
     if (functions_[callee].state == Function::kOpen) {
-      ReportCircle(callee);
+      if (circles_.insert(callee).second) ReportCircle(callee);
     } else if (way_.size() > kDeepestCall) {
       ReportTooMany(way_.front().caller,
                     fmt::format("from `{}` on, functions call each other more than {} deep",
@@ -187,7 +193,7 @@ class CallCheck {
   }
 
   void ReportTooMany(uint32_t function, std::string message) {
-    is_wrong_ = true;
+    is_too_large_ = true;
     Report(diagnostics_, code::kTooManyCalls, task_.functions[function].span, std::move(message),
            {.help = "compute what is used several times once, with a `let`"});
   }
@@ -217,7 +223,9 @@ class CallCheck {
   Diagnostics& diagnostics_;
   std::vector<Function> functions_;
   std::vector<Step> way_;
-  bool is_wrong_ = false;  // too many calls: that has been reported
+  std::set<uint32_t>
+      circles_;  // the functions of which it has been reported that they call themselves
+  bool is_too_large_ = false;  // too many calls: that has been reported
 };
 
 // Calls `visit` for every call outside of functions.
@@ -255,7 +263,6 @@ void DeclareFunctions(const SyntaxTree& tree, TaskScope& scope) {
 }
 
 void CheckFunctions(const SyntaxTree& tree, const TaskScope& scope, CheckedTask& task) {
-  bool all_valid = true;
   TaskScope inside = ScopeInside(scope);
   ForEachFunction(tree, [&](const FunctionDeclaration& function) {
     const FunctionSignature& signature = scope.functions[task.functions.size()];
@@ -263,9 +270,8 @@ void CheckFunctions(const SyntaxTree& tree, const TaskScope& scope, CheckedTask&
     DeclareParameters(signature, inside);
     task.functions.push_back(CheckBody(function, signature, inside));
     inside.symbols.CloseBlock();
-    all_valid = all_valid && signature.is_valid;
   });
-  if (all_valid) CallCheck(task, scope.diagnostics).Run();
+  CallCheck(task, scope.diagnostics).Run();
 }
 
 void KeepCalledFunctions(CheckedTask& task) {

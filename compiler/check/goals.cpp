@@ -205,7 +205,8 @@ std::optional<uint32_t> FindGoal(const Identifier& name, const TaskScope& scope,
     const auto goal = std::ranges::find(task.goals, symbol->index, &CheckedGoal::memory);
     return static_cast<uint32_t>(goal - task.goals.begin());
   }
-  if (symbol == nullptr && scope.refused.contains(name.text)) return std::nullopt;
+  const bool is_lost = !scope.knows_names || scope.refused.contains(name.text);
+  if (symbol == nullptr && is_lost) return std::nullopt;
   std::vector<std::string> goals;
   std::ranges::transform(task.goals, std::back_inserter(goals), &CheckedGoal::name);
   Help help = goals.empty() ? Help("goals are declared with `goal NAME: TYPE = ...`")

@@ -4,6 +4,7 @@
 
 #include "compiler/check/names.h"
 #include "compiler/check/report.h"
+#include "compiler/syntax/foreign_words.h"
 
 namespace compiler {
 namespace {
@@ -59,11 +60,13 @@ class IndexResolver {
     const std::string& text = name.name.text;
     const Symbol* symbol = FindSymbol(name.name, scope_);
     if (symbol != nullptr && IsLoopVariable(*symbol)) return ResolveVariable(text, *symbol, span);
+    if (symbol == nullptr && scope_.refused.contains(text)) return std::nullopt;
     if (domain_.names == nullptr) return NotAnIndex(span);
     if (auto indices = domain_.names->Find(text)) return indices;
     if (const Enumeration* other = FindEnumerationOf(scope_.enumerations, text))
       return WrongEnumeration(text, *other, span);
     if (symbol != nullptr) return NotAnIndex(span);
+    if (!scope_.knows_names || scope_.refused.contains(text)) return std::nullopt;
     Report(
         scope_.diagnostics, code::kUnknownPart, span,
         fmt::format("the robot has no {} or group of {} called `{}`", domain_.names->name,
@@ -140,6 +143,22 @@ class IndexResolver {
            {.note = fmt::format("valid are 0 .. {}", domain_.size - 1)});
     return std::nullopt;
   }
+
+  // `for i in range(3)`
+  std::optional<Indices> ResolveNode(const CallExpression& call, Span span) {
+    if (call.function.text != "range" || call.arguments.size() != 1) return NotAnIndex(span);
+    Help help = HelpForForeign(ForeignPlace::kFunction, call.function.text, span);
+    const auto* number = std::get_if<NumberLiteral>(&call.arguments.front()->node);
+    if (number != nullptr && number->is_integer && number->value > 1) {
+      const std::string range = fmt::format("0..{}", number->value - 1);
+      help = {fmt::format("a range includes both ends: `{}`", range), {{span, range}}};
+    }
+    Report(scope_.diagnostics, code::kNotAnIndex, span, "a set is not made by a function",
+           {.help = std::move(help)});
+    return std::nullopt;
+  }
+
+  std::optional<Indices> ResolveNode(const LostExpression&, Span) { return std::nullopt; }
 
   template <typename Node>
   std::optional<Indices> ResolveNode(const Node&, Span span) {

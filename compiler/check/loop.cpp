@@ -52,6 +52,7 @@ LoopKind KindOf(const ForStatement& loop, const TaskScope& scope) {
 }
 
 void ReportUnknownSet(const Identifier& name, const TaskScope& scope) {
+  if (!scope.knows_robot || !scope.knows_names || scope.refused.contains(name.text)) return;
   if (!scope.has_robot) {
     Report(scope.diagnostics, code::kUnknownPart, name.span,
            fmt::format("there is no `{}` to iterate over", name.text),

@@ -8,6 +8,8 @@
 #include "compiler/check/draws.h"
 #include "compiler/check/report.h"
 #include "compiler/check/type.h"
+#include "compiler/syntax/foreign_words.h"
+#include "compiler/syntax/power_help.h"
 
 namespace compiler {
 namespace {
@@ -279,6 +281,29 @@ void NoteSensor(const std::string& name, Span use, const CheckedSensor& sensor,
   }
 }
 
+// `True`, `dt`; `sec` and `s2` behind a unit and `/`.
+Help HelpForForeignName(const Identifier& name) {
+  Help help = HelpForForeign(ForeignPlace::kOperand, name.text, name.span);
+  if (help.empty()) help = HelpForPowerInName(name.text, name.span);
+  if (help.empty()) help = HelpForForeign(ForeignPlace::kUnit, name.text, name.span);
+  return help;
+}
+
+// `math.pi`, `self.speed`: a path that begins with a word of other languages. False: it does not.
+bool ReportForeignPath(const std::vector<Identifier>& path, const TaskScope& scope) {
+  if (path.size() < 2) return false;
+  const Identifier& root = path.front();
+  const Span prefix{root.span.begin, path[1].span.begin};
+  const bool is_module = FindForeign(ForeignPlace::kModule, root.text) != nullptr;
+  const bool is_owner = root.text == "self" || root.text == "this";
+  if (!is_module && !is_owner) return false;
+  Help help = fmt::format("leave out `{}.`: a task has one namespace", root.text);
+  help.fixes = {{prefix, ""}};
+  Report(scope.diagnostics, code::kUnknownName, root.span,
+         fmt::format("there is nothing called `{}`", root.text), {.help = std::move(help)});
+  return true;
+}
+
 void ReportTakenName(const Identifier& name, std::string_view owner, Diagnostics& diagnostics) {
   Report(diagnostics, code::kTakenName, name.span,
          fmt::format("`{}` is {} and cannot be declared", name.text, owner),
@@ -318,6 +343,8 @@ std::optional<ResolvedPath> ResolvePath(const std::vector<Identifier>& path, con
     NoteSensor(name, span, sensor, scope);
     return ResolvedPath{{span, sensor.type, sensor.unit, SensorRead{index}}, length};
   }
+  if (!scope.knows_names || scope.sensors.IsInvalidRoot(root.text)) return std::nullopt;
+  if (ReportForeignPath(path, scope)) return std::nullopt;
   if (ReportSensorOfRobot(path, scope) || ReportMisspelledSensor(path, scope)) return std::nullopt;
   if (scope.sensors.IsRoot(root.text)) {
     ReportUnknownSensor(path, scope);
@@ -363,6 +390,7 @@ const FunctionSignature* ResolveFunction(const Identifier& name, const Place& pl
            {.labels = {{symbol->span, "declared here"}}});
     return nullptr;
   }
+  if (!scope.knows_functions || scope.refused.contains(name.text)) return nullptr;
   std::vector<std::string> functions = BuiltinNames();
   for (const FunctionSignature& function : scope.functions) functions.push_back(function.name.text);
   if (place.kind == Place::kExpect)
@@ -373,9 +401,11 @@ const FunctionSignature* ResolveFunction(const Identifier& name, const Place& pl
            {.help = "declare a goal and read it here: `goal NAME: TYPE = ...`"});
     return nullptr;
   }
-  Help help = Suggest(name.span, name.text, functions, "functions");
+  Help help = HelpForForeign(ForeignPlace::kFunction, name.text, name.span);
+  if (help.empty()) help = Suggest(name.span, name.text, functions, "functions");
   if (help.empty()) help = fmt::format("the functions are {}", List(functions));
   if (IsTestFunction(name.text)) help = "it is known only after the `expect` of a test";
+  if (help.fixes.empty() && !scope.reported.insert(name.text).second) return nullptr;
   Report(scope.diagnostics, code::kUnknownFunction, name.span,
          fmt::format("there is no function `{}`{}", name.text,
                      IsTestFunction(name.text) ? " here" : ""),
@@ -446,11 +476,13 @@ bool IsLanguageName(const Identifier& name, Diagnostics& diagnostics) {
 }
 
 void ReportUnknownName(const Identifier& name, const TaskScope& scope) {
-  if (scope.refused.contains(name.text)) return;
+  if (!scope.knows_names || scope.refused.contains(name.text)) return;
   if (ReportInvisibleLocal(name, scope)) return;
+  Help help = HelpForForeignName(name);
+  if (help.empty()) help = Suggest(name.span, name.text, ReadableNames(scope), "known names");
+  if (help.fixes.empty() && !scope.reported.insert(name.text).second) return;
   Report(scope.diagnostics, code::kUnknownName, name.span,
-         fmt::format("there is nothing called `{}`", name.text),
-         {.help = Suggest(name.span, name.text, ReadableNames(scope), "known names")});
+         fmt::format("there is nothing called `{}`", name.text), {.help = std::move(help)});
 }
 
 }  // namespace compiler

@@ -9,6 +9,7 @@
 #include "compiler/check/report.h"
 #include "compiler/check/type.h"
 #include "compiler/check/unit.h"
+#include "compiler/check/written_form.h"
 
 namespace compiler {
 namespace {
@@ -142,6 +143,7 @@ class BinaryCheck {
     const Type& right_type = right().type;
     if (IsBool(left_type) || IsBool(right_type))
       return WrongOperands("a `bool` is not a number: use `if`, or `count` for how many are true");
+    if (IsRotation()) return WrongOperands(RotationHelp());
     if (IsOfQuaternions(left_type) || IsOfQuaternions(right_type))
       return WrongOperands("take elements of it: `q.w`, `q.xyz`");
     if (IsScalar(right_type)) return left_type;
@@ -169,6 +171,24 @@ class BinaryCheck {
     if (!HasVectors(array)) return false;
     const Type number = ScalarType(operand.scalar);
     return operand == EntryOf(array) || (!IsSum(op_) && operand == WithEntries(array, number));
+  }
+
+  // A rotation times a vector, as mathematics writes it.
+  bool IsRotation() {
+    const Type& rotation = left().type;
+    const bool turns = rotation.shape == Shape::kQuaternion ||
+                       (rotation.shape == Shape::kMatrix && rotation.rows == 3);
+    return op_ == BinaryOperator::kMultiply && turns && right().type.shape == Shape::kVector &&
+           right().type.rows == 3;
+  }
+
+  Help RotationHelp() {
+    const auto rotation = left_.syntax != nullptr ? WrittenForm(*left_.syntax) : std::nullopt;
+    const auto vector = right_.syntax != nullptr ? WrittenForm(*right_.syntax) : std::nullopt;
+    if (!rotation || !vector) return "a vector is rotated by `rotate(rotation, v)`";
+    const std::string call = fmt::format("rotate({}, {})", *rotation, *vector);
+    return {fmt::format("a vector is rotated by `{}`", call),
+            {{Cover(left().span, right().span), call}}};
   }
 
   std::optional<Unit> ArithmeticUnit() {
@@ -217,7 +237,7 @@ class BinaryCheck {
     right() = ToReal(std::move(right()));
   }
 
-  std::nullopt_t WrongOperands(std::string help) {
+  std::nullopt_t WrongOperands(Help help) {
     const std::string left_name = fmt::format("`{}`", ToString(left().type));
     const std::string right_name = fmt::format("`{}`", ToString(right().type));
     Report(diagnostics_, code::kWrongOperand, op_span_,
@@ -251,7 +271,8 @@ std::optional<CheckedExpression> CheckUnaryOperator(UnaryOperator op, Span span,
   const bool fits = is_not ? IsBool(type) : IsNumber(type) && !IsOfQuaternions(type);
   if (!fits) {
     std::string help;
-    if (!is_not && IsBool(type)) help = "write `not` for the opposite of a condition";
+    if (!is_not && IsBool(type))
+      help = "a `bool` is not a number: `select(condition, -1, 0)`, or pay inside an `if`";
     Report(diagnostics, code::kWrongOperand, span,
            fmt::format("`{}` cannot be applied to {}", is_not ? "not" : "-", WithArticle(type)),
            {.help = std::move(help)});

@@ -1,11 +1,35 @@
 #include "compiler/check/report.h"
 
+#include <algorithm>
+#include <set>
 #include <utility>
 
 namespace compiler {
 namespace {
 
 constexpr size_t kLongestList = 40;
+
+std::set<std::string_view> WordsOf(std::string_view name) {
+  std::set<std::string_view> words;
+  while (!name.empty()) {
+    const size_t end = std::min(name.find_first_of("_."), name.size());
+    words.insert(name.substr(0, end));
+    name.remove_prefix(std::min(end + 1, name.size()));
+  }
+  return words;
+}
+
+// The valid names that hold all words of `name`, as `left_knee_pitch` holds those of `left_knee`.
+std::vector<std::string> WithTheWordsOf(std::string_view name,
+                                        const std::vector<std::string>& valid) {
+  constexpr size_t kShortest = 3;
+  std::vector<std::string> found;
+  const auto words = WordsOf(name);
+  for (const std::string& candidate : valid)
+    if (name.size() >= kShortest && std::ranges::includes(WordsOf(candidate), words))
+      found.push_back(candidate);
+  return found;
+}
 
 }  // namespace
 
@@ -29,7 +53,17 @@ std::string List(const std::vector<std::string>& names) {
 
 Help Suggest(Span span, std::string_view name, const std::vector<std::string>& valid,
              std::string_view what) {
-  if (const auto nearest = text::NearestName(name, valid)) return DidYouMean(span, *nearest);
+  const auto nearest = text::NearestName(name, valid);
+  const bool is_slip = nearest && text::SpellingDistance(name, *nearest) < 2;
+  const std::vector<std::string> longer = WithTheWordsOf(name, valid);
+  constexpr size_t kMostNamed = 4;
+  if (!is_slip && longer.size() == 1) return DidYouMean(span, longer.front());
+  if (!is_slip && longer.size() > 1 && longer.size() <= kMostNamed) {
+    Help help = fmt::format("there are {}", List(longer));
+    for (const std::string& candidate : longer) help.fixes.push_back({span, candidate});
+    return help;
+  }
+  if (nearest) return DidYouMean(span, *nearest);
   if (valid.empty() || valid.size() > kLongestList) return "";
   return fmt::format("the {} are {}", what, List(valid));
 }

@@ -26,8 +26,8 @@ void Report(Diagnostics& diagnostics, std::string_view code, Span span, std::str
 // "`a`, `b` and `c`"
 std::string List(const std::vector<std::string>& names);
 
-// The help for an unknown name, which stands in `span`: the nearest of the valid ones or else,
-// where they are few, all of them. `what`: what they are, in the plural.
+// The help for an unknown name, which stands in `span`: the nearest of the valid ones, those that
+// hold its words or else, where they are few, all of them. `what`: what they are, in the plural.
 Help Suggest(Span span, std::string_view name, const std::vector<std::string>& valid,
              std::string_view what);
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <limits>
 
 #include "compiler/check/type.h"
 #include "compiler/check/unit.h"
@@ -22,6 +23,11 @@ Type TypeOf(std::string_view text, const std::vector<Enumeration>& enumerations)
       FindEnumeration(enumerations, text.substr(bracket + 1, text.size() - bracket - 2));
   assert(index != nullptr);
   return ArrayOf(*type, index->size(), index->name);
+}
+
+// Of a dotted name, or all of it.
+bool IsFirstPart(std::string_view part, std::string_view name) {
+  return name.starts_with(part) && (name.size() == part.size() || name[part.size()] == '.');
 }
 
 }  // namespace
@@ -47,6 +53,24 @@ SensorCatalog SensorCatalog::OfRobot(const robot::RobotDescription& robot,
   return catalog;
 }
 
+SensorCatalog SensorCatalog::OfAnyRobot() {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  SensorCatalog catalog;
+  for (const robot::SensorDescription& sensor : robot::Sensors()) {
+    if (sensor.type.find('[') != std::string_view::npos) {
+      catalog.AddInvalid(std::string(sensor.name));
+      continue;
+    }
+    const Type type = TypeOf(sensor.type, {});
+    catalog.Add({.name = std::string(sensor.name),
+                 .type = type,
+                 .unit = ParseUnit(sensor.unit)->unit,
+                 .minimum = std::vector<double>(type.size(), -kInfinity),
+                 .maximum = std::vector<double>(type.size(), kInfinity)});
+  }
+  return catalog;
+}
+
 std::vector<std::string> SensorCatalog::Names() const {
   std::vector<std::string> names;
   for (const CheckedSensor& sensor : sensors_) names.push_back(sensor.name);
@@ -64,10 +88,13 @@ bool SensorCatalog::IsInvalid(std::string_view name) const {
 }
 
 bool SensorCatalog::IsRoot(std::string_view name) const {
-  const std::string prefix = std::string(name) + '.';
-  return std::ranges::any_of(sensors_, [&](const CheckedSensor& sensor) {
-    return sensor.name == name || sensor.name.starts_with(prefix);
-  });
+  return std::ranges::any_of(
+      sensors_, [&](const CheckedSensor& sensor) { return IsFirstPart(name, sensor.name); });
+}
+
+bool SensorCatalog::IsInvalidRoot(std::string_view name) const {
+  return std::ranges::any_of(invalid_,
+                             [&](const std::string& sensor) { return IsFirstPart(name, sensor); });
 }
 
 bool IsSensorOfRobots(std::string_view name) { return robot::FindSensor(name) != nullptr; }

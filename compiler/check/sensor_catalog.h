@@ -19,6 +19,10 @@ class SensorCatalog {
   static SensorCatalog OfRobot(const robot::RobotDescription& robot,
                                const std::vector<Enumeration>& enumerations);
 
+  // Those that every robot has. One with an element for each link or joint counts as wrongly
+  // declared: how many these are is not known.
+  static SensorCatalog OfAnyRobot();
+
   void Add(CheckedSensor sensor) { sensors_.push_back(std::move(sensor)); }
   // A sensor whose declaration is wrong: what reads it is not to be reported.
   void AddInvalid(std::string name) { invalid_.push_back(std::move(name)); }
@@ -29,6 +33,8 @@ class SensorCatalog {
   bool IsInvalid(std::string_view name) const;
   // Is `name` the first part of a sensor's name, as `base` is of `base.velocity`?
   bool IsRoot(std::string_view name) const;
+  // The same for the sensors that are wrongly declared.
+  bool IsInvalidRoot(std::string_view name) const;
 
  private:
   std::vector<CheckedSensor> sensors_;

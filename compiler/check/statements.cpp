@@ -87,7 +87,8 @@ class EventChecker {
       symbol = {.kind = SymbolKind::kLocal,
                 .index = static_cast<uint32_t>(event_.locals.size()),
                 .type = value->type,
-                .unit = value->unit};
+                .unit = value->unit,
+                .constant = ValueOf(*value)};
       event_.locals.push_back({let.name.text, value->type, value->unit});
       block.push_back({span, CheckedLet{symbol.index, std::move(*value)}});
     }
@@ -120,6 +121,7 @@ class EventChecker {
   void CheckNode(const RewardStatement& reward, Span span, CheckedBlock& block) {
     NoteReference(reward.name, ReferenceKind::kTerm, scope_);
     auto value = CheckRealNumber(reward.value, "a reward", place_, scope_);
+    const uint32_t term = TermOf(reward.name.text, span);
     if (reward.is_rate && !place_.has_time_step()) {
       const Span head = Cover({span.begin, span.begin}, reward.name.span);
       Report(scope_.diagnostics, code::kMisplacedRate, head,
@@ -128,7 +130,6 @@ class EventChecker {
                        {{head, "reward " + reward.name.text}}}});
       return;
     }
-    const uint32_t term = TermOf(reward.name.text, span);
     if (task_.terms[term].doc.empty()) task_.terms[term].doc = reward.doc;
     if (value) block.push_back({span, CheckedReward{term, reward.is_rate, std::move(*value)}});
   }
@@ -152,20 +153,19 @@ class EventChecker {
     if (!values) {
       CheckPass(loop, {"", UnknownLoopVariable()});
     } else {
-      // A mistake in one pass would only be repeated by the next.
       for (const LoopValue& value : *values) {
-        auto body = CheckPass(loop, value);
-        if (!body) break;
-        checked.passes.push_back({value.text, std::move(*body)});
+        if (scope_.is_too_long) break;
+        checked.passes.push_back({value.text, CheckPass(loop, value)});
       }
     }
     if (is_outermost) outermost_ = nullptr;
     block.push_back({span, std::move(checked)});
   }
 
-  // The body with the variable as a constant. Nothing if there are mistakes in it.
-  std::optional<CheckedBlock> CheckPass(const ForStatement& loop, const LoopValue& value) {
-    if (!CountStatement()) return std::nullopt;
+  // The body with the variable as a constant. Of its mistakes those are reported that no pass
+  // before had in the same place.
+  CheckedBlock CheckPass(const ForStatement& loop, const LoopValue& value) {
+    if (!CountStatement()) return {};
     Diagnostics found;
     Diagnostics& outer = scope_.diagnostics;
     std::vector<Identifier> reads;
@@ -179,10 +179,11 @@ class EventChecker {
     scope_.diagnostics = outer;
     scope_.loop_reads = outer_reads;
     for (const Diagnostic& diagnostic : found.list())
-      outer.Add(WithPass(diagnostic, loop, value, reads));
-    if (!CountParts(body)) return std::nullopt;
+      if (!outer.Has(diagnostic.code, diagnostic.span))
+        outer.Add(WithPass(diagnostic, loop, value, reads));
+    if (!CountParts(body)) return {};
     if (outer_reads != nullptr) outer_reads->insert(outer_reads->end(), reads.begin(), reads.end());
-    return found.has_errors() ? std::nullopt : std::optional(std::move(body));
+    return body;
   }
 
   // Adds in which pass a mistake was found, where it depends on the variable's value.
@@ -288,13 +289,13 @@ class EventChecker {
   }
 
   void CheckNode(const EndStatement& end, Span span, CheckedBlock& block) {
+    const uint32_t index = IndexOf(task_.ends, span, {end.kind, end.reason, span});
     if (place_.event == EventKind::kEndOfEpisode) {
       Report(scope_.diagnostics, code::kMisplacedEnd, span,
              "the episode is already over at `end_of_episode`",
              {.help = "end it in another event, such as `end_of_time_step`"});
       return;
     }
-    const uint32_t index = IndexOf(task_.ends, span, {end.kind, end.reason, span});
     block.push_back({span, CheckedEnd{index}});
   }
 
@@ -323,7 +324,7 @@ void CheckEvents(const SyntaxTree& tree, TaskScope& scope, CheckedTask& task) {
     const auto* block = std::get_if<EventDeclaration>(&declaration.node);
     if (block == nullptr) continue;
     CheckedEvent& event = task.events[static_cast<size_t>(block->event)];
-    if (event.is_declared) {
+    if (event.is_declared && block->is_known) {
       Report(scope.diagnostics, code::kRepeatedEvent, block->name.span,
              fmt::format("`{}` has a block already", block->name.text),
              {.help = "put all statements of an event into one block",
@@ -336,7 +337,7 @@ void CheckEvents(const SyntaxTree& tree, TaskScope& scope, CheckedTask& task) {
     CheckedBlock body = checker.Check(block->body);
     for (const Block& appended : block->appended)
       std::ranges::move(checker.Check(appended), std::back_inserter(body));
-    if (event.is_declared) continue;
+    if (event.is_declared || !block->is_known) continue;
     event.is_declared = true;
     event.span = block->name.span;
     event.body = std::move(body);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,6 +33,7 @@ struct Symbol {
   uint32_t index = 0;
   Type type{};  // of a kLoopPart only `index` counts: "link" or "joint"
   Unit unit{};
+  std::optional<double> constant{};  // of a kLocal whose value is known
 };
 
 inline bool IsLoopVariable(const Symbol& symbol) {

@@ -33,6 +33,10 @@ struct FunctionSignature {
 
 struct TaskScope {
   bool has_robot = false;
+  // What there is but cannot be read is not known, and nothing that may be of it is unknown.
+  bool knows_robot = true;
+  bool knows_names = true;      // all that is declared
+  bool knows_functions = true;  // all that can be called
   std::vector<Enumeration> enumerations;
   SensorCatalog sensors;
   SymbolTable symbols;
@@ -46,8 +50,11 @@ struct TaskScope {
   uint32_t statements = 0;   // of the task so far, with loops written out
   uint32_t loop_parts = 0;   // operators, calls and operands in written out loops so far
   bool is_too_long = false;  // too many of them: that has been reported
-  // Names whose declarations were refused: what is said of their uses would be misleading.
+  // Names whose declarations were refused or could not be read: what is said of their uses would be
+  // misleading. Terms, metrics, logs and the texts of ends are among them.
   std::set<std::string, std::less<>> refused{};
+  // Unknown names of which nothing is known to be meant: to say it once is enough.
+  mutable std::set<std::string, std::less<>> reported{};
   // In a function: the scope around it, of whose values it reads none.
   const TaskScope* around = nullptr;
   References* references = nullptr;  // null: not wanted

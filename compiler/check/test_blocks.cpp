@@ -120,6 +120,7 @@ class TestChecker {
   }
 
   void ReportUnknownEnd(const EndStatement& end, Span span) {
+    if (!scope_.knows_names || scope_.refused.contains(end.reason)) return;
     std::vector<std::string> known;
     for (const CheckedEndReason& reason : task_.ends)
       known.push_back(EndText(reason.kind, reason.reason));

@@ -28,6 +28,7 @@ void AddNames(const std::vector<Entry>& entries, std::vector<std::string>& names
 // `span`: of the call.
 void ReportUnknown(const CallExpression& call, Span span, const Identifier& name,
                    const CheckedTask& task, const TaskScope& scope) {
+  if (!scope.knows_names || scope.refused.contains(name.text)) return;
   const bool is_total = call.function.text == kTotal;
   std::vector<std::string> valid;
   std::vector<std::string> other;

@@ -10,6 +10,7 @@
 #include "compiler/check/real_equality.h"
 #include "compiler/check/report.h"
 #include "compiler/check/traversal.h"
+#include "compiler/check/type.h"
 
 namespace compiler {
 namespace {
@@ -91,7 +92,7 @@ void WarnOfUnused(const CheckedTask& task, Diagnostics& diagnostics) {
     } else if (!uses.IsMemorySet(i)) {
       Report(diagnostics, code::kNeverSet, memory.span,
              fmt::format("the memory `{}` is never set", memory.name),
-             {.help = "what never changes can be a `param`"});
+             {.help = IsScalar(memory.type) ? "what never changes can be a `param`" : ""});
     }
   }
 }

@@ -53,15 +53,11 @@ class Composer {
     total_size_ = source.text().size();
     std::optional<SyntaxTree> tree = Parse(source, diagnostics_);
     if (!tree) return std::nullopt;
-    if (!tree->task) {
+    if (IsLibrary(*tree))
       Report(code::kNotATask, {source.first_offset(), source.first_offset()},
              "this file is a library: it has no task", "begin it with `task NAME`, or import it");
-      return std::nullopt;
-    }
     chain_.push_back({KeyOf(file), {}});
-    std::optional<SyntaxTree> merged = Complete(std::move(*tree), file);
-    if (diagnostics_.has_errors()) return std::nullopt;
-    return merged;
+    return Complete(std::move(*tree), file);
   }
 
  private:
@@ -70,27 +66,32 @@ class Composer {
     Reference from;  // what led to this file; nothing for the first
   };
 
-  // The tree of a file with all that it imports and extends. Nothing if its base cannot be read.
-  std::optional<SyntaxTree> Complete(SyntaxTree tree, const fs::path& file) {
+  // A header that could not be read is one nevertheless.
+  static bool IsLibrary(const SyntaxTree& tree) { return !tree.task && !tree.lost.has_header; }
+
+  // The tree of a file with all that it imports and extends.
+  SyntaxTree Complete(SyntaxTree tree, const fs::path& file) {
     AddImports(tree, file);
     if (!tree.base) {
-      RejectOverrides(tree, diagnostics_);
-      return tree;
+      if (tree.lost.has_header || !RejectOverrides(tree, diagnostics_)) return tree;
+      return ExtendUnknown(std::move(tree));
     }
     const Reference reference = ReferenceIn(file, tree.base->path, tree.base->path_span, "extends");
-    std::optional<SyntaxTree> base = Read(reference);
-    if (!base) return std::nullopt;
-    if (!base->task) {
-      Report(code::kNotATask, reference.span,
-             fmt::format("`{}` is a library, not a task", reference.written),
-             fmt::format("to use its functions: `import \"{}\"`", reference.written));
-      return std::nullopt;
-    }
+    std::optional<SyntaxTree> base = ReadBase(reference);
+    if (!base) return ExtendUnknown(std::move(tree));
     chain_.push_back({KeyOf(reference.file), reference});
     base = Complete(std::move(*base), reference.file);
     chain_.pop_back();
-    if (!base) return std::nullopt;
     return Extend(std::move(*base), std::move(tree), diagnostics_);
+  }
+
+  std::optional<SyntaxTree> ReadBase(const Reference& reference) {
+    std::optional<SyntaxTree> base = Read(reference);
+    if (!base || !IsLibrary(*base)) return base;
+    Report(code::kNotATask, reference.span,
+           fmt::format("`{}` is a library, not a task", reference.written),
+           fmt::format("to use its functions: `import \"{}\"`", reference.written));
+    return std::nullopt;
   }
 
   // Puts the declarations of the imported files in place of the imports.
@@ -102,21 +103,24 @@ class Composer {
         declarations.push_back(std::move(declaration));
         continue;
       }
-      std::optional<SyntaxTree> library =
-          Import(ReferenceIn(file, import->path, import->path_span, "imports"));
-      if (!library) continue;
+      const Reference reference = ReferenceIn(file, import->path, import->path_span, "imports");
+      if (imported_.contains(KeyOf(reference.file)) && !IsInChain(reference)) continue;
+      std::optional<SyntaxTree> library = Import(reference);
+      if (!library) {
+        tree.lost.has_imports = true;
+        continue;
+      }
       std::ranges::move(library->declarations, std::back_inserter(declarations));
       std::ranges::move(library->allowances, std::back_inserter(tree.allowances));
+      AddLost(std::move(library->lost), tree.lost);
     }
     tree.declarations = std::move(declarations);
   }
 
-  // Nothing also for what was imported before.
   std::optional<SyntaxTree> Import(const Reference& reference) {
-    if (imported_.contains(KeyOf(reference.file)) && !IsInChain(reference)) return std::nullopt;
     std::optional<SyntaxTree> library = Read(reference);
     if (!library) return std::nullopt;
-    if (library->task) {
+    if (!IsLibrary(*library)) {
       Report(code::kNotALibrary, reference.span,
              fmt::format("`{}` is a task, not a library", reference.written),
              fmt::format("to build on it: `task NAME extends \"{}\"`", reference.written));

@@ -19,8 +19,8 @@ inline constexpr size_t kMaxChain = 20;  // files of which each imports or exten
 
 // Parses `file`, and all that it imports and extends, into `sources`; merges them into one tree,
 // without imports, overrides and a base. The declarations of the base come first; its events hold
-// the blocks that were appended to them. Nothing if there were errors. Throws CallError where
-// `file` itself cannot be read.
+// the blocks that were appended to them. With errors, what could not be read is among what the tree
+// has lost. Nothing where `file` cannot be parsed at all. Throws CallError where it cannot be read.
 std::optional<SyntaxTree> Compose(const std::filesystem::path& file, const FileReader& read,
                                   Sources& sources, Diagnostics& diagnostics);
 

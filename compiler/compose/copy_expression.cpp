@@ -18,6 +18,10 @@ std::vector<ExpressionPtr> CopyOf(const std::vector<ExpressionPtr>& expressions)
 NumberLiteral CopyOf(const NumberLiteral& node) { return node; }
 BoolLiteral CopyOf(const BoolLiteral& node) { return node; }
 NameExpression CopyOf(const NameExpression& node) { return node; }
+MethodExpression CopyOf(const MethodExpression& node) {
+  return {CopyOf(node.object), node.name, node.parenthesis, CopyOf(node.arguments)};
+}
+LostExpression CopyOf(const LostExpression& node) { return node; }
 MemberExpression CopyOf(const MemberExpression& node) { return {CopyOf(node.object), node.member}; }
 IndexExpression CopyOf(const IndexExpression& node) {
   return {CopyOf(node.object), CopyOf(node.items)};

@@ -57,12 +57,18 @@ const Identifier& NameOf(const Declaration& declaration) {
                     declaration.node);
 }
 
+// Not an event whose name is wrong.
+bool IsKnown(const Declaration& declaration) {
+  const auto* event = std::get_if<EventDeclaration>(&declaration.node);
+  return event == nullptr || event->is_known;
+}
+
 // Of these there is one in a task, whatever its name.
 bool IsOnly(std::string_view kind) { return kind == "start" || kind == "after_end"; }
 
 // Do the two declare the same thing?
 bool AreOfTheSame(const Declaration& a, const Declaration& b) {
-  if (KindOf(a) != KindOf(b)) return false;
+  if (KindOf(a) != KindOf(b) || !IsKnown(a) || !IsKnown(b)) return false;
   return IsOnly(KindOf(a)) || NameOf(a).text == NameOf(b).text;
 }
 
@@ -95,6 +101,20 @@ void ForEachReward(SyntaxTree& tree, const Visitor& visit) {
     ForEachReward(event->body, visit);
     for (Block& block : event->appended) ForEachReward(block, visit);
   }
+}
+
+// An override that overrides nothing, as a declaration that can be checked. Which events pay an
+// overridden term is not known.
+Declaration WithoutBase(Declaration declaration) {
+  declaration.override_span.reset();
+  if (auto* event = std::get_if<EventDeclaration>(&declaration.node)) event->is_known = false;
+  auto* changed = std::get_if<RewardOverride>(&declaration.node);
+  if (changed == nullptr) return declaration;
+  EventDeclaration event{"", EventKind::kEndOfTimeStep, changed->reward.name, {}};
+  event.is_known = false;
+  event.body.push_back({declaration.span, std::move(changed->reward)});
+  declaration.node = std::move(event);
+  return declaration;
 }
 
 // ---- The merge ---------------------------------------------------------------------------------
@@ -130,6 +150,14 @@ class Extension {
       });
     });
     std::ranges::move(own_.allowances, std::back_inserter(merged.allowances));
+    std::erase_if(merged.declarations, [&](const Declaration& declaration) {
+      return std::ranges::any_of(redeclared_, [&](const auto& other) {
+        return other.first == KindOf(declaration) && other.second == NameOf(declaration).text;
+      });
+    });
+    // The base's header is read for its robot alone.
+    if (own_.robot) merged.lost.has_header = false;
+    AddLost(std::move(own_.lost), merged.lost);
     return merged;
   }
 
@@ -150,14 +178,19 @@ class Extension {
 
   void Override(Declaration& declaration) {
     if (auto* reward = std::get_if<RewardOverride>(&declaration.node)) {
-      if (!OverrideReward(declaration, *reward)) ReportNothing(declaration, TermNames());
+      if (!OverrideReward(declaration, *reward)) {
+        ReportNothing(declaration, TermNames());
+        base_.declarations.push_back(WithoutBase(std::move(declaration)));
+      }
       return;
     }
+    if (!IsKnown(declaration)) return base_.declarations.push_back(std::move(declaration));
     if (const auto* event = std::get_if<EventDeclaration>(&declaration.node))
       event_names_[event->event] = event->name.span;
     Declaration* overridden = FindInherited(declaration);
     if (overridden == nullptr) {
       ReportNothing(declaration, InheritedNames(KindOf(declaration)));
+      base_.declarations.push_back(WithoutBase(std::move(declaration)));
     } else if (auto* param = std::get_if<ParamOverride>(&declaration.node)) {
       OverrideParam(*param, std::get<ParamDeclaration>(overridden->node));
     } else if (auto* goal = std::get_if<GoalOverride>(&declaration.node)) {
@@ -255,6 +288,8 @@ class Extension {
 
   void ReportNothing(const Declaration& declaration, const std::vector<std::string>& names) {
     const Identifier& name = NameOf(declaration);
+    if (base_.lost.has_anything || base_.lost.words.contains(name.text)) return;
+    own_.lost.words.insert(name.text);
     Diagnostic diagnostic =
         MakeDiagnostic(code::kNothingToOverride, name.span,
                        fmt::format("the base has no {}", DescriptionOf(declaration)));
@@ -289,8 +324,9 @@ class Extension {
 
   void Add(Declaration declaration) {
     if (auto* event = std::get_if<EventDeclaration>(&declaration.node)) {
-      if (IsFirstBlock(*event)) Append(std::move(declaration));
-      return;
+      if (event->is_known && IsFirstBlock(*event)) return Append(std::move(declaration));
+      event->is_known = false;
+      return base_.declarations.push_back(std::move(declaration));
     }
     if (const Declaration* inherited = FindInherited(declaration); inherited != nullptr)
       ReportRedeclared(declaration, *inherited);
@@ -323,6 +359,9 @@ class Extension {
   void ReportRedeclared(const Declaration& declaration, const Declaration& inherited) {
     const Identifier& name = NameOf(declaration);
     const std::string_view kind = KindOf(declaration);
+    // Which of the two is meant is not known: neither is kept.
+    redeclared_.emplace_back(kind, name.text);
+    own_.lost.words.insert(name.text);
     Diagnostic diagnostic =
         MakeDiagnostic(code::kMissingOverride, name.span,
                        fmt::format("the base has a {} already", DescriptionOf(declaration)));
@@ -366,6 +405,7 @@ class Extension {
   std::map<std::string, Span> overrides_;  // by what they override; the word itself
   std::map<EventKind, Span> event_names_;  // of the blocks of the task's own file
   std::vector<Span> removed_;              // what was replaced in the base
+  std::vector<std::pair<std::string_view, std::string>> redeclared_;  // kind and name
 };
 
 }  // namespace
@@ -374,7 +414,22 @@ SyntaxTree Extend(SyntaxTree base, SyntaxTree own, Diagnostics& diagnostics) {
   return Extension(std::move(base), std::move(own), diagnostics).Merge();
 }
 
-void RejectOverrides(const SyntaxTree& tree, Diagnostics& diagnostics) {
+SyntaxTree ExtendUnknown(SyntaxTree own) {
+  for (Declaration& declaration : own.declarations)
+    if (declaration.override_span) declaration = WithoutBase(std::move(declaration));
+  own.lost.has_anything = true;
+  return own;
+}
+
+void AddLost(LostText more, LostText& lost) {
+  lost.words.merge(more.words);
+  lost.has_header = lost.has_header || more.has_header;
+  lost.has_imports = lost.has_imports || more.has_imports;
+  lost.has_anything = lost.has_anything || more.has_anything;
+  lost.has_code = lost.has_code || more.has_code;
+}
+
+bool RejectOverrides(const SyntaxTree& tree, Diagnostics& diagnostics) {
   for (const Declaration& declaration : tree.declarations) {
     if (!declaration.override_span) continue;
     Diagnostic diagnostic =
@@ -382,8 +437,9 @@ void RejectOverrides(const SyntaxTree& tree, Diagnostics& diagnostics) {
                        "this task extends no other: there is nothing to override");
     diagnostic.help = "name the base in the header: `task NAME extends \"base.task\"`";
     diagnostics.Add(std::move(diagnostic));
-    return;
+    return true;
   }
+  return false;
 }
 
 }  // namespace compiler

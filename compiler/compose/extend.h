@@ -10,7 +10,13 @@ namespace compiler {
 // header is that of `own`. The base's tests are left out. All mistakes go to `diagnostics`.
 SyntaxTree Extend(SyntaxTree base, SyntaxTree own, Diagnostics& diagnostics);
 
-// Reports the overrides of a task that extends none.
-void RejectOverrides(const SyntaxTree& tree, Diagnostics& diagnostics);
+// The same for a base of which nothing is known.
+SyntaxTree ExtendUnknown(SyntaxTree own);
+
+// Reports the overrides of a task that extends none. False if there are none.
+bool RejectOverrides(const SyntaxTree& tree, Diagnostics& diagnostics);
+
+// Adds what one tree has lost to what another one has.
+void AddLost(LostText more, LostText& lost);
 
 }  // namespace compiler

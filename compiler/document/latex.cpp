@@ -196,6 +196,9 @@ struct LatexWriter {
     return Minus(ToFormula(*node.operand));
   }
   Formula operator()(const BinaryExpression& node) const { return ToFormula(node); }
+  // A task with errors has no page.
+  Formula operator()(const MethodExpression&) const { return {}; }
+  Formula operator()(const LostExpression&) const { return {}; }
 };
 
 }  // namespace

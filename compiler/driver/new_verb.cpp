@@ -24,7 +24,8 @@ void CheckName(const std::string& name) {
   const SourceFile header(name, "task " + name + "\n");
   Diagnostics diagnostics;
   const auto tree = Parse(header, diagnostics);
-  if (tree && tree->task && tree->task->text == name && !tree->robot && !tree->base) return;
+  const bool is_parsed = tree && tree->task && !diagnostics.has_errors();
+  if (is_parsed && tree->task->text == name && !tree->robot && !tree->base) return;
   throw CallError(
       fmt::format("a task cannot be called `{}`: a name consists of letters, digits and `_`, does "
                   "not begin with a digit, and is not a keyword",

@@ -83,7 +83,8 @@ const Findings& Workspace::FindingsOf(const Document& document) {
   Opened& opened = opened_.at(document.uri());
   if (!opened.current) {
     opened.current = Analyze(document.path());
-    if (opened.current->analysis.tree) opened.good = opened.current;
+    const auto& tree = opened.current->analysis.tree;
+    if (tree && tree->lost.is_empty()) opened.good = opened.current;
   }
   return *opened.current;
 }

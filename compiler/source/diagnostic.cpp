@@ -30,6 +30,14 @@ Diagnostic MakeDiagnostic(std::string_view code, Span span, std::string message)
   return diagnostic;
 }
 
+bool Diagnostics::Has(std::string_view code, Span span) const {
+  const auto begin = [](const Diagnostic& other) { return other.span.begin; };
+  const auto same_place = std::ranges::equal_range(list_, span.begin, {}, begin);
+  return std::ranges::any_of(same_place, [&](const Diagnostic& other) {
+    return other.code == code && other.span == span;
+  });
+}
+
 void Diagnostics::Add(Diagnostic diagnostic) {
   assert(IsInTable(diagnostic.code));
   if (diagnostic.severity == Severity::kError) has_errors_ = true;

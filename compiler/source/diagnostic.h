@@ -67,6 +67,8 @@ class Diagnostics {
   // checked for each statement that it replaces, is not said again.
   void Add(Diagnostic diagnostic);
   bool has_errors() const { return has_errors_; }
+  // Has something of this kind been said of this place?
+  bool Has(std::string_view code, Span span) const;
   // In the order of their places in the source.
   const std::vector<Diagnostic>& list() const { return list_; }
 

@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "compiler/syntax/descriptions.h"
+#include "compiler/syntax/foreign_words.h"
 #include "compiler/syntax/token_classes.h"
 
 namespace compiler {
@@ -18,30 +18,11 @@ using grammar::TaskParser;
 
 constexpr std::string_view kFunctionHelp =
     "a function is declared with `fn half(x: real) -> real = 0.5 * x`";
-constexpr std::string_view kImportHelp = "write `import \"NAME.task\"`";
-constexpr std::string_view kValueHelp =
-    "a value that can be set from outside is a `param`, one that the task changes a `memory`";
-constexpr std::array<ForeignWord, 13> kForeignDeclarations = {{
-    {"def", kFunctionHelp, "fn"},
-    {"func", kFunctionHelp, "fn"},
-    {"function", kFunctionHelp, "fn"},
-    {"fun", kFunctionHelp, "fn"},
-    {"include", kImportHelp, "import"},
-    {"use", kImportHelp, "import"},
-    {"using", kImportHelp, "import"},
-    {"from", kImportHelp, "import"},
-    {"var", kValueHelp},
-    {"const", kValueHelp},
-    {"state", kValueHelp, "memory"},
-    {"when", "events are declared with `on EVENT { ... }`", "on"},
-    {"event", "events are declared with `on EVENT { ... }`", "on"},
-}};
-
 constexpr const char* kHeaderHelp =
     "a file begins with the task's name and its robot: `task crawling for humanoid`";
 
 Help HelpForDeclaration(const antlr4::Token& word) {
-  Help help = HelpForForeign(word, kForeignDeclarations);
+  Help help = HelpForForeign(ForeignPlace::kDeclaration, word.getText(), SpanOf(word));
   const std::vector<std::string> keywords = DeclarationKeywords();
   if (help.empty()) help = Nearest(word, keywords);
   if (help.empty()) help = fmt::format("declarations begin with {}", fmt::join(keywords, ", "));
@@ -160,6 +141,22 @@ Description BadOverride(const Failure& failure) {
                        {{SpanOf(failure.found), "param " + word}}};
   }
   return diagnostic;
+}
+
+// `param gain = 3`, `memory fallen: bool`: without a type, without a value
+Description BadValue(const Failure& failure) {
+  const bool is_value =
+      failure.rule == TaskParser::RuleParam || failure.rule == TaskParser::RuleMemory;
+  if (!is_value) return std::nullopt;
+  if (failure.type() == TaskParser::ASSIGN && failure.expects(TaskParser::COLON)) {
+    const Span place = PlaceBehindLast(failure);
+    return WithHelp(ExpectedBehindLast(failure, "`:`"),
+                    {"its type comes first, such as `: real` or `: bool`",
+                     {{place, ": real"}, {place, ": bool"}}});
+  }
+  if (!failure.is_behind_last() || !failure.expects(TaskParser::ASSIGN)) return std::nullopt;
+  return WithHelp(ExpectedBehindLast(failure, "`=`"),
+                  "everything has a value from the beginning, such as `= 0` or `= false`");
 }
 
 // `import shaping`, `extends forward_rolling`, `test falls`

@@ -3,9 +3,7 @@
 #pragma once
 
 #include <optional>
-#include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "compiler/source/diagnostic.h"
@@ -26,10 +24,14 @@ Description BadUnit(const Failure& failure);
 Description BadType(const Failure& failure);
 Description MissingOperand(const Failure& failure);
 
-Diagnostic UnknownUnit(const antlr4::Token& token);
+Diagnostic UnknownUnit(const Failure& failure, const antlr4::Token& token);
+// What was probably meant by what stands behind a whole operand, where an operator would have to.
+Help HelpBehindOperand(const Failure& failure);
 
 // ---- Statements ---------------------------------------------------------------------------------
 
+Description BadLet(const Failure& failure);
+Description BadEnd(const Failure& failure);
 Description BadCondition(const Failure& failure);
 Description BadLoop(const Failure& failure);
 Description BadOnce(const Failure& failure);
@@ -48,17 +50,9 @@ Description BadHeader(const Failure& failure);
 Description BadFunction(const Failure& failure);
 Description BadOverride(const Failure& failure);
 Description BadPath(const Failure& failure);
+Description BadValue(const Failure& failure);
 Description BadAllow(const Failure& failure);
 Description BadDeclaration(const Failure& failure);
-
-// A word of other languages, and what is written here.
-struct ForeignWord {
-  std::string_view text;
-  std::string_view help;
-  std::string_view instead = "";  // the word itself; empty where more has to change
-};
-// The help for such a word; empty where it is none of these.
-Help HelpForForeign(const antlr4::Token& word, std::span<const ForeignWord> words);
 
 // "did you mean `x`?", or nothing.
 Help Nearest(const antlr4::Token& word, const std::vector<std::string>& candidates);

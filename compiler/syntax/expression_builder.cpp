@@ -69,7 +69,7 @@ void ExpressionBuilder::CheckDepth(Span span) {
       code::kTooDeep, span,
       fmt::format("this expression has more than {} operators in a row", kMaxNesting));
   diagnostic.help = "give parts of it a name with `let`";
-  report_.Add(std::move(diagnostic));
+  report_.AddMended(std::move(diagnostic));
 }
 
 // ---- Operators ---------------------------------------------------------------------------------
@@ -144,7 +144,7 @@ ExpressionBuilder::Built ExpressionBuilder::Make(Span span, Node node, uint32_t 
   expression->span = span;
   if (depth_below >= kMaxNesting) {
     is_too_deep_ = true;
-    expression->node = BoolLiteral{};
+    expression->node = LostExpression{};
     return {std::move(expression), 1};
   }
   expression->node = std::move(node);
@@ -167,14 +167,42 @@ ExpressionBuilder::Built ExpressionBuilder::Postfix(TaskParser::PostfixContext& 
       IndexExpression node{std::move(result.expression), Items(*selection->items(), depth)};
       is_in_index_ = was_in_index;
       result = Make(span, std::move(node), depth);
+    } else if (auto* arguments = dynamic_cast<TaskParser::ArgumentsContext*>(child)) {
+      result = Method(std::move(result), *arguments);
     }
   }
   return result;
 }
 
+ExpressionBuilder::Built ExpressionBuilder::Method(Built result,
+                                                   TaskParser::ArgumentsContext& context) {
+  const Span span = Cover(result.expression->span, SpanOf(context));
+  const Span parenthesis = SpanOf(*context.LEFT_PARENTHESIS()->getSymbol());
+  auto* called = std::get_if<MemberExpression>(&result.expression->node);
+  if (called == nullptr) return result;  // too deep
+  uint32_t depth = result.depth;
+  MethodExpression node{std::move(called->object), called->member, parenthesis,
+                        Arguments(context, depth)};
+  return Make(span, std::move(node), depth);
+}
+
+std::vector<ExpressionPtr> ExpressionBuilder::Arguments(TaskParser::ArgumentsContext& context,
+                                                        uint32_t& depth) {
+  std::vector<ExpressionPtr> arguments;
+  for (TaskParser::ExpressionContext* argument : context.expression()) {
+    Built built = Disjunction(*argument);
+    depth = std::max(depth, built.depth);
+    arguments.push_back(std::move(built.expression));
+  }
+  return arguments;
+}
+
 ExpressionBuilder::Built ExpressionBuilder::Primary(TaskParser::PrimaryContext& context) {
   const Span span = SpanOf(context);
-  if (auto* number = context.number()) return Make(span, BuildNumber(*number, report_));
+  if (auto* number = context.number()) {
+    if (auto literal = BuildNumber(*number, report_)) return Make(span, std::move(*literal));
+    return Make(span, LostExpression{});
+  }
   if (auto* call = context.call()) return Call(*call);
   if (auto* inner = context.expression()) {
     Built result = Disjunction(*inner);
@@ -190,13 +218,8 @@ ExpressionBuilder::Built ExpressionBuilder::Primary(TaskParser::PrimaryContext& 
 }
 
 ExpressionBuilder::Built ExpressionBuilder::Call(TaskParser::CallContext& context) {
-  CallExpression node{BuildName(*context.callee), {}};
   uint32_t depth = 0;
-  for (TaskParser::ExpressionContext* argument : context.expression()) {
-    Built built = Disjunction(*argument);
-    depth = std::max(depth, built.depth);
-    node.arguments.push_back(std::move(built.expression));
-  }
+  CallExpression node{BuildName(*context.callee), Arguments(*context.arguments(), depth)};
   return Make(SpanOf(context), std::move(node), depth);
 }
 
@@ -205,7 +228,8 @@ ExpressionBuilder::Built ExpressionBuilder::Set(TaskParser::PrimaryContext& cont
     Diagnostic diagnostic = MakeDiagnostic(code::kMisplacedSet, SpanOf(context),
                                            "a set in braces is allowed only inside an index");
     diagnostic.help = "pick elements with it: `contact[links - {body, head}]`";
-    report_.Add(std::move(diagnostic));
+    report_.AddMended(std::move(diagnostic));
+    return Make(SpanOf(context), LostExpression{});
   }
   uint32_t depth = 0;
   SetExpression node{Items(*context.items(), depth)};

@@ -37,6 +37,11 @@ class ExpressionBuilder {
   Built Postfix(grammar::TaskParser::PostfixContext& context);
   Built Primary(grammar::TaskParser::PrimaryContext& context);
   Built Call(grammar::TaskParser::CallContext& context);
+  // What is called is `result`.
+  Built Method(Built result, grammar::TaskParser::ArgumentsContext& context);
+  // The depth of the deepest goes to `depth`.
+  std::vector<ExpressionPtr> Arguments(grammar::TaskParser::ArgumentsContext& context,
+                                       uint32_t& depth);
   Built Set(grammar::TaskParser::PrimaryContext& context);
   Built Item(grammar::TaskParser::ItemContext& context);
   // The depth of the deepest goes to `depth`.

@@ -32,7 +32,7 @@ FileParser::FileParser(SyntaxReport& report)
 }
 
 TaskParser::FileContext* FileParser::Parse() {
-  if (IsTooLarge(report_)) return nullptr;
+  if (IsTooLarge(report_) || IsInOtherEncoding(report_)) return nullptr;
   CheckCharacters(report_);
   TokenList list = Layout(report_).Run(lexer_);
   if (!list.is_parseable) return nullptr;

@@ -3,6 +3,7 @@
 #include <string>
 #include <utility>
 
+#include "compiler/syntax/lost_text.h"
 #include "compiler/syntax/token_classes.h"
 #include "compiler/syntax/unit_builder.h"
 
@@ -31,14 +32,17 @@ FunctionDeclaration FunctionBuilder::Build(TaskParser::FunctionContext& context)
 void FunctionBuilder::BuildBody(TaskParser::BodyContext& context, FunctionDeclaration& function) {
   bool is_faulty = false;  // the parser has found an error in a statement: perhaps the `return`
   bool has_result = false;
+  function.value = {SpanOf(context), LostExpression{}};
+  NoteLost(context, lost_);
   for (TaskParser::BodyStatementContext* statement : context.bodyStatement()) {
     if (has_result) {
       ReportBody(SpanOf(*statement->getStart()), "this comes after the `return`",
                  "`return` is the last statement of a function");
       return;
     }
-    if (statement->exception != nullptr) {
+    if (IsLost(*statement, report_)) {
       is_faulty = true;
+      NoteLost(*statement, lost_);
     } else if (statement->let() != nullptr) {
       function.lets.push_back(statements_.Let(*statement->let()));
     } else {

@@ -12,9 +12,10 @@ namespace compiler {
 
 class FunctionBuilder {
  public:
-  // The builder of statements must outlive it.
-  FunctionBuilder(SyntaxReport& report, StatementBuilder& statements)
-      : report_(report), statements_(statements), expressions_(report) {}
+  // The builder of statements must outlive it, and so must `lost`, where that goes which is left
+  // out.
+  FunctionBuilder(SyntaxReport& report, StatementBuilder& statements, LostText& lost)
+      : report_(report), statements_(statements), lost_(lost), expressions_(report) {}
 
   // Without its documentation.
   FunctionDeclaration Build(grammar::TaskParser::FunctionContext& context);
@@ -25,6 +26,7 @@ class FunctionBuilder {
 
   SyntaxReport& report_;
   StatementBuilder& statements_;
+  LostText& lost_;
   ExpressionBuilder expressions_;
 };
 

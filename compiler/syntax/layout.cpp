@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "compiler/syntax/foreign_words.h"
 #include "compiler/syntax/lexical_errors.h"
 #include "compiler/syntax/parse.h"
 
@@ -70,17 +71,22 @@ std::string Quoted(TokenType type) { return fmt::format("`{}`", Spelling(type));
 
 }  // namespace
 
-TokenList Layout::Run(antlr4::TokenSource& lexer) {
-  std::unique_ptr<antlr4::Token> next = lexer.nextToken();
+TokenList Layout::Run(antlr4::Lexer& lexer) {
+  std::unique_ptr<antlr4::Token> next = NextToken(lexer);
+  size_t skipped_line = 0;
   while (result_.is_parseable) {
     std::unique_ptr<antlr4::Token> token = std::move(next);
-    if (token->getType() != antlr4::Token::EOF) next = lexer.nextToken();
+    const bool is_end = token->getType() == antlr4::Token::EOF;
+    if (!is_end) next = NextToken(lexer);
+    if (!is_end && token->getLine() == skipped_line) continue;
     if (token->getType() == TaskParser::DOC_COMMENT) {
       AddDocumentation(*token);
       continue;
     }
     auto& common = static_cast<antlr4::CommonToken&>(*token);
-    if (!RepairToken(common, report_)) continue;
+    const Repair repair = RepairToken(common, last_, report_);
+    if (repair == Repair::kSkipLine) skipped_line = token->getLine();
+    if (repair != Repair::kKeep) continue;
     token.release();
     Add(std::unique_ptr<antlr4::CommonToken>(&common), next.get());
     if (next == nullptr) break;
@@ -88,7 +94,20 @@ TokenList Layout::Run(antlr4::TokenSource& lexer) {
   return std::move(result_);
 }
 
+// A string that is not closed swallows the braces behind it, which are then read again.
+std::unique_ptr<antlr4::Token> Layout::NextToken(antlr4::Lexer& lexer) {
+  std::unique_ptr<antlr4::Token> token = lexer.nextToken();
+  if (token->getType() != TaskParser::UNCLOSED_STRING) return token;
+  const uint32_t end = EndOfUnclosedString(SpanOf(*token), report_.source());
+  if (end == SpanOf(*token).end) return token;
+  static_cast<antlr4::CommonToken&>(*token).setStopIndex(end - 1);
+  lexer.getInputStream()->seek(end);
+  lexer.hitEOF = false;
+  return token;
+}
+
 void Layout::Add(std::unique_ptr<antlr4::CommonToken> token, const antlr4::Token* next) {
+  MendOperator(*token, next);
   ClassifyWord(*token, next != nullptr ? next->getType() : 0);
   const TokenType type = token->getType();
   const bool is_first_in_line = last_ == nullptr || token->getLine() != last_->getLine();
@@ -96,7 +115,7 @@ void Layout::Add(std::unique_ptr<antlr4::CommonToken> token, const antlr4::Token
   const bool begins_block =
       type == TaskParser::LEFT_BRACE && IsInBrackets() && EndsOperand(last_->getType());
   if (begins_block) EndExpression(*token);
-  if (IsClosing(type) && !Close(*token)) return;
+  if (IsClosing(type) && !Close(*token, next)) return;
   if (IsOpening(type)) Open(*token);
   if (!ExpectBlock(*token, next == nullptr || next->getLine() != token->getLine())) return;
   RejectForeignLoop(*token);
@@ -107,6 +126,25 @@ void Layout::Add(std::unique_ptr<antlr4::CommonToken> token, const antlr4::Token
   }
   last_ = token.get();
   result_.tokens.push_back(std::move(token));
+}
+
+// `a AND b`: a name can stand neither behind an operand nor before one.
+void Layout::MendOperator(antlr4::CommonToken& token, const antlr4::Token* next) {
+  const bool is_between = token.getType() == TaskParser::NAME && last_ != nullptr &&
+                          EndsOperand(last_->getType()) && last_->getLine() == token.getLine() &&
+                          next != nullptr && StartsOperand(next->getType());
+  if (!is_between) return;
+  const std::string word = token.getText();
+  const ForeignWord* foreign = FindForeign(ForeignPlace::kOperator, word);
+  const bool is_and = foreign != nullptr && foreign->instead == Spelling(TaskParser::AND);
+  const bool is_or = foreign != nullptr && foreign->instead == Spelling(TaskParser::OR);
+  if (!is_and && !is_or) return;
+  Diagnostic diagnostic =
+      MakeDiagnostic(code::kForeignSyntax, SpanOf(token),
+                     fmt::format("`{}` is not part of the task language", word));
+  diagnostic.help = HelpForForeign(ForeignPlace::kOperator, word, SpanOf(token));
+  report_.AddMended(std::move(diagnostic));
+  token.setType(is_and ? TaskParser::AND : TaskParser::OR);
 }
 
 // ---- Words -------------------------------------------------------------------------------------
@@ -252,7 +290,8 @@ void Layout::RejectBrokenLine(const antlr4::CommonToken& next) {
   diagnostic.labels.push_back({SpanOf(*last_), "the statement ends here"});
   diagnostic.help =
       "to continue the line above, put the operator at its end, or the whole in parentheses";
-  report_.Add(std::move(diagnostic));
+  report_.AddUnlessFaulty(std::move(diagnostic));
+  report_.MarkFaulty(SpanOf(*last_));
 }
 
 uint32_t Layout::IndentationOf(const antlr4::Token& token) {
@@ -284,7 +323,7 @@ bool Layout::IsLoopSet() const {
          (last_->getType() == TaskParser::IN || ExpectsOperand(last_->getType()));
 }
 
-bool Layout::Close(antlr4::CommonToken& token) {
+bool Layout::Close(antlr4::CommonToken& token, const antlr4::Token* next) {
   const TokenType type = token.getType();
   const bool is_first_in_line = last_ == nullptr || token.getLine() != last_->getLine();
   // `if a reward b = 1 }`: the parser reports the missing brace.
@@ -301,6 +340,10 @@ bool Layout::Close(antlr4::CommonToken& token) {
     if (open_[index - 1].is_block) index = 1;
     --index;
   }
+  if (index == 1 && next != nullptr && IsOneTooMany(*next)) {
+    ReportUnmatched(token);
+    return false;
+  }
   if (index > 0) {
     CloseUnclosed(index, token);
     const Bracket& bracket = open_.back();
@@ -316,23 +359,40 @@ bool Layout::Close(antlr4::CommonToken& token) {
     synthetic_closings_.erase(expected);
     return false;
   }
-  Diagnostic diagnostic = MakeDiagnostic(code::kUnmatchedBracket, SpanOf(token), "");
-  if (IsInBrackets()) {
-    const Bracket& bracket = open_.back();
-    const TokenType closing = ClosingOf(bracket.type);
-    diagnostic.message = fmt::format("{} does not close {}", Quoted(type), Quoted(bracket.type));
-    diagnostic.labels.push_back({bracket.span, "opened here"});
-    diagnostic.help = WriteInstead(SpanOf(token), Spelling(closing));
-    token.setType(closing == TaskParser::RIGHT_BRACE ? size_t{TaskParser::SET_END} : closing);
-    Pop();
-    report_.Add(std::move(diagnostic));
-    return true;
+  if (!IsInBrackets()) {
+    ReportUnmatched(token);
+    return false;
   }
-  diagnostic.message = fmt::format("{} closes nothing", Quoted(type));
+  const Bracket& bracket = open_.back();
+  const TokenType closing = ClosingOf(bracket.type);
+  Diagnostic diagnostic =
+      MakeDiagnostic(code::kUnmatchedBracket, SpanOf(token),
+                     fmt::format("{} does not close {}", Quoted(type), Quoted(bracket.type)));
+  diagnostic.labels.push_back({bracket.span, "opened here"});
+  diagnostic.help = WriteInstead(SpanOf(token), Spelling(closing));
+  token.setType(closing == TaskParser::RIGHT_BRACE ? size_t{TaskParser::SET_END} : closing);
+  Pop();
+  report_.AddUnlessFaulty(std::move(diagnostic));
+  return true;
+}
+
+void Layout::ReportUnmatched(const antlr4::CommonToken& token) {
+  Diagnostic diagnostic = MakeDiagnostic(code::kUnmatchedBracket, SpanOf(token),
+                                         fmt::format("{} closes nothing", Quoted(token.getType())));
   diagnostic.help = {"remove it, or add the opening bracket that belongs to it",
                      {{SpanOf(token), ""}}};
-  report_.Add(std::move(diagnostic));
-  return false;
+  report_.AddUnlessFaulty(std::move(diagnostic));
+}
+
+// A brace that would close the outermost block, although `next` goes on inside of it.
+bool Layout::IsOneTooMany(const antlr4::Token& next) {
+  const Bracket& block = open_.front();
+  const TokenType type = next.getType();
+  if (!block.is_block || type == antlr4::Token::EOF || type == TaskParser::RIGHT_BRACE ||
+      type == TaskParser::DOC_COMMENT || IsDeclarationKeyword(type)) {
+    return false;
+  }
+  return next.getLine() == last_->getLine() || IndentationOf(next) > block.indentation;
 }
 
 // Blocks without an opening brace may have no closing one either.
@@ -371,6 +431,8 @@ void Layout::ReportUnclosed(const Bracket& bracket, const antlr4::CommonToken& n
                                suspect != nullptr ? "this block may be the one that is not closed"
                                                   : "this bracket is not closed"});
   report_.AddUnlessFaulty(std::move(diagnostic));
+  // What the parser says of the line with the bracket would be about the same mistake.
+  report_.MarkFaulty(suspect != nullptr ? suspect->span : bracket.span);
 }
 
 void Layout::Pop() {

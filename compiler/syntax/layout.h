@@ -25,7 +25,7 @@ class Layout {
  public:
   explicit Layout(SyntaxReport& report) : report_(report) {}
 
-  TokenList Run(antlr4::TokenSource& lexer);
+  TokenList Run(antlr4::Lexer& lexer);
 
  private:
   struct Bracket {
@@ -37,8 +37,10 @@ class Layout {
     bool is_synthetic = false;  // its opening brace is missing
   };
 
+  std::unique_ptr<antlr4::Token> NextToken(antlr4::Lexer& lexer);
   // `next`: the token that follows; null at the end.
   void Add(std::unique_ptr<antlr4::CommonToken> token, const antlr4::Token* next);
+  void MendOperator(antlr4::CommonToken& token, const antlr4::Token* next);
   // Makes a name of a word that is not a keyword in its place.
   void ClassifyWord(antlr4::CommonToken& token, TokenType next);
   bool CanBeginStatement(const antlr4::CommonToken& token) const;
@@ -60,7 +62,9 @@ class Layout {
 
   void Open(antlr4::CommonToken& token);
   // Returns false if the token is to be left out.
-  bool Close(antlr4::CommonToken& token);
+  bool Close(antlr4::CommonToken& token, const antlr4::Token* next);
+  bool IsOneTooMany(const antlr4::Token& next);
+  void ReportUnmatched(const antlr4::CommonToken& token);
   bool IsInBrackets() const { return !open_.empty() && !open_.back().is_block; }
   // The next brace opens a set: `for l in {`, `for l in links - {`.
   bool IsLoopSet() const;

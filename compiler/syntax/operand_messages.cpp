@@ -3,9 +3,15 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <cctype>
+#include <iterator>
 #include <string>
+#include <utility>
 
 #include "compiler/syntax/descriptions.h"
+#include "compiler/syntax/foreign_words.h"
+#include "compiler/syntax/power_help.h"
 #include "compiler/syntax/token_classes.h"
 
 namespace compiler {
@@ -21,8 +27,10 @@ bool WantsName(const Failure& failure) {
     case TaskParser::RuleMetric:
       return true;
     case TaskParser::RuleStatement:
-    case TaskParser::RuleReward:
       return failure.last_type() == TaskParser::REWARD;
+    case TaskParser::RuleReward:  // `reward g = 1`, `reward rate g = 1`
+    case TaskParser::RuleLog:
+      return true;
     case TaskParser::RuleBlock:  // `m = 4`
       return failure.next_type() == TaskParser::ASSIGN;
     default:
@@ -30,7 +38,60 @@ bool WantsName(const Failure& failure) {
   }
 }
 
+// `joint.angle["left_knee"]`, `let v = "a"`
+Help HelpForString(const Failure& failure) {
+  const std::string text = failure.found.getText();
+  const std::string name = text.size() > 2 ? text.substr(1, text.size() - 2) : "";
+  const bool is_name = !name.empty() && std::ranges::all_of(name, [](char c) {
+    return c == '_' || std::isalnum(static_cast<unsigned char>(c)) != 0;
+  });
+  const bool is_in_index =
+      failure.last_type() == TaskParser::LEFT_BRACKET || failure.last_type() == TaskParser::COMMA;
+  if (is_name && is_in_index)
+    return {fmt::format("names of links and joints have no quotes: `{}`", name),
+            {{SpanOf(failure.found), name}}};
+  return "a task computes with numbers and conditions; texts are only reasons and names of tests";
+}
+
+Help HelpForVector() { return "a vector is `vec2(x, y)`, `vec3(x, y, z)` or `vec4(x, y, z, w)`"; }
+
+// For what is not an operand in this language.
+Help HelpForOperand(const Failure& failure) {
+  switch (failure.type()) {
+    case TaskParser::STRING:
+      return HelpForString(failure);
+    case TaskParser::IF:
+      return "a choice between two values is `select(condition, x, y)`";
+    case TaskParser::LEFT_BRACKET:
+      return HelpForVector();
+    default:
+      return {};
+  }
+}
+
 }  // namespace
+
+Help HelpBehindOperand(const Failure& failure) {
+  const Span found = SpanOf(failure.found);
+  switch (failure.type()) {
+    case TaskParser::NAME:
+      if (failure.last->getText() == "NOT" || failure.last->getText() == "Not")
+        return WriteInstead(SpanOf(*failure.last), "not");
+      return HelpForForeign(ForeignPlace::kOperator, failure.found.getText(), found);
+    case TaskParser::POWER:
+      return HelpForPower(failure.file, found);
+    case TaskParser::COLON:
+      return failure.rule == TaskParser::RuleSelection || failure.rule == TaskParser::RuleItems
+                 ? Help("a range has two dots and includes both ends: `0..2`")
+                 : Help();
+    case TaskParser::COMMA:
+      return failure.rule == TaskParser::RulePrimary ? HelpForVector() : Help();
+    case TaskParser::IN:
+      return "an element is picked with brackets, as in `contact[head]`";
+    default:
+      return {};
+  }
+}
 
 Description ReservedName(const Failure& failure) {
   if (!WantsName(failure) || !IsReserved(failure.type()) || failure.is_behind_last()) {
@@ -85,9 +146,14 @@ Description MissingOperand(const Failure& failure) {
   if (failure.rule != TaskParser::RulePrimary && (!is_behind_operator || wants_other)) {
     return std::nullopt;
   }
+  if (failure.rule == TaskParser::RulePrimary && EndsOperand(last)) {
+    return WithHelp(Expected(failure, "an operator or `)`"), HelpBehindOperand(failure));
+  }
   const bool is_loop_set = last == TaskParser::IN && failure.statement_type() == TaskParser::FOR;
   Diagnostic diagnostic = Expected(failure, is_loop_set ? "a set" : "an expression");
   if (failure.is_behind_last()) return diagnostic;
+  diagnostic.help = HelpForOperand(failure);
+  if (!diagnostic.help.empty()) return diagnostic;
   if (IsUnit(failure.type())) {
     diagnostic.help =
         fmt::format("`{0}` is a unit and comes after a number: `1 {0}`", failure.found.getText());
@@ -99,13 +165,68 @@ Description MissingOperand(const Failure& failure) {
   return diagnostic;
 }
 
-Diagnostic UnknownUnit(const antlr4::Token& token) {
+// `1.0f`, `0x10`, `1_000`: directly behind the digits.
+Diagnostic BadSuffix(const antlr4::Token& number, const antlr4::Token& suffix) {
+  const std::string text = number.getText();
+  const std::string letters = suffix.getText();
+  Diagnostic diagnostic = MakeDiagnostic(code::kBadNumber, Cover(SpanOf(number), SpanOf(suffix)),
+                                         "this is not a number");
+  const bool is_separated =
+      letters.front() == '_' && letters.find_first_not_of("_0123456789") == std::string::npos;
+  if (is_separated) {
+    std::string digits = text;
+    std::ranges::copy_if(letters, std::back_inserter(digits), [](char c) { return c != '_'; });
+    return WithHelp(std::move(diagnostic), WriteInstead(diagnostic.span, digits));
+  }
+  if (letters.size() == 1) {
+    return WithHelp(std::move(diagnostic), {fmt::format("a number has no suffix: write `{}`", text),
+                                            {{SpanOf(suffix), ""}}});
+  }
+  return WithHelp(std::move(diagnostic), "numbers are decimal, such as `16`, `0.5` or `1e-3`");
+}
+
+bool IsSuffix(const antlr4::Token& number, const antlr4::Token& name) {
+  const std::string letters = name.getText();
+  const bool is_known =
+      letters == "f" || letters == "F" || letters == "L" || letters == "d" || letters == "u" ||
+      letters.front() == '_' ||
+      (number.getText() == "0" && (letters.front() == 'x' || letters.front() == 'b'));
+  return is_known && SpanOf(number).end == SpanOf(name).begin;
+}
+
+Help HelpForUnit(const Failure& failure, const antlr4::Token& token) {
   const std::string name = token.getText();
-  Help help = Nearest(token, UnitNames());
-  if (help.empty()) help = fmt::format("the units are {}", fmt::join(UnitNames(), ", "));
+  Help help = HelpForForeign(ForeignPlace::kUnit, name, SpanOf(token));
+  if (help.empty()) help = HelpForPowerInName(name, SpanOf(token));
+  if (help.empty()) help = Nearest(token, UnitNames());
+  if (!help.empty()) return help;
+  const antlr4::Token* number = failure.parser.getTokenStream()->get(token.getTokenIndex() - 1);
+  if (number->getType() != TaskParser::NUMBER)
+    return fmt::format("the units are {}", fmt::join(UnitNames(), ", "));
+  const uint32_t place = SpanOf(*number).end;
+  return {fmt::format("to multiply, write `{} * {}`; the units are {}", number->getText(), name,
+                      fmt::join(UnitNames(), ", ")),
+          {{{place, place}, " *"}}};
+}
+
+Diagnostic UnknownUnit(const Failure& failure, const antlr4::Token& token) {
+  antlr4::TokenStream& tokens = *failure.parser.getTokenStream();
+  const size_t index = token.getTokenIndex();
+  const antlr4::Token& number = *tokens.get(index - 1);
+  const std::string name = token.getText();
+  if (number.getType() == TaskParser::NUMBER && IsSuffix(number, token))
+    return BadSuffix(number, token);
+  const TokenType next = index + 1 < tokens.size() ? tokens.get(index + 1)->getType() : 0;
+  if (next == TaskParser::DOT || next == TaskParser::LEFT_BRACKET) {
+    const uint32_t place = SpanOf(number).end;
+    return WithHelp(MakeDiagnostic(code::kUnexpectedToken, SpanOf(token),
+                                   fmt::format("expected an operator, found `{}`", name)),
+                    {fmt::format("to multiply, write `{} * {}...`", number.getText(), name),
+                     {{{place, place}, " *"}}});
+  }
   return WithHelp(
       MakeDiagnostic(code::kUnknownUnit, SpanOf(token), fmt::format("there is no unit `{}`", name)),
-      help);
+      HelpForUnit(failure, token));
 }
 
 // `20 sec`, wherever it stands.
@@ -113,7 +234,7 @@ Description NameBehindNumber(const Failure& failure) {
   const bool is_name = failure.type() == TaskParser::NAME &&
                        failure.last_type() == TaskParser::NUMBER && !failure.is_at_line_start();
   if (!is_name || failure.next_type() == TaskParser::LEFT_PARENTHESIS) return std::nullopt;
-  return UnknownUnit(failure.found);
+  return UnknownUnit(failure, failure.found);
 }
 
 Description BadUnit(const Failure& failure) {
@@ -126,7 +247,7 @@ Description BadUnit(const Failure& failure) {
       return std::nullopt;
   }
   if (failure.last_type() == TaskParser::POWER) return Expected(failure, "an integer");
-  if (failure.type() == TaskParser::NAME) return UnknownUnit(failure.found);
+  if (failure.type() == TaskParser::NAME) return UnknownUnit(failure, failure.found);
   return Expected(failure, "a unit");
 }
 

@@ -11,9 +11,7 @@ std::optional<SyntaxTree> Parse(const SourceFile& source, Diagnostics& diagnosti
   FileParser parser(report);
   grammar::TaskParser::FileContext* file = parser.Parse();
   if (file == nullptr) return std::nullopt;
-  SyntaxTree tree = BuildSyntaxTree(*file, parser.docs(), report);
-  if (report.has_errors()) return std::nullopt;
-  return tree;
+  return BuildSyntaxTree(*file, parser.docs(), report);
 }
 
 }  // namespace compiler

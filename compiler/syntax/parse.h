@@ -14,7 +14,9 @@ namespace compiler {
 // expression may be. Later passes may rely on it where they call themselves.
 inline constexpr uint32_t kMaxNesting = 200;
 
-// Parses a file. All syntax errors go to `diagnostics`; returns nothing if there were any.
+// Parses a file. All syntax errors go to `diagnostics`; what has one is left out of the tree and
+// counted among what is lost, so that the rest can be checked. Nothing where the file cannot be
+// parsed at all.
 std::optional<SyntaxTree> Parse(const SourceFile& source, Diagnostics& diagnostics);
 
 }  // namespace compiler

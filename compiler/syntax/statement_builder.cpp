@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "compiler/syntax/lost_text.h"
 #include "compiler/syntax/token_classes.h"
 #include "compiler/syntax/unit_builder.h"
 #include "compiler/syntax/word_lookup.h"
@@ -57,11 +58,24 @@ Block StatementBuilder::Build(TaskParser::BlockContext& context) {
       allowances_.Add(*allow);
     } else if (auto* statement = dynamic_cast<TaskParser::StatementContext*>(child)) {
       allowances_.Attach(SpanOf(*statement));
-      if (statement->exception == nullptr) block.push_back(BuildStatement(*statement));
+      if (IsLost(*statement, report_)) {
+        AddLost(*statement, block);
+      } else {
+        block.push_back(BuildStatement(*statement));
+      }
+    } else if (auto* inner = dynamic_cast<TaskParser::BlockContext*>(child)) {
+      block.push_back({SpanOf(*inner), IfStatement{{}, Build(*inner)}});  // of what is lost
     }
   }
+  NoteLost(context, lost_);
   allowances_.End();
   return block;
+}
+
+void StatementBuilder::AddLost(TaskParser::StatementContext& context, Block& block) {
+  NoteLost(context, lost_);
+  for (TaskParser::BlockContext* inner : BlocksIn(context))
+    block.push_back({SpanOf(*inner), IfStatement{{}, Build(*inner)}});
 }
 
 Statement StatementBuilder::BuildStatement(TaskParser::StatementContext& context) {
@@ -158,9 +172,9 @@ OnceStatement StatementBuilder::Once(TaskParser::OnceContext& context) {
 RewardStatement StatementBuilder::Reward(TaskParser::RewardContext& context) {
   RewardStatement statement;
   statement.doc = DocOf(context);
-  statement.is_rate = context.rate != nullptr;
-  if (statement.is_rate) {
+  if (context.rate != nullptr) {
     constexpr std::array<Word<bool>, 1> kRate = {{{"rate", true}}};
+    statement.is_rate = context.rate->getText() == kRate.front().text;
     LookUp(BuildName(*context.rate), kRate, code::kUnknownWord, "a kind of reward", report_);
   }
   statement.name = BuildName(*context.name());

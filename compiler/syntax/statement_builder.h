@@ -15,12 +15,13 @@ namespace compiler {
 
 class StatementBuilder {
  public:
-  // `docs`: the documentation by the offset of what it describes. Both must outlive the builder.
+  // `docs`: the documentation by the offset of what it describes. What is left out goes to `lost`.
+  // All must outlive the builder.
   StatementBuilder(SyntaxReport& report, const std::map<uint32_t, std::string>& docs,
-                   Allowances& allowances)
-      : report_(report), docs_(docs), allowances_(allowances), expressions_(report) {}
+                   Allowances& allowances, LostText& lost)
+      : report_(report), docs_(docs), allowances_(allowances), lost_(lost), expressions_(report) {}
 
-  // Statements in which the parser has found an error are left out.
+  // Of statements in which the parser has found an error there is what stands in their blocks.
   Block Build(grammar::TaskParser::BlockContext& context);
   LetStatement Let(grammar::TaskParser::LetContext& context);
   RewardStatement Reward(grammar::TaskParser::RewardContext& context);
@@ -28,6 +29,7 @@ class StatementBuilder {
   Target BuildTarget(grammar::TaskParser::TargetContext& context);
 
  private:
+  void AddLost(grammar::TaskParser::StatementContext& context, Block& block);
   Statement BuildStatement(grammar::TaskParser::StatementContext& context);
   AssignStatement Assignment(grammar::TaskParser::AssignmentContext& context);
   IfStatement Branches(grammar::TaskParser::BranchesContext& context);
@@ -40,6 +42,7 @@ class StatementBuilder {
   SyntaxReport& report_;
   const std::map<uint32_t, std::string>& docs_;
   Allowances& allowances_;
+  LostText& lost_;
   ExpressionBuilder expressions_;
 };
 

@@ -2,13 +2,12 @@
 #include <TaskParser.h>
 #include <fmt/format.h>
 
-#include <array>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "base/text/nearest_name.h"
 #include "compiler/syntax/descriptions.h"
+#include "compiler/syntax/foreign_words.h"
 #include "compiler/syntax/token_classes.h"
 #include "compiler/syntax/words.h"
 
@@ -17,44 +16,15 @@ namespace {
 
 using grammar::TaskParser;
 
-constexpr std::string_view kLoopHelp =
-    "a loop iterates over a set: `for i in 0..3 { ... }`; what repeats in time belongs in an event";
-constexpr std::string_view kBranchHelp = "write `if ... { ... } else if ... { ... }`";
-constexpr std::string_view kLocalHelp =
-    "a local value is `let x = ...`; what changes is a `memory`, declared outside of events";
-constexpr std::string_view kLogHelp = "write `log NAME = ...` to record a value as a curve";
-constexpr std::string_view kBreakHelp =
-    "a loop iterates over its whole set: put what is skipped into an `if`";
-constexpr std::array<ForeignWord, 28> kForeignStatements = {{
-    {"while", kLoopHelp},
-    {"loop", kLoopHelp},
-    {"repeat", kLoopHelp},
-    {"do", kLoopHelp},
-    {"until", kLoopHelp},
-    {"foreach", kLoopHelp},
-    {"break", kBreakHelp},
-    {"continue", kBreakHelp},
-    {"switch", kBranchHelp},
-    {"match", kBranchHelp},
-    {"case", kBranchHelp},
-    {"elif", kBranchHelp, "else if"},
-    {"elsif", kBranchHelp, "else if"},
-    {"elseif", kBranchHelp, "else if"},
-    {"var", kLocalHelp, "let"},
-    {"val", kLocalHelp, "let"},
-    {"const", kLocalHelp, "let"},
-    {"auto", kLocalHelp, "let"},
-    {"local", kLocalHelp, "let"},
-    {"real", kLocalHelp, "let"},
-    {"float", kLocalHelp, "let"},
-    {"double", kLocalHelp, "let"},
-    {"int", kLocalHelp, "let"},
-    {"bool", kLocalHelp, "let"},
-    {"print", kLogHelp},
-    {"printf", kLogHelp},
-    {"echo", kLogHelp},
-    {"assert", "write `require CONDITION`", "require"},
-}};
+// `terminate "falls"`, `elif`: a word of other languages. Only with a reason behind it a word can
+// be replaced by one that ends the episode.
+Help HelpForForeignStatement(const Failure& failure, const antlr4::Token& word) {
+  Help help = HelpForForeign(ForeignPlace::kStatement, word.getText(), SpanOf(word));
+  const bool is_end =
+      !help.fixes.empty() && help.fixes.front().text.find("_episode") != std::string::npos;
+  if (is_end && failure.type() != TaskParser::STRING) help.fixes.clear();
+  return help;
+}
 
 // `a = 1` where `a == 1` is meant.
 Help Comparison(const Failure& failure) {
@@ -86,6 +56,7 @@ Diagnostic BadEndOfStatement(const Failure& failure) {
     return diagnostic;
   }
   Diagnostic diagnostic = Expected(failure, "an operator or the end of the line");
+  diagnostic.help = HelpBehindOperand(failure);
   const bool is_condition = failure.statement_type() == TaskParser::REQUIRE ||
                             failure.statement_type() == TaskParser::EXPECT ||
                             failure.statement_type() == TaskParser::RETURN;
@@ -109,7 +80,64 @@ bool GoesOn(const Failure& failure) {
          failure.last_type() != TaskParser::RIGHT_BRACE;
 }
 
+// The `if` of the statement stands behind a value: `1 if a else 2`.
+bool IsBehindValue(const Failure& failure) {
+  if (failure.statement_type() == TaskParser::IF) return false;
+  antlr4::TokenStream& tokens = *failure.parser.getTokenStream();
+  size_t index = failure.found.getTokenIndex();
+  while (index > 0 && tokens.get(index)->getType() != TaskParser::IF) --index;
+  const antlr4::Token* before = index > 0 ? tokens.get(index - 1) : nullptr;
+  return before != nullptr && before->getLine() == failure.found.getLine() &&
+         EndsOperand(before->getType()) && before->getType() != TaskParser::RIGHT_BRACE;
+}
+
+Diagnostic ForeignChoice(const Failure& failure) {
+  return WithHelp(MakeDiagnostic(code::kForeignSyntax, SpanOf(failure.found),
+                                 "a choice between two values is not written with `else`"),
+                  "write `select(condition, x, y)`: `x` where the condition holds, else `y`");
+}
+
 }  // namespace
+
+// `let mut y = 4`, `let y: real = 4`, `let y`
+Description BadLet(const Failure& failure) {
+  if (failure.rule != TaskParser::RuleLet || failure.last_type() != TaskParser::NAME) {
+    return std::nullopt;
+  }
+  Diagnostic diagnostic = ExpectedBehindLast(failure, "`=`");
+  const std::string name = failure.last->getText();
+  const ForeignWord* foreign = FindForeign(ForeignPlace::kStatement, name);
+  if (failure.type() == TaskParser::COLON) {
+    diagnostic.help = fmt::format(
+        "write `let {} = ...`: a local value has the type of what it is computed from", name);
+  } else if (failure.type() == TaskParser::NAME && foreign != nullptr) {
+    diagnostic.help = {
+        fmt::format("leave out `{}`; what changes is a `memory`, declared outside of "
+                    "events",
+                    name),
+        {{{SpanOf(*failure.last).begin, SpanOf(failure.found).begin}, ""}}};
+  } else if (failure.is_behind_last()) {
+    diagnostic.help = "a local value has its value from the beginning and keeps it";
+  }
+  return diagnostic;
+}
+
+// `end_episode "falls"`, `truncate_episode`
+Description BadEnd(const Failure& failure) {
+  if (failure.rule != TaskParser::RuleEnd) return std::nullopt;
+  const bool is_truncation = failure.last_type() == TaskParser::TRUNCATE_EPISODE;
+  if (failure.last_type() == TaskParser::END_EPISODE) {
+    const uint32_t place = SpanOf(*failure.last).end;
+    Diagnostic diagnostic = Expected(failure, "`success` or `failure`");
+    diagnostic.help = "say how it ends: `end_episode failure \"falls down\"`";
+    if (failure.type() == TaskParser::STRING)
+      diagnostic.help.fixes = {{{place, place}, " failure"}, {{place, place}, " success"}};
+    return diagnostic;
+  }
+  return WithHelp(Expected(failure, "a string in double quotes"),
+                  is_truncation ? "say why: `truncate_episode \"time is up\"`"
+                                : "say why: `end_episode failure \"falls down\"`");
+}
 
 Description BadCondition(const Failure& failure) {
   if (failure.rule == TaskParser::RuleBranches && failure.last_type() == TaskParser::ELSE) {
@@ -121,7 +149,9 @@ Description BadCondition(const Failure& failure) {
   const bool is_behind_head =
       failure.rule == TaskParser::RuleBlock && has_head && failure.expects(TaskParser::LEFT_BRACE);
   if (!is_behind_head || !EndsOperand(failure.last_type())) return std::nullopt;
+  if (failure.type() == TaskParser::ELSE && IsBehindValue(failure)) return ForeignChoice(failure);
   Diagnostic diagnostic = Expected(failure, "an operator or `{`");
+  diagnostic.help = HelpBehindOperand(failure);
   if (failure.type() == TaskParser::ASSIGN) diagnostic.help = Comparison(failure);
   return diagnostic;
 }
@@ -153,6 +183,12 @@ Description MissingEquals(const Failure& failure) {
   const bool is_term =
       failure.rule == TaskParser::RuleReward || failure.rule == TaskParser::RuleLog;
   if (!is_term || failure.last_type() != TaskParser::NAME) return std::nullopt;
+  if (IsReserved(failure.type()) && !failure.is_behind_last()) return std::nullopt;
+  if (IsAssignment(failure.type())) {
+    return WithHelp(Expected(failure, "`=`"),
+                    {"a term may be paid in several places, and each adds to it: write `=`",
+                     {{SpanOf(failure.found), "="}}});
+  }
   if (!IsNameInsteadOfKind(failure)) return ExpectedBehindLast(failure, "`=`");
   const uint32_t place = SpanOf(*failure.before_last).end;
   return MakeDiagnostic(code::kUnexpectedToken, {place, place},
@@ -182,18 +218,28 @@ Description UnknownStatement(const Failure& failure) {
   const bool is_in_line =
       failure.before_begin != nullptr && failure.before_begin->getLine() == begin.getLine();
   const TokenType before = is_in_line ? failure.before_begin->getType() : 0;
-  if (before == TaskParser::NUMBER) return UnknownUnit(begin);
+  if (before == TaskParser::NUMBER) return UnknownUnit(failure, begin);
   if (EndsOperand(before) && before != TaskParser::RIGHT_BRACE) {
-    return MakeDiagnostic(
-        code::kUnexpectedToken, SpanOf(begin),
-        fmt::format("expected an operator or the end of the line, found `{}`", name));
+    return WithHelp(
+        MakeDiagnostic(
+            code::kUnexpectedToken, SpanOf(begin),
+            fmt::format("expected an operator or the end of the line, found `{}`", name)),
+        HelpForForeign(ForeignPlace::kOperator, name, SpanOf(begin)));
   }
   if (failure.last != &begin) return ExpectedBehindLast(failure, "`=`");
+  const bool is_decrement =
+      failure.type() == TaskParser::MINUS && failure.next_type() == TaskParser::MINUS;
+  if (is_decrement) {
+    const Span signs = Cover(SpanOf(failure.found), SpanOf(*failure.next));
+    return WithHelp(
+        MakeDiagnostic(code::kForeignSyntax, signs, "`--` is not part of the task language"),
+        {fmt::format("write `{} -= 1`", name), {{signs, " -= 1"}}});
+  }
   if (failure.type() == TaskParser::COLON) {
     return WithHelp(Expected(failure, "`=`"),
                     fmt::format("a local value is `let {} = ...`, without a type", name));
   }
-  Help help = HelpForForeign(begin, kForeignStatements);
+  Help help = HelpForForeignStatement(failure, begin);
   if (help.empty() && failure.type() == TaskParser::LEFT_PARENTHESIS) {
     return WithHelp(MakeDiagnostic(code::kUnknownStatement, SpanOf(begin),
                                    fmt::format("the value of `{}` is not used", name)),

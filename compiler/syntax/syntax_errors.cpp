@@ -95,7 +95,13 @@ void SyntaxErrors::reportError(antlr4::Parser* parser, const antlr4::Recognition
 }
 
 void SyntaxErrors::Report(antlr4::Parser& parser, antlr4::Token& found) {
-  report_.AddUnlessFaulty(DescribeSyntaxError(parser, found));
+  Diagnostic diagnostic = DescribeSyntaxError(parser, found, report_.source());
+  const bool is_unit_as_name = diagnostic.code == code::kReservedName && IsUnit(found.getType());
+  if (is_unit_as_name) refused_units_.insert(found.getType());
+  // `m` where a value is wanted, after `memory m: mat3 = 0` has been refused.
+  if (!is_unit_as_name && refused_units_.contains(found.getType()))
+    return report_.MarkFaulty(diagnostic.span);
+  report_.AddUnlessFaulty(std::move(diagnostic));
 }
 
 void SyntaxErrors::Skip(antlr4::Parser& parser, bool is_in_block, const BlockParser& parse_block) {
@@ -115,7 +121,10 @@ void SyntaxErrors::Skip(antlr4::Parser& parser, bool is_in_block, const BlockPar
     if (type == TaskParser::LEFT_BRACE) ++depth;
     if (type == TaskParser::RIGHT_BRACE && depth > 0) --depth;
     parser.consume();
-    if (depth == 0 && type == TaskParser::LINE_END) return;
+    // The lines below a lost declaration that are indented belong to it.
+    const bool goes_on = !is_in_block && tokens.LT(1)->getCharPositionInLine() > 0 &&
+                         tokens.LA(1) != antlr4::Token::EOF;
+    if (depth == 0 && type == TaskParser::LINE_END && !goes_on) return;
   }
 }
 

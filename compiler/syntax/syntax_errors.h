@@ -5,6 +5,7 @@
 #include <antlr4-runtime.h>
 
 #include <functional>
+#include <set>
 
 #include "compiler/syntax/syntax_report.h"
 #include "compiler/syntax/token_classes.h"
@@ -34,6 +35,7 @@ class SyntaxErrors : public antlr4::ANTLRErrorStrategy {
   void Skip(antlr4::Parser& parser, bool is_in_block, const BlockParser& parse_block);
 
   SyntaxReport& report_;
+  std::set<TokenType> refused_units_;  // that were to be names
   bool is_recovering_ = false;
 };
 

@@ -41,7 +41,7 @@ const antlr4::Token* StatementBefore(antlr4::TokenStream& tokens, size_t index) 
 
 }  // namespace
 
-Failure MakeFailure(antlr4::Parser& parser, antlr4::Token& found) {
+Failure MakeFailure(antlr4::Parser& parser, antlr4::Token& found, const SourceFile& file) {
   antlr4::TokenStream& tokens = *parser.getTokenStream();
   const size_t index = found.getTokenIndex();
   auto* context = parser.getContext();
@@ -49,6 +49,7 @@ Failure MakeFailure(antlr4::Parser& parser, antlr4::Token& found) {
   const antlr4::Token* begin = context->getStart();
   const size_t begin_index = begin != nullptr ? begin->getTokenIndex() : 0;
   return {parser,
+          file,
           found,
           index >= 2 ? tokens.get(index - 2) : nullptr,
           index >= 1 ? tokens.get(index - 1) : nullptr,

@@ -12,6 +12,7 @@ namespace compiler {
 
 struct Failure {
   antlr4::Parser& parser;
+  const SourceFile& file;
   const antlr4::Token& found;        // the token that does not fit
   const antlr4::Token* before_last;  // the two tokens before it and the one after it, or null
   const antlr4::Token* last;
@@ -33,7 +34,7 @@ struct Failure {
 };
 
 // `parser` stands in the rule that failed.
-Failure MakeFailure(antlr4::Parser& parser, antlr4::Token& found);
+Failure MakeFailure(antlr4::Parser& parser, antlr4::Token& found, const SourceFile& file);
 
 // "`let`", "a string", "the end of the line"
 std::string FoundText(const Failure& failure);

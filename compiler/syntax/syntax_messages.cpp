@@ -20,14 +20,6 @@ Help Nearest(const antlr4::Token& word, const std::vector<std::string>& candidat
   return nearest && *nearest != name ? DidYouMean(SpanOf(word), *nearest) : Help();
 }
 
-Help HelpForForeign(const antlr4::Token& word, std::span<const ForeignWord> words) {
-  const auto found = std::ranges::find(words, word.getText(), &ForeignWord::text);
-  if (found == words.end()) return {};
-  Help help = std::string(found->help);
-  if (!found->instead.empty()) help.fixes = {{SpanOf(word), std::string(found->instead)}};
-  return help;
-}
-
 namespace {
 
 using grammar::TaskParser;
@@ -77,8 +69,9 @@ Diagnostic Unexpected(const Failure& failure) {
   }
   constexpr size_t kMostNamed = 4;
   if (expected.empty() || expected.size() > kMostNamed) {
-    return Expected(failure, EndsOperand(failure.last_type()) ? "an operator or the end of the line"
-                                                              : "something else");
+    if (!EndsOperand(failure.last_type())) return Expected(failure, "something else");
+    return WithHelp(Expected(failure, "an operator or the end of the line"),
+                    HelpBehindOperand(failure));
   }
   std::string what;
   for (size_t i = 0; i < expected.size(); ++i) {
@@ -87,22 +80,26 @@ Diagnostic Unexpected(const Failure& failure) {
   }
   const bool is_sign = expected.size() == 1 && failure.last != nullptr &&
                        !Spelling(static_cast<TokenType>(expected.front())).empty();
-  return is_sign ? ExpectedBehindLast(failure, what) : Expected(failure, what);
+  Diagnostic diagnostic = is_sign ? ExpectedBehindLast(failure, what) : Expected(failure, what);
+  if (EndsOperand(failure.last_type())) diagnostic.help = HelpBehindOperand(failure);
+  return diagnostic;
 }
 
 // The first that applies wins.
 constexpr auto kDescriptions = {
-    MissingHeader,    BadHeader,        BadPath,          BadAllow,       NumberWithoutDigits,
-    MisplacedSet,     MissingEquals,    ReservedName,     BadFire,        ChainedComparison,
-    NameBehindNumber, BadCondition,     BadUnit,          BadType,        BadLoop,
-    BadOnce,          BadReward,        BadFunction,      BadOverride,    UnknownStatement,
-    BadStatement,     BadTestStatement, BadBodyStatement, BadDeclaration, MissingOperand,
+    MissingHeader,    BadHeader,      BadPath,          BadAllow,     NumberWithoutDigits,
+    MisplacedSet,     MissingEquals,  ReservedName,     BadFire,      ChainedComparison,
+    NameBehindNumber, BadCondition,   BadUnit,          BadType,      BadLoop,
+    BadOnce,          BadReward,      BadLet,           BadEnd,       BadValue,
+    BadFunction,      BadOverride,    UnknownStatement, BadStatement, BadTestStatement,
+    BadBodyStatement, BadDeclaration, MissingOperand,
 };
 
 }  // namespace
 
-Diagnostic DescribeSyntaxError(antlr4::Parser& parser, antlr4::Token& found) {
-  const Failure failure = MakeFailure(parser, found);
+Diagnostic DescribeSyntaxError(antlr4::Parser& parser, antlr4::Token& found,
+                               const SourceFile& file) {
+  const Failure failure = MakeFailure(parser, found, file);
   for (const auto& description : kDescriptions) {
     if (auto diagnostic = description(failure)) return *diagnostic;
   }

@@ -7,7 +7,8 @@
 
 namespace compiler {
 
-// `parser` stands in the rule that failed; `found` is the token that does not fit.
-Diagnostic DescribeSyntaxError(antlr4::Parser& parser, antlr4::Token& found);
+// `parser` stands in the rule that failed; `found` is the token of `file` that does not fit.
+Diagnostic DescribeSyntaxError(antlr4::Parser& parser, antlr4::Token& found,
+                               const SourceFile& file);
 
 }  // namespace compiler

@@ -9,7 +9,8 @@
 namespace compiler {
 
 // Remembers which lines have an error already: what the parser finds in them may be its
-// consequence. After kMostErrors errors none is added: such a file is something else than a task.
+// consequence, and what they say is not known. After kMostErrors errors none is added: such a file
+// is something else than a task.
 class SyntaxReport {
  public:
   static constexpr size_t kMostErrors = 100;
@@ -21,6 +22,13 @@ class SyntaxReport {
     if (error_count_ == kMostErrors || IsIgnored(diagnostic.span)) return;
     ++error_count_;
     MarkFaulty(diagnostic.span);
+    diagnostics_.Add(std::move(diagnostic));
+  }
+  // Nothing follows from it: what was meant, or a LostExpression, is in its place. The line is read
+  // as if it had no error.
+  void AddMended(Diagnostic diagnostic) {
+    if (error_count_ == kMostErrors || IsIgnored(diagnostic.span)) return;
+    ++error_count_;
     diagnostics_.Add(std::move(diagnostic));
   }
   // Adds it unless its line has an error already.

@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <variant>
 #include <vector>
@@ -27,6 +28,7 @@ struct UnitFactor {
 struct UnitExpression {
   std::vector<UnitFactor> factors;  // empty: a plain number
   Span span;
+  bool is_lost = false;  // it is wrong, which has been reported
 };
 
 // ---- Expressions -------------------------------------------------------------------------------
@@ -64,6 +66,13 @@ struct CallExpression {  // `norm(v)`
   Identifier function;
   std::vector<ExpressionPtr> arguments;
 };
+struct MethodExpression {  // `v.norm()`, `joint.angle(hip)`: of other languages
+  ExpressionPtr object;
+  Identifier name;
+  Span parenthesis;  // the opening one
+  std::vector<ExpressionPtr> arguments;
+};
+struct LostExpression {};  // had an error of syntax, which has been reported
 
 enum class UnaryOperator { kNegate, kNot };
 struct UnaryExpression {
@@ -95,7 +104,8 @@ struct BinaryExpression {
 struct Expression {
   Span span;
   std::variant<NumberLiteral, BoolLiteral, NameExpression, MemberExpression, IndexExpression,
-               RangeExpression, SetExpression, CallExpression, UnaryExpression, BinaryExpression>
+               RangeExpression, SetExpression, CallExpression, UnaryExpression, BinaryExpression,
+               MethodExpression, LostExpression>
       node;
 };
 
@@ -270,6 +280,7 @@ struct EventDeclaration {  // `on end_of_time_step { ... }`
   // In a task that extends another: what it and further ones add to the base's block, each in a
   // scope of its own.
   std::vector<Block> appended{};
+  bool is_known = true;  // false: which event this is was written wrongly, and that reported
 };
 
 struct StartDeclaration {  // `start standing`
@@ -377,6 +388,20 @@ struct BaseTask {  // `extends "forward_rolling.task"`
   Span path_span;
 };
 
+// What is not in a tree with errors, so that nothing is said about what may depend on it.
+struct LostText {
+  // Names that may have been declared, and texts of ends.
+  std::set<std::string, std::less<>> words;
+  bool has_header = false;   // the header could not be read: the robot is not known
+  bool has_imports = false;  // a file with functions
+  bool has_code = false;     // statements or declarations
+  // Declarations of which not even the names are known: those of the task that is extended, or what
+  // was written without a name.
+  bool has_anything = false;
+
+  bool is_empty() const { return !has_header && !has_imports && !has_anything && !has_code; }
+};
+
 struct SyntaxTree {
   std::string doc;                  // the `///` lines before `task`
   std::optional<Identifier> task;   // nothing: a library, which has functions and imports only
@@ -384,6 +409,7 @@ struct SyntaxTree {
   std::optional<BaseTask> base;
   std::vector<Declaration> declarations;
   std::vector<Allowance> allowances;
+  LostText lost;
 };
 
 }  // namespace compiler

@@ -7,6 +7,7 @@
 #include <system_error>
 #include <utility>
 
+#include "compiler/syntax/lost_text.h"
 #include "compiler/syntax/token_classes.h"
 #include "compiler/syntax/unit_builder.h"
 #include "compiler/syntax/word_lookup.h"
@@ -30,7 +31,7 @@ TestDeclaration TestBuilder::Build(TaskParser::TestContext& context) {
       allowances_.Add(*allow);
     } else if (auto* statement = dynamic_cast<TaskParser::TestStatementContext*>(child)) {
       allowances_.Attach(SpanOf(*statement));
-      if (statement->exception == nullptr) test.statements.push_back(BuildStatement(*statement));
+      if (!IsLost(*statement, report_)) test.statements.push_back(BuildStatement(*statement));
     }
   }
   allowances_.End();
@@ -74,7 +75,7 @@ uint32_t TestBuilder::Times(antlr4::Token& number) {
   Diagnostic diagnostic = MakeDiagnostic(code::kBadNumber, SpanOf(number),
                                          fmt::format("an event cannot be fired {} times", text));
   diagnostic.help = fmt::format("write an integer from 1 to {}", kMostTimes);
-  report_.Add(std::move(diagnostic));
+  report_.AddMended(std::move(diagnostic));
   return 1;
 }
 

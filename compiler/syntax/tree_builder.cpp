@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -9,6 +10,7 @@
 #include "compiler/syntax/allowances.h"
 #include "compiler/syntax/expression_builder.h"
 #include "compiler/syntax/function_builder.h"
+#include "compiler/syntax/lost_text.h"
 #include "compiler/syntax/statement_builder.h"
 #include "compiler/syntax/test_builder.h"
 #include "compiler/syntax/token_classes.h"
@@ -28,9 +30,9 @@ class TreeBuilder {
         report_(report),
         allowances_(report),
         expressions_(report),
-        statements_(report, docs, allowances_),
+        statements_(report, docs, allowances_, tree_.lost),
         tests_(report, statements_, allowances_),
-        functions_(report, statements_) {}
+        functions_(report, statements_, tree_.lost) {}
 
   SyntaxTree Build(TaskParser::FileContext& file) {
     for (antlr4::tree::ParseTree* child : file.children) {
@@ -42,9 +44,14 @@ class TreeBuilder {
       } else if (auto* declaration = dynamic_cast<TaskParser::DeclarationContext*>(child)) {
         allowances_.Attach(SpanOf(*declaration));
         if (first_ == nullptr) first_ = declaration;
-        if (declaration->exception == nullptr) AddDeclaration(*declaration);
+        if (IsLost(*declaration, report_)) {
+          AddLost(*declaration);
+        } else {
+          AddDeclaration(*declaration);
+        }
       }
     }
+    NoteLost(file, tree_.lost);
     allowances_.End();
     if (header_ == nullptr) CheckLibrary(*file.getStart());
     tree_.allowances = allowances_.Take();
@@ -70,7 +77,10 @@ class TreeBuilder {
       diagnostic.help = "move this line to the top of the file";
       report_.AddUnlessFaulty(std::move(diagnostic));
     }
-    if (context.exception == nullptr) BuildHeader(context);
+    tree_.lost.has_header = IsLost(context, report_);
+    if (!tree_.lost.has_header) return BuildHeader(context);
+    // `task t extend "base.task"`
+    if (context.getText().find('"') != std::string::npos) tree_.lost.has_anything = true;
   }
 
   void BuildHeader(TaskParser::HeaderContext& context) {
@@ -84,6 +94,8 @@ class TreeBuilder {
 
   // The file has no header: is it a library?
   void CheckLibrary(const antlr4::Token& begin) {
+    tree_.lost.has_header = first_ == nullptr || !IsLibraryPart(*first_);
+    if (tree_.lost.words.contains(Spelling(TaskParser::EXTENDS))) tree_.lost.has_anything = true;
     if (first_ == nullptr || !IsLibraryPart(*first_)) {
       const std::string found = begin.getType() == antlr4::Token::EOF
                                     ? "the end of the file"
@@ -114,6 +126,19 @@ class TreeBuilder {
   }
 
   // ---- Declarations ----------------------------------------------------------------------------
+
+  // Of a declaration with an error in it there is what stands in its blocks, and in no known event.
+  void AddLost(TaskParser::DeclarationContext& context) {
+    NoteLost(context, tree_.lost);
+    for (TaskParser::BlockContext* block : BlocksIn(context))
+      tree_.declarations.push_back({SpanOf(*block), UnknownEvent({}, statements_.Build(*block))});
+  }
+
+  static EventDeclaration UnknownEvent(Identifier name, Block body) {
+    EventDeclaration event{"", EventKind::kEndOfTimeStep, std::move(name), std::move(body)};
+    event.is_known = false;
+    return event;
+  }
 
   void AddDeclaration(TaskParser::DeclarationContext& context) {
     if (misplaced_ == nullptr && !IsLibraryPart(context)) misplaced_ = &context;
@@ -263,8 +288,12 @@ class TreeBuilder {
 
   EventDeclaration Event(TaskParser::EventContext& context) {
     const Identifier name = BuildName(*context.name());
+    const bool is_known =
+        std::ranges::find(kEventNames, name.text, &Word<EventKind>::text) != kEventNames.end();
     const EventKind kind = LookUp(name, kEventNames, code::kUnknownEvent, "an event", report_);
-    return {doc_, kind, name, statements_.Build(*context.block())};
+    Block body = statements_.Build(*context.block());
+    if (!is_known) return UnknownEvent(name, std::move(body));
+    return {doc_, kind, name, std::move(body)};
   }
 
   ImportDeclaration Import(TaskParser::ImportedContext& context) {
@@ -307,12 +336,12 @@ class TreeBuilder {
 
   const std::map<uint32_t, std::string>& docs_;
   SyntaxReport& report_;
+  SyntaxTree tree_;
   Allowances allowances_;
   ExpressionBuilder expressions_;
   StatementBuilder statements_;
   TestBuilder tests_;
   FunctionBuilder functions_;
-  SyntaxTree tree_;
   std::string doc_;                                      // of the declaration being built
   TaskParser::HeaderContext* header_ = nullptr;          // the first
   TaskParser::DeclarationContext* first_ = nullptr;      // the first declaration

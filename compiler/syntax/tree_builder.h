@@ -9,8 +9,9 @@
 
 namespace compiler {
 
-// Declarations and statements in which the parser has found an error are left out: then the tree is
-// only good for finding more errors.
+// Of declarations and statements in which the parser has found an error there is only what stands
+// in their blocks; `lost` of the tree says what else they may be. Such a tree is only good for
+// finding more errors.
 SyntaxTree BuildSyntaxTree(grammar::TaskParser::FileContext& file,
                            const std::map<uint32_t, std::string>& docs, SyntaxReport& report);
 

@@ -22,10 +22,11 @@ constexpr double kMaxInteger = 9007199254740992.0;  // 2^53
 void ReportNumber(SyntaxReport& report, Span span, std::string message, Help help) {
   Diagnostic diagnostic = MakeDiagnostic(code::kBadNumber, span, std::move(message));
   diagnostic.help = std::move(help);
-  report.Add(std::move(diagnostic));
+  report.AddMended(std::move(diagnostic));
 }
 
-int BuildPower(TaskParser::UnitFactorContext& context, SyntaxReport& report) {
+// Nothing after a message.
+std::optional<int> BuildPower(TaskParser::UnitFactorContext& context, SyntaxReport& report) {
   if (context.power == nullptr) return 1;
   const std::string text = context.power->getText();
   int power = 0;
@@ -34,25 +35,27 @@ int BuildPower(TaskParser::UnitFactorContext& context, SyntaxReport& report) {
   if (result.ec != std::errc() || result.ptr != end || power > kMaxPower) {
     ReportNumber(report, SpanOf(*context.power), fmt::format("`{}` is not a power of a unit", text),
                  "a power is an integer from -9 to 9");
-    return 1;
+    return std::nullopt;
   }
   return context.minus != nullptr ? -power : power;
 }
 
 // Factors and the operators between them, as the children of a unit stand in the tree.
-std::vector<UnitFactor> BuildFactors(antlr4::ParserRuleContext& context, SyntaxReport& report) {
-  std::vector<UnitFactor> factors;
+UnitExpression BuildFactors(antlr4::ParserRuleContext& context, SyntaxReport& report) {
+  UnitExpression unit{{}, SpanOf(context)};
   bool is_divisor = false;
   for (antlr4::tree::ParseTree* child : context.children) {
     if (auto* op = dynamic_cast<TaskParser::UnitOperatorContext*>(child)) {
       is_divisor = op->getStart()->getType() == TaskParser::DIVIDE;
     } else if (auto* factor = dynamic_cast<TaskParser::UnitFactorContext*>(child)) {
-      const int power = BuildPower(*factor, report);
-      factors.push_back({BuildName(*factor->unitName()), is_divisor ? -power : power});
+      const auto power = BuildPower(*factor, report);
+      unit.is_lost = unit.is_lost || !power;
+      unit.factors.push_back(
+          {BuildName(*factor->unitName()), is_divisor ? -power.value_or(1) : power.value_or(1)});
       is_divisor = false;
     }
   }
-  return factors;
+  return unit;
 }
 
 }  // namespace
@@ -79,7 +82,7 @@ std::string BuildText(antlr4::Token& token, SyntaxReport& report) {
             MakeDiagnostic(code::kUnknownEscape, {span.begin + i - 1, span.begin + i + 1},
                            "there is no such escape sequence");
         diagnostic.help = "a string has only the escapes `\\\"` and `\\\\`";
-        report.Add(std::move(diagnostic));
+        report.AddMended(std::move(diagnostic));
       }
     }
     text += written[i];
@@ -112,14 +115,16 @@ std::optional<UnitExpression> BuildUnitOf(TaskParser::TypeContext& context, Synt
 }
 
 UnitExpression BuildUnit(TaskParser::UnitContext& context, SyntaxReport& report) {
+  UnitExpression unit = BuildFactors(context, report);
   if (context.one != nullptr && context.one->getText() != "1") {
     ReportNumber(report, SpanOf(*context.one), "a unit has no factor but 1",
                  "write the inverse of a unit as `1/s`");
+    unit.is_lost = true;
   }
-  return {BuildFactors(context, report), SpanOf(context)};
+  return unit;
 }
 
-NumberLiteral BuildNumber(TaskParser::NumberContext& context, SyntaxReport& report) {
+std::optional<NumberLiteral> BuildNumber(TaskParser::NumberContext& context, SyntaxReport& report) {
   antlr4::Token& token = *context.NUMBER()->getSymbol();
   const std::string text = token.getText();
   NumberLiteral number;
@@ -128,14 +133,15 @@ NumberLiteral BuildNumber(TaskParser::NumberContext& context, SyntaxReport& repo
   if (result.ec == std::errc::result_out_of_range) {
     ReportNumber(report, SpanOf(token), "this number is too large or too close to 0",
                  "a number is 0 or lies between 2.3e-308 and 1.7e308");
-  } else if (number.is_integer && number.value > kMaxInteger) {
+    return std::nullopt;
+  }
+  if (number.is_integer && number.value > kMaxInteger) {
     ReportNumber(
         report, SpanOf(token), "this integer is too large",
         {fmt::format("write it as a real number: `{}.0`", text), {{SpanOf(token), text + ".0"}}});
+    return std::nullopt;
   }
-  if (auto* unit = context.literalUnit()) {
-    number.unit = UnitExpression{BuildFactors(*unit, report), SpanOf(*unit)};
-  }
+  if (auto* unit = context.literalUnit()) number.unit = BuildFactors(*unit, report);
   return number;
 }
 

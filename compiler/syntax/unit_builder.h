@@ -24,6 +24,8 @@ TypeExpression BuildType(grammar::TaskParser::TypeContext& context);
 std::optional<UnitExpression> BuildUnitOf(grammar::TaskParser::TypeContext& context,
                                           SyntaxReport& report);
 UnitExpression BuildUnit(grammar::TaskParser::UnitContext& context, SyntaxReport& report);
-NumberLiteral BuildNumber(grammar::TaskParser::NumberContext& context, SyntaxReport& report);
+// Nothing, after a message, where the number cannot be represented.
+std::optional<NumberLiteral> BuildNumber(grammar::TaskParser::NumberContext& context,
+                                         SyntaxReport& report);
 
 }  // namespace compiler

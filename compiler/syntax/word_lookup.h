@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -13,7 +14,8 @@
 namespace compiler {
 
 // What the word means; if it is not in the table, reports it with the diagnostic `code` (`what`:
-// what the table lists, in the singular) and returns the table's first meaning.
+// what the table lists, in the singular) and returns the meaning of the nearest word, or else the
+// table's first.
 template <typename Meaning, size_t size>
 Meaning LookUp(const Identifier& word, const std::array<Word<Meaning>, size>& words,
                std::string_view code, const std::string& what, SyntaxReport& report) {
@@ -24,8 +26,10 @@ Meaning LookUp(const Identifier& word, const std::array<Word<Meaning>, size>& wo
   }
   Diagnostic diagnostic =
       MakeDiagnostic(code, word.span, fmt::format("`{}` is not {}", word.text, what));
+  Meaning meant = words.front().meaning;
   if (const auto nearest = text::NearestName(word.text, names)) {
     diagnostic.help = DidYouMean(word.span, *nearest);
+    meant = words[static_cast<size_t>(std::ranges::find(names, *nearest) - names.begin())].meaning;
   } else {
     std::string& help = diagnostic.help.text = "it is one of ";
     for (size_t i = 0; i < names.size(); ++i) {
@@ -33,8 +37,8 @@ Meaning LookUp(const Identifier& word, const std::array<Word<Meaning>, size>& wo
       help += fmt::format("`{}`", names[i]);
     }
   }
-  report.Add(std::move(diagnostic));
-  return words.front().meaning;
+  report.AddMended(std::move(diagnostic));
+  return meant;
 }
 
 }  // namespace compiler

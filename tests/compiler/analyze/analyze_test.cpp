@@ -42,9 +42,37 @@ TEST(Analyze, NamesARobotThatIsNowhere) {
   EXPECT_EQ(analysis.diagnostics.list()[0].code, code::kUnknownRobot);
 }
 
-TEST(Analyze, HasNoTreeOfABrokenText) {
+TEST(Analyze, KnowsWhatEveryRobotHas) {
+  Analysis analysis =
+      Analyze("t.task",
+              Only("task t for nobody\nstart standing\nmemory touched: bool[link] = false\n"
+                   "on end_of_time_step {\n"
+                   "  if any(contact[head]) or any(touched[feet]) { reward a = 1 }\n"
+                   "  for l in links - feet { reward b = -1 }\n"
+                   "  reward rate c = norm(joint.angle) + base.velocity.x + 1\n}\n"),
+              kRobots);
+  ASSERT_EQ(analysis.diagnostics.list().size(), 1u);
+  EXPECT_EQ(analysis.diagnostics.list()[0].code, code::kUnknownRobot);
+  analysis = Analyze("t.task",
+                     Only("task t for nobody\n"
+                          "on end_of_time_step { reward rate c = base.velocity.x + 1 }\n"),
+                     kRobots);
+  ASSERT_EQ(analysis.diagnostics.list().size(), 2u);
+  EXPECT_EQ(analysis.diagnostics.list()[1].code, code::kUnitMismatch);
+}
+
+TEST(Analyze, NamesTheEncodingOfAFile) {
+  Analysis analysis = Analyze("t.task", Only(std::string("\xFF\xFEt\0a\0s\0k\0", 10)), kRobots);
+  ASSERT_EQ(analysis.diagnostics.list().size(), 1u);
+  EXPECT_EQ(analysis.diagnostics.list()[0].message, "the file is in UTF-16, not in UTF-8");
+  analysis = Analyze("t.task", Only(std::string("t\0a\0s\0k\0 \0t\0", 12)), kRobots);
+  ASSERT_EQ(analysis.diagnostics.list().size(), 1u);
+}
+
+TEST(Analyze, KnowsWhatABrokenTextHasLost) {
   Analysis analysis = Analyze("t.task", Only("task\n"), kRobots);
-  EXPECT_FALSE(analysis.tree);
+  ASSERT_TRUE(analysis.tree);
+  EXPECT_TRUE(analysis.tree->lost.has_header);
   EXPECT_TRUE(analysis.diagnostics.has_errors());
 }
 

@@ -29,8 +29,9 @@ std::vector<Case> Cases() {
       cases.push_back({path, name, {{name, golden::ReadInput(path)}}});
     }
   }
-  for (const auto& path : golden::FilesIn(tests / "compose/messages", "", ".txt"))
-    cases.push_back({path, "main.task", SplitFiles(golden::ReadInput(path))});
+  for (const char* folder : {"compose", "analyze"})
+    for (const auto& path : golden::FilesIn(tests / folder / "messages", "", ".txt"))
+      cases.push_back({path, "main.task", SplitFiles(golden::ReadInput(path))});
   return cases;
 }
 

@@ -1,10 +1,12 @@
-// The warnings that need a whole, checked task, word for word: behind each task of messages/ stands
-// all that is said about it.
+// What needs a whole task, word for word: behind each task of messages/ stands all that is said
+// about it. Those of warn_* need a checked task; fail_* are mistakes of several phases, and of
+// several files where they are texts as SplitFiles() reads them.
 #include <gtest/gtest.h>
 
 #include <set>
 
 #include "compiler/analyze/analyze.h"
+#include "tests/compiler/compose/file_set.h"
 #include "tests/golden.h"
 
 namespace compiler {
@@ -18,6 +20,20 @@ Analysis AnalyzeFile(const std::filesystem::path& file) {
     return golden::ReadInput(file.parent_path() / name);
   };
   return Analyze(file.filename(), read, SOURCE_DIR "/plugins");
+}
+
+TEST(ErrorMessages, AreAllGivenAtOnce) {
+  for (const auto& file : golden::FilesIn(kFolder, "fail_", ".task")) {
+    const Analysis analysis = AnalyzeFile(file);
+    EXPECT_TRUE(analysis.diagnostics.has_errors()) << file;
+    golden::ExpectBehindInput(file, Render(analysis.sources, analysis.diagnostics, false));
+  }
+  for (const auto& file : golden::FilesIn(kFolder, "fail_", ".txt")) {
+    const Analysis analysis =
+        Analyze("main.task", ReaderOf(SplitFiles(golden::ReadInput(file))), SOURCE_DIR "/plugins");
+    EXPECT_TRUE(analysis.diagnostics.has_errors()) << file;
+    golden::ExpectBehindInput(file, Render(analysis.sources, analysis.diagnostics, false));
+  }
 }
 
 TEST(WarningMessages, AreAsReviewed) {

@@ -65,7 +65,7 @@ double ValueOf(const Expression& expression) {
 
 std::string Code(FileSet files) {
   const Composed composed(std::move(files));
-  EXPECT_FALSE(composed.tree);
+  EXPECT_TRUE(composed.diagnostics.has_errors());
   return composed.diagnostics.list().empty() ? "" : composed.diagnostics.list()[0].code;
 }
 
