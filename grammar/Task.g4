@@ -3,10 +3,11 @@
 // Between the lexer and the parser (compiler/syntax/layout.h)
 //   - LINE_END is put where a line ends a statement: not inside ( ) [ ], not after an operator or a
 //     comma, not before `{`, `else`, `in`, `per` or `->`;
-//   - braces inside ( ) or [ ], and in the set of a `for`, become SET_BEGIN and SET_END:
+//   - braces inside ( ) or [ ], in the set of a `for` and in a `set` become SET_BEGIN and SET_END:
 //     `{body, head}` is no block;
 //   - words that are keywords only where a statement or declaration begins (FN ... RETURN below)
-//     become NAME elsewhere: nothing is lost as a name;
+//     become NAME elsewhere, and so does WITHIN where it does not stand between two operands:
+//     nothing is lost as a name;
 //   - brackets are checked and, where they are wrong, repaired: one mistake gives one message.
 // The names of events, reductions, scopes and outcomes are ordinary words here, listed in
 // compiler/syntax/words.h: a misspelled one gets a message of its own, and none is lost as a name.
@@ -18,16 +19,15 @@ tokens { LINE_END, SET_BEGIN, SET_END }
 // ---- Declarations -------------------------------------------------------------------------------
 
 // The tree builder checks the order: a task has its header first, a library has none, and no
-// declarations but imports and functions.
+// declarations but imports, functions, sets and consts.
 file : (allow | header | declaration)* EOF ;
 
 // task crawling for humanoid, task backward_rolling extends "forward_rolling.task"
 header : TASK name (EXTENDS base=STRING)? (FOR robot=name)? LINE_END? ;
 
 declaration
-    : ( start | afterEnd | sensor | param | memory | goal | metric | event | function | imported | test
-      | change )
-      LINE_END?
+    : ( start | afterEnd | sensor | param | memory | goal | metric | constant | namedSet | event
+      | function | imported | test | change ) LINE_END?
     ;
 
 // allow W0706, W0712: above a declaration, a statement or the header
@@ -54,6 +54,12 @@ goal : GOAL name ':' type '=' value=expression (PER shortest=expression ('..' lo
 // metric max height = base.position.z
 metric : METRIC reduction=word? name '=' expression ;
 
+// const reach: real [m] = 5 cm
+constant : CONST name ':' type '=' expression ;
+
+// set supports = {feet, hands}
+namedSet : SET name '=' items ;
+
 // on end_of_time_step { ... }
 event : ON name block ;
 
@@ -77,11 +83,16 @@ bodyStatement : ( let | RETURN expression ) LINE_END? ;
 // ---- What a task changes of the one that it extends ---------------------------------------------
 
 change
-    : OVERRIDE ( start | afterEnd | newDefault | newGoal | metric | reward | event | function )
+    : OVERRIDE
+      ( start | afterEnd | newDefault | newConstant | namedSet | newGoal | metric | reward | event
+      | function )
     ;
 
 // override param direction = -1
 newDefault : PARAM name '=' expression range? ;
+
+// override const reach = 10 cm
+newConstant : CONST name '=' expression ;
 
 // override goal velocity = uniform(0 m/s, 2 m/s)
 newGoal : GOAL name '=' value=expression (PER shortest=expression ('..' longest=expression)?)? ;
@@ -160,8 +171,8 @@ conjunction : negation (AND negation)* ;
 
 negation : NOT negation | comparison ;
 
-// Not chained: `a < b < c` is no expression.
-comparison : sum (op=('<' | '<=' | '>' | '>=' | '==' | '!=') sum)? ;
+// Not chained: `a < b < c` is no expression. The checker says where `within` may stand.
+comparison : sum (op=('<' | '<=' | '>' | '>=' | '==' | '!=') sum (WITHIN tolerance=sum)?)? ;
 
 sum : product (('+' | '-') product)* ;
 
@@ -259,11 +270,16 @@ GIVEN : 'given' ;
 FIRE : 'fire' ;
 EXPECT : 'expect' ;
 ONCE : 'once' ;
+SET : 'set' ;
+CONST : 'const' ;
 LOG : 'log' ;
 REQUIRE : 'require' ;
 GOAL : 'goal' ;
 REDRAW : 'redraw' ;
 RETURN : 'return' ;
+
+// A name, but between two operands.
+WITHIN : 'within' ;
 
 MIN : 'min' ;
 

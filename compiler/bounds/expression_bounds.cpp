@@ -39,6 +39,12 @@ Box ExpressionBounds::AllOf(const CheckedExpression& expression) {
   const Type& type = expression.type;
   return std::visit(variant::Overloaded{
                         [](const Constant& node) { return Box(Exactly(node.value)); },
+                        [&](const ConstRead& node) {
+                          std::vector<Interval> elements;
+                          for (const double element : task_.consts[node.index].elements)
+                            elements.push_back(Exactly(element));
+                          return MakeBox(std::move(elements));
+                        },
                         [&](const SensorRead& node) { return values_.sensors[node.sensor]; },
                         [&](const ParamRead& node) { return values_.params[node.param]; },
                         [&](const MemoryRead& node) { return values_.memory[node.memory]; },
@@ -60,6 +66,7 @@ Box ExpressionBounds::AllOf(const CheckedExpression& expression) {
                         [&](const BuiltinCall& node) { return Calculate(node, type); },
                         [&](const FunctionCall& node) { return Calculate(node, type); },
                         [&](const Draw& node) { return Calculate(node, type); },
+                        [&](const CheckedWithin&) { return Box(Anything(type.scalar)); },
                         [&](const TestRead&) { return Box(Anything(type.scalar)); },
                         [&](const IntToReal& node) { return AllOf(*node.operand); },
                     },

@@ -7,6 +7,7 @@
 #include "compiler/check/declarations.h"
 #include "compiler/check/functions.h"
 #include "compiler/check/goals.h"
+#include "compiler/check/named_constants.h"
 #include "compiler/check/sensor_use.h"
 #include "compiler/check/statements.h"
 #include "compiler/check/task_scope.h"
@@ -29,6 +30,7 @@ std::optional<CheckedTask> Check(const SyntaxTree& tree, const robot::RobotDescr
   assert(robot == nullptr || tree.robot);
   const bool knows_robot =
       tree.robot ? robot != nullptr : !tree.lost.has_header && !tree.lost.has_anything;
+  NamedConstants constants;
   TaskScope scope{.has_robot = robot != nullptr || !knows_robot,
                   .knows_robot = knows_robot,
                   .knows_names = !tree.lost.has_anything,
@@ -36,6 +38,7 @@ std::optional<CheckedTask> Check(const SyntaxTree& tree, const robot::RobotDescr
                   .enumerations = EnumerationsOf(robot),
                   .sensors = {},
                   .symbols = {},
+                  .constants = constants,
                   .functions = {},
                   .locals = {},
                   .diagnostics = diagnostics,
@@ -55,10 +58,11 @@ std::optional<CheckedTask> Check(const SyntaxTree& tree, const robot::RobotDescr
   if (robot != nullptr) task.longest_time_step = robot->controller.time_step;
   CheckStartPose(tree, robot, scope, task);
   // The names first, wherever they are declared; then what uses them.
+  DeclareFunctions(tree, scope);
+  CheckConstants(tree, scope);
   CheckSensors(tree, scope);
   for (const std::string& word : tree.lost.words)
     if (!scope.sensors.IsRoot(word)) scope.refused.insert(word);
-  DeclareFunctions(tree, scope);
   CheckParams(tree, scope, task);
   CheckMemory(tree, scope, task);
   CheckGoals(tree, scope, task);
@@ -71,11 +75,14 @@ std::optional<CheckedTask> Check(const SyntaxTree& tree, const robot::RobotDescr
   task.sensors = scope.sensors.list();
   if (diagnostics.has_errors()) return std::nullopt;
 
+  task.consts = constants.consts;
+  task.sets = constants.sets;
   KeepReadSensors(task, diagnostics);
   KeepCalledFunctions(task);
   if (diagnostics.has_errors()) return std::nullopt;
   // A task with errors gets no warnings: many would only be their consequences.
   Warn(task, tree, diagnostics);
+  WarnOfUnusedConstants(tree, constants, diagnostics);
   return task;
 }
 

@@ -64,6 +64,9 @@ using CheckedExpressionPtr = std::unique_ptr<CheckedExpression>;
 struct Constant {    // always a scalar; in SI units
   double value = 0;  // 0 or 1 for a bool; an exact integer for an int
 };
+struct ConstRead {     // of a const with a shape; a scalar one is a Constant
+  uint32_t index = 0;  // into CheckedTask::consts
+};
 struct SensorRead {
   uint32_t sensor = 0;  // index into CheckedTask::sensors
 };
@@ -98,6 +101,14 @@ struct CheckedBinary {
   BinaryOperator op;
   CheckedExpressionPtr left;
   CheckedExpressionPtr right;
+};
+
+// `left == right within tolerance`, of reals; only in a test's `expect`.
+struct CheckedWithin {
+  CheckedExpressionPtr left;
+  CheckedExpressionPtr right;
+  CheckedExpressionPtr tolerance;
+  bool is_equal = true;  // false: `!=`
 };
 
 // From the one list in builtin_table.def.
@@ -146,9 +157,9 @@ struct CheckedExpression {
   Span span;
   Type type;
   Unit unit;
-  std::variant<Constant, SensorRead, ParamRead, MemoryRead, LocalRead, ArgumentRead, RewardSoFar,
-               TimeStep, Elements, CheckedUnary, CheckedBinary, BuiltinCall, FunctionCall, Draw,
-               TestRead, IntToReal>
+  std::variant<Constant, ConstRead, SensorRead, ParamRead, MemoryRead, LocalRead, ArgumentRead,
+               RewardSoFar, TimeStep, Elements, CheckedUnary, CheckedBinary, CheckedWithin,
+               BuiltinCall, FunctionCall, Draw, TestRead, IntToReal>
       node;
 };
 
@@ -216,6 +227,20 @@ struct CheckedStatement {
 
 // ---- The task -----------------------------------------------------------------------------------
 
+// `const NAME: TYPE = ...`
+struct CheckedConst {
+  std::string name;
+  Type type;
+  Unit unit;
+  std::vector<double> elements;  // in SI units; 0 or 1 for a bool, exact integers for ints
+};
+// `set NAME = ...`
+struct CheckedSet {
+  std::string name;
+  std::string parts;               // "link" or "joint"; empty: numbers
+  std::vector<uint32_t> indices;   // in their order
+  std::vector<std::string> names;  // of the links or joints, or the numbers
+};
 struct CheckedSensor {
   std::string name;
   Type type;
@@ -357,6 +382,8 @@ struct CheckedTask {
   std::string start_pose;  // "" where the task names none
   // Of all events; infinite where no robot says [s].
   double longest_time_step = std::numeric_limits<double>::infinity();
+  std::vector<CheckedConst> consts;
+  std::vector<CheckedSet> sets;
   std::vector<CheckedSensor> sensors;  // those that something reads
   std::vector<CheckedParam> params;
   std::vector<CheckedMemory> memory;

@@ -23,6 +23,9 @@ CheckedUnary CopyOf(const CheckedUnary& node) { return {node.op, CopyOf(node.ope
 CheckedBinary CopyOf(const CheckedBinary& node) {
   return {node.op, CopyOf(node.left), CopyOf(node.right)};
 }
+CheckedWithin CopyOf(const CheckedWithin& node) {
+  return {CopyOf(node.left), CopyOf(node.right), CopyOf(node.tolerance), node.is_equal};
+}
 BuiltinCall CopyOf(const BuiltinCall& node) { return {node.function, CopyOf(node.arguments)}; }
 FunctionCall CopyOf(const FunctionCall& node) { return {node.function, CopyOf(node.arguments)}; }
 Draw CopyOf(const Draw& node) { return {node.distribution, node.site, CopyOf(node.arguments)}; }

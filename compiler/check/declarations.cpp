@@ -1,13 +1,14 @@
 #include "compiler/check/declarations.h"
 
+#include <cmath>
 #include <limits>
 #include <map>
 #include <utility>
 
+#include "compiler/check/constant_value.h"
 #include "compiler/check/conversion.h"
 #include "compiler/check/declared_type.h"
 #include "compiler/check/expressions.h"
-#include "compiler/check/fold.h"
 #include "compiler/check/names.h"
 #include "compiler/check/report.h"
 #include "compiler/check/type.h"
@@ -32,7 +33,12 @@ std::optional<double> CheckConstant(const Expression& expression, const Declared
   const std::string place = fmt::format("`{}`", owner.text);
   value = ConvertTo({std::move(*value), &expression}, declared.type, declared.unit, place,
                     scope.diagnostics);
-  return value ? ValueOf(*value) : std::nullopt;
+  if (!value) return std::nullopt;
+  const double number = RealOf(*ConstantValueOf(*value, scope.constants.consts));
+  if (std::isfinite(number)) return number;
+  Report(scope.diagnostics, code::kNotFinite, expression.span,
+         "the value of this is not a finite number");
+  return std::nullopt;
 }
 
 // ---- Ranges -------------------------------------------------------------------------------------
@@ -77,6 +83,12 @@ void CheckOneSensor(const SensorDeclaration& sensor, std::map<std::string, Span>
   const std::string& name = sensor.name.text;
   const Identifier root{name.substr(0, name.find('.')), sensor.name.span};
   if (IsLanguageName(root, scope.diagnostics)) return;
+  if (const Symbol* constant = scope.symbols.Find(root.text)) {
+    Report(scope.diagnostics, code::kRepeatedName, sensor.name.span,
+           fmt::format("there is already a `{}`", root.text),
+           {.labels = {{constant->span, "first declared here"}}});
+    return scope.sensors.AddInvalid(name);
+  }
   const auto [first, is_new] = seen.try_emplace(name, sensor.name.span);
   if (!is_new) {
     Report(scope.diagnostics, code::kRepeatedName, sensor.name.span,

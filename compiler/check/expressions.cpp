@@ -8,6 +8,7 @@
 
 #include "compiler/check/builtin_call.h"
 #include "compiler/check/builtins.h"
+#include "compiler/check/constant_value.h"
 #include "compiler/check/conversion.h"
 #include "compiler/check/draws.h"
 #include "compiler/check/elements.h"
@@ -33,12 +34,22 @@ class ExpressionChecker {
   std::optional<CheckedExpression> Check(const Expression& expression) const {
     auto checked =
         std::visit([&](const auto& node) { return CheckNode(node, expression); }, expression.node);
-    if (checked) checked->span = expression.span;  // with brackets, where there are any
-    return checked;
+    if (!checked) return checked;
+    checked->span = expression.span;  // with brackets, where there are any
+    return IsScalar(checked->type) ? WithoutConst(std::move(*checked)) : std::move(checked);
   }
 
  private:
   using Result = std::optional<CheckedExpression>;
+
+  // An element of a const is a constant.
+  CheckedExpression WithoutConst(CheckedExpression checked) const {
+    const auto* elements = std::get_if<Elements>(&checked.node);
+    if (elements == nullptr || !std::holds_alternative<ConstRead>(elements->operand->node))
+      return checked;
+    checked.node = Constant{RealOf(*ConstantValueOf(checked, scope_.constants.consts))};
+    return checked;
+  }
 
   Result CheckNode(const NumberLiteral& number, const Expression& expression) const {
     const Span span = expression.span;
@@ -125,9 +136,17 @@ class ExpressionChecker {
     return CheckUnaryOperator(unary.op, expression.span, std::move(*operand), scope_.diagnostics);
   }
 
-  Result CheckNode(const BinaryExpression& binary, const Expression&) const {
+  Result CheckNode(const BinaryExpression& binary, const Expression& expression) const {
     auto left = Check(*binary.left);
     auto right = Check(*binary.right);
+    if (binary.tolerance != nullptr) {
+      auto tolerance = Check(*binary.tolerance);
+      if (!MayBeWithin(binary, expression.span) || !left || !right || !tolerance)
+        return std::nullopt;
+      return CheckWithin(binary.op, binary.op_span, {std::move(*left), binary.left.get()},
+                         {std::move(*right), binary.right.get()},
+                         {std::move(*tolerance), binary.tolerance.get()}, scope_.diagnostics);
+    }
     if (!left || !right) return std::nullopt;
     if (binary.op == BinaryOperator::kDivide && ReportZero(*binary.right)) return std::nullopt;
     return CheckBinaryOperator(binary.op, binary.op_span, {std::move(*left), binary.left.get()},
@@ -150,6 +169,23 @@ class ExpressionChecker {
   }
 
   Result CheckNode(const LostExpression&, const Expression&) const { return std::nullopt; }
+
+  bool MayBeWithin(const BinaryExpression& comparison, Span span) const {
+    const bool is_equality =
+        comparison.op == BinaryOperator::kEqual || comparison.op == BinaryOperator::kNotEqual;
+    if (!is_equality) {
+      Report(scope_.diagnostics, code::kBadWithin, comparison.op_span,
+             "only `==` and `!=` can be `within`",
+             {.help = "leave out `within`, or add the tolerance to one side"});
+    } else if (place_.kind != Place::kExpect) {
+      Report(scope_.diagnostics, code::kBadWithin, span,
+             "`within` is allowed only after the `expect` of a test",
+             {.help = "elsewhere, compare the difference: `abs(a - b) <= 1 cm`"});
+    } else {
+      return true;
+    }
+    return false;
+  }
 
   // The parser lets ranges and sets stand only inside an index, which CheckIndex resolves.
   Result CheckNode(const RangeExpression&, const Expression&) const { return OnlyInsideIndex(); }

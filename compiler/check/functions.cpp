@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <set>
+#include <string_view>
 #include <utility>
 
 #include "compiler/check/conversion.h"
@@ -62,6 +63,7 @@ TaskScope ScopeInside(const TaskScope& task) {
                    .enumerations = task.enumerations,
                    .sensors = {},
                    .symbols = {},
+                   .constants = task.constants,
                    .functions = task.functions,
                    .locals = {},
                    .diagnostics = task.diagnostics,
@@ -74,6 +76,18 @@ TaskScope ScopeInside(const TaskScope& task) {
                            {.kind = SymbolKind::kFunction, .span = name.span, .index = i});
   }
   return inside;
+}
+
+// Consts and sets, but those whose names the function has for something of its own.
+void DeclareConstants(const FunctionDeclaration& function, const TaskScope& around,
+                      TaskScope& inside) {
+  std::set<std::string_view> own;
+  for (const FunctionParameter& parameter : function.parameters) own.insert(parameter.name.text);
+  for (const LetStatement& let : function.lets) own.insert(let.name.text);
+  for (const Identifier& name : around.constants.names) {
+    const Symbol* symbol = around.symbols.Find(name.text);
+    if (symbol != nullptr && !own.contains(name.text)) inside.symbols.Declare(name.text, *symbol);
+  }
 }
 
 void DeclareParameters(const FunctionSignature& signature, TaskScope& inside) {
@@ -267,6 +281,7 @@ void CheckFunctions(const SyntaxTree& tree, const TaskScope& scope, CheckedTask&
   ForEachFunction(tree, [&](const FunctionDeclaration& function) {
     const FunctionSignature& signature = scope.functions[task.functions.size()];
     inside.symbols.OpenBlock();
+    DeclareConstants(function, scope, inside);
     DeclareParameters(signature, inside);
     task.functions.push_back(CheckBody(function, signature, inside));
     inside.symbols.CloseBlock();

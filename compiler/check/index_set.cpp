@@ -4,6 +4,7 @@
 
 #include "compiler/check/names.h"
 #include "compiler/check/report.h"
+#include "compiler/check/type.h"
 #include "compiler/syntax/foreign_words.h"
 
 namespace compiler {
@@ -60,6 +61,7 @@ class IndexResolver {
     const std::string& text = name.name.text;
     const Symbol* symbol = FindSymbol(name.name, scope_);
     if (symbol != nullptr && IsLoopVariable(*symbol)) return ResolveVariable(text, *symbol, span);
+    if (symbol != nullptr && IsNamedConstant(*symbol)) return ResolveConstant(text, *symbol, span);
     if (symbol == nullptr && scope_.refused.contains(text)) return std::nullopt;
     if (domain_.names == nullptr) return NotAnIndex(span);
     if (auto indices = domain_.names->Find(text)) return indices;
@@ -67,12 +69,18 @@ class IndexResolver {
       return WrongEnumeration(text, *other, span);
     if (symbol != nullptr) return NotAnIndex(span);
     if (!scope_.knows_names || scope_.refused.contains(text)) return std::nullopt;
-    Report(
-        scope_.diagnostics, code::kUnknownPart, span,
-        fmt::format("the robot has no {} or group of {} called `{}`", domain_.names->name,
-                    domain_.names->all, text),
-        {.help = Suggest(span, text, domain_.names->Names(), domain_.names->all + " and groups")});
+    Report(scope_.diagnostics, code::kUnknownPart, span,
+           fmt::format("the robot has no {} or group of {} called `{}`", domain_.names->name,
+                       domain_.names->all, text),
+           {.help = Suggest(span, text, KnownNames(), domain_.names->all + " and groups")});
     return std::nullopt;
+  }
+
+  std::vector<std::string> KnownNames() const {
+    std::vector<std::string> names = domain_.names->Names();
+    for (const CheckedSet& set : scope_.constants.sets)
+      if (set.parts == domain_.names->name || set.parts.empty()) names.push_back(set.name);
+    return names;
   }
 
   // The variable of a loop is what it stands for in the pass.
@@ -84,10 +92,45 @@ class IndexResolver {
     if (domain_.names != nullptr && domain_.names->name == parts) return Indices{variable.index};
     if (domain_.names != nullptr)
       return WrongEnumeration(text, *FindEnumeration(scope_.enumerations, parts), span);
+    return NumbersWanted(fmt::format("`{}` is a {} of the robot", text, parts), variable, span);
+  }
+
+  std::optional<Indices> ResolveConstant(const std::string& text, const Symbol& constant,
+                                         Span span) {
+    if (!constant.is_valid) return std::nullopt;
+    if (constant.kind == SymbolKind::kSet) return ResolveSet(text, constant, span);
+    if (const auto number = NumberOf(constant)) return ResolveNumber(*number, span);
+    Report(scope_.diagnostics, code::kNotAnIndex, span,
+           fmt::format("`{}` is {}, and an index is an `int`", text, WithArticle(constant.type)),
+           {.labels = {{constant.span, "declared here"}}});
+    return std::nullopt;
+  }
+
+  // Numbers may stand for links and joints as well, as far as there are so many.
+  std::optional<Indices> ResolveSet(const std::string& text, const Symbol& symbol, Span span) {
+    const CheckedSet& set = scope_.constants.sets[symbol.index];
+    if (domain_.names != nullptr && domain_.names->name == set.parts) return set.indices;
+    if (!set.parts.empty()) {
+      const Enumeration& other = *FindEnumeration(scope_.enumerations, set.parts);
+      if (domain_.names != nullptr) return WrongEnumeration(text, other, span);
+      return NumbersWanted(fmt::format("`{}` is a set of {}", text, other.all), symbol, span);
+    }
+    const auto beyond =
+        std::ranges::find_if(set.indices, [&](uint32_t index) { return index >= domain_.size; });
+    if (beyond == set.indices.end()) return set.indices;
+    Report(scope_.diagnostics, code::kIndexOutOfRange, span,
+           fmt::format("index {} of the set `{}` is out of range", *beyond, text),
+           {.note = fmt::format("valid are 0 .. {}", domain_.size - 1),
+            .labels = {{symbol.span, "declared here"}}});
+    return std::nullopt;
+  }
+
+  // `is`: what is there instead, "`l` is a link of the robot".
+  std::nullopt_t NumbersWanted(const std::string& is, const Symbol& symbol, Span span) {
     Report(scope_.diagnostics, code::kWrongEnumeration, span,
-           fmt::format("`{}` is a {} of the robot, but numbers are the index here", text, parts),
+           fmt::format("{}, but numbers are the index here", is),
            {.help = fmt::format("valid are 0 .. {}", domain_.size - 1),
-            .labels = {{variable.span, "defined here"}}});
+            .labels = {{symbol.span, IsLoopVariable(symbol) ? "defined here" : "declared here"}}});
     return std::nullopt;
   }
 
@@ -176,7 +219,7 @@ class IndexResolver {
   }
 
   // A single number, as far as sums are concerned: `i + 1` is calculated if `i` is the variable of
-  // a loop, everything else is a set.
+  // a loop or a const, everything else is a set.
   struct Number {
     double value = 0;
     bool has_variable = false;
@@ -186,8 +229,8 @@ class IndexResolver {
     if (const auto* number = std::get_if<NumberLiteral>(&item.node)) return Number{number->value};
     if (const auto* name = std::get_if<NameExpression>(&item.node)) {
       const Symbol* symbol = FindSymbol(name->name, scope_);
-      const bool is_number = symbol != nullptr && symbol->kind == SymbolKind::kLoopNumber;
-      if (is_number && symbol->is_valid) return Number{static_cast<double>(symbol->index), true};
+      const auto number = symbol != nullptr ? NumberOf(*symbol) : std::nullopt;
+      if (number) return Number{*number, true};
     }
     const auto* binary = std::get_if<BinaryExpression>(&item.node);
     const bool is_sum = binary != nullptr && (binary->op == BinaryOperator::kAdd ||
@@ -197,6 +240,16 @@ class IndexResolver {
     const auto right = NumberOf(*binary->right);
     if (!left || !right) return std::nullopt;
     return Calculate(*binary, *left, *right);
+  }
+
+  // Of the variable of a loop over numbers, and of a const that is an `int`.
+  std::optional<double> NumberOf(const Symbol& symbol) const {
+    if (!symbol.is_valid) return std::nullopt;
+    if (symbol.kind == SymbolKind::kLoopNumber) return symbol.index;
+    const bool is_int =
+        symbol.kind == SymbolKind::kConst && symbol.type == ScalarType(Scalar::kInt);
+    if (!is_int) return std::nullopt;
+    return scope_.constants.consts[symbol.index].elements.front();
   }
 
   static Number Calculate(const BinaryExpression& binary, Number left, Number right) {
@@ -217,14 +270,26 @@ class IndexResolver {
   std::nullopt_t NotAnIndex(Span span) {
     const std::string names =
         domain_.names == nullptr ? "" : fmt::format(", names of {}, groups", domain_.names->all);
+    const bool is_index = domain_.use == IndexUse::kIndex;
     Report(scope_.diagnostics, code::kNotAnIndex, span,
-           fmt::format("{} must be known before the task runs",
-                       domain_.is_loop ? "what a loop iterates over" : "an index"),
+           fmt::format("{} must be known before the task runs", NameOf(domain_.use)),
            {.help = fmt::format("integers{}, ranges such as `0..{}` and sets of these can "
                                 "{}",
-                                names, domain_.is_loop ? 3 : domain_.size - 1,
-                                domain_.is_loop ? "be used here" : "be an index")});
+                                names, is_index ? domain_.size - 1 : 3,
+                                is_index ? "be an index" : "be used here")});
     return std::nullopt;
+  }
+
+  static std::string_view NameOf(IndexUse use) {
+    switch (use) {
+      case IndexUse::kIndex:
+        return "an index";
+      case IndexUse::kLoop:
+        return "what a loop iterates over";
+      case IndexUse::kSet:
+        return "what a set holds";
+    }
+    return "";
   }
 
   const IndexDomain& domain_;

@@ -10,11 +10,14 @@
 
 namespace compiler {
 
-// What is indexed, or gone through by a loop.
+// What the set is for.
+enum class IndexUse { kIndex, kLoop, kSet };
+
+// What is indexed, gone through by a loop, or gathered in a named set.
 struct IndexDomain {
   uint32_t size = 0;
   const Enumeration* names = nullptr;  // null: numbers only
-  bool is_loop = false;
+  IndexUse use = IndexUse::kIndex;
 };
 
 // The indices of one item of an index list. Every element counts once, in the order in which it is

@@ -46,6 +46,17 @@ void ReportPartAsValue(const Identifier& name, std::string_view enumeration,
                    {{name.span, element}}}});
 }
 
+void ReportSetAsValue(const Identifier& name, const Symbol& symbol, const TaskScope& scope) {
+  const std::string& parts = scope.constants.sets[symbol.index].parts;
+  const std::string_view array = parts == "link"    ? "contact"
+                                 : parts == "joint" ? "joint.angle"
+                                                    : "x";
+  Report(scope.diagnostics, code::kMisplacedName, name.span,
+         fmt::format("`{}` is a set: it is allowed only inside an index, and in a loop", name.text),
+         {.help = fmt::format("pick elements with it: `{}[{}]`", array, name.text),
+          .labels = {{symbol.span, "declared here"}}});
+}
+
 // Nothing, after a message, where a symbol is no value.
 std::optional<CheckedExpression> ReadOf(const Symbol& symbol, const Identifier& name,
                                         const TaskScope& scope) {
@@ -54,6 +65,18 @@ std::optional<CheckedExpression> ReadOf(const Symbol& symbol, const Identifier& 
     case SymbolKind::kParam:
       read.node = ParamRead{symbol.index};
       break;
+    case SymbolKind::kConst: {
+      const CheckedConst& constant = scope.constants.consts[symbol.index];
+      if (IsScalar(constant.type)) {
+        read.node = Constant{constant.elements.front()};
+      } else {
+        read.node = ConstRead{symbol.index};
+      }
+      break;
+    }
+    case SymbolKind::kSet:
+      ReportSetAsValue(name, symbol, scope);
+      return std::nullopt;
     case SymbolKind::kMemory:
     case SymbolKind::kGoal:
       read.node = MemoryRead{symbol.index};
@@ -113,6 +136,7 @@ bool ReportOutsideOfFunction(const std::vector<Identifier>& path, const TaskScop
   std::string_view what;
   size_t length = 1;
   if (const Symbol* symbol = around.symbols.Find(root)) {
+    if (IsNamedConstant(*symbol)) return false;  // hidden by what the function declares itself
     what = WhatIs(symbol->kind);
   } else if (root == kReward || root == kTimeStep) {
     what = "a value of the event";
@@ -252,6 +276,10 @@ ReferenceKind ReferenceKindOf(SymbolKind kind) {
   switch (kind) {
     case SymbolKind::kParam:
       return ReferenceKind::kParam;
+    case SymbolKind::kConst:
+      return ReferenceKind::kConst;
+    case SymbolKind::kSet:
+      return ReferenceKind::kSet;
     case SymbolKind::kMemory:
       return ReferenceKind::kMemory;
     case SymbolKind::kGoal:
@@ -317,7 +345,8 @@ std::optional<ResolvedPath> ResolvePath(const std::vector<Identifier>& path, con
   const Identifier& root = path[0];
   if (const Symbol* symbol = FindSymbol(root, scope)) {
     if (!symbol->is_valid) return std::nullopt;
-    if (place.is_constant()) return NotConstant(root.text, root.span, place, scope);
+    if (place.is_constant() && !IsNamedConstant(*symbol))
+      return NotConstant(root.text, root.span, place, scope);
     auto value = ReadOf(*symbol, root, scope);
     if (!value) return std::nullopt;
     return ResolvedPath{std::move(*value), 1};
@@ -358,6 +387,10 @@ std::string_view WhatIs(SymbolKind kind) {
   switch (kind) {
     case SymbolKind::kParam:
       return "a param";
+    case SymbolKind::kConst:
+      return "a const";
+    case SymbolKind::kSet:
+      return "a set";
     case SymbolKind::kMemory:
       return "a memory";
     case SymbolKind::kGoal:
@@ -423,6 +456,7 @@ std::string UsageOf(const FunctionSignature& function) {
 const Symbol* FindSymbol(const Identifier& name, const TaskScope& scope) {
   const Symbol* symbol = scope.symbols.Find(name.text);
   if (symbol != nullptr && IsLoopVariable(*symbol)) scope.loop_reads->push_back(name);
+  if (symbol != nullptr && IsNamedConstant(*symbol)) scope.constants.used.insert(name.text);
   if (symbol != nullptr) NoteReference(name, *symbol, scope);
   return symbol;
 }

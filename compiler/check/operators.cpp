@@ -69,6 +69,26 @@ class BinaryCheck {
     return IsArithmetic(op_) ? CheckArithmetic() : CheckComparison();
   }
 
+  std::optional<CheckedExpression> CheckWithin(Operand tolerance) {
+    if (!CanCompare()) return std::nullopt;
+    if (IsBool(left().type)) return WrongOperands("`within` compares numbers");
+    const Unit unit = left().unit;
+    const bool is_negative = ValueOf(tolerance.expression).value_or(0) < 0;
+    const Span span = Cover(left().span, tolerance.expression.span);
+    auto within =
+        ConvertTo(std::move(tolerance), ScalarType(Scalar::kReal), unit, "`within`", diagnostics_);
+    if (!within) return std::nullopt;
+    if (is_negative) {
+      Report(diagnostics_, code::kBadWithin, within->span, "a difference is never negative");
+      return std::nullopt;
+    }
+    CheckedWithin node{std::make_unique<CheckedExpression>(ToReal(std::move(left()))),
+                       std::make_unique<CheckedExpression>(ToReal(std::move(right()))),
+                       std::make_unique<CheckedExpression>(std::move(*within)),
+                       op_ == BinaryOperator::kEqual};
+    return CheckedExpression{span, ScalarType(Scalar::kBool), {}, std::move(node)};
+  }
+
  private:
   CheckedExpression& left() { return left_.expression; }
   CheckedExpression& right() { return right_.expression; }
@@ -100,12 +120,7 @@ class BinaryCheck {
   }
 
   std::optional<CheckedExpression> CheckComparison() {
-    if (!IsComparable(left().type) || !IsComparable(right().type))
-      return WrongOperands("compare one element, or reduce with `norm`, `max`, `any` or the like");
-    if (IsBool(left().type) != IsBool(right().type)) return WrongOperands("");
-    if (IsBool(left().type) && !IsEquality(op_))
-      return WrongOperands("only `==` and `!=` compare `bool` values");
-    if (IsNumber(left().type) && !UnifyUnits()) return std::nullopt;
+    if (!CanCompare()) return std::nullopt;
     UnifyScalars(false);
     return BuildConditions();
   }
@@ -113,6 +128,19 @@ class BinaryCheck {
   // A single value, or a row of such.
   static bool IsComparable(const Type& type) {
     return IsScalar(type) || (IsRow(type) && !HasVectors(type));
+  }
+
+  bool CanCompare() {
+    std::string help;
+    if (!IsComparable(left().type) || !IsComparable(right().type)) {
+      help = "compare one element, or reduce with `norm`, `max`, `any` or the like";
+    } else if (IsBool(left().type) == IsBool(right().type)) {
+      if (IsNumber(left().type)) return UnifyUnits();
+      if (IsEquality(op_)) return true;
+      help = "only `==` and `!=` compare `bool` values";
+    }
+    WrongOperands(std::move(help));
+    return false;
   }
 
   std::optional<CheckedExpression> CheckArithmetic() {
@@ -286,6 +314,13 @@ std::optional<CheckedExpression> CheckUnaryOperator(UnaryOperator op, Span span,
 std::optional<CheckedExpression> CheckBinaryOperator(BinaryOperator op, Span op_span, Operand left,
                                                      Operand right, Diagnostics& diagnostics) {
   return BinaryCheck(op, op_span, std::move(left), std::move(right), diagnostics).Check();
+}
+
+std::optional<CheckedExpression> CheckWithin(BinaryOperator op, Span op_span, Operand left,
+                                             Operand right, Operand tolerance,
+                                             Diagnostics& diagnostics) {
+  return BinaryCheck(op, op_span, std::move(left), std::move(right), diagnostics)
+      .CheckWithin(std::move(tolerance));
 }
 
 }  // namespace compiler

@@ -23,4 +23,9 @@ std::optional<CheckedExpression> CheckUnaryOperator(UnaryOperator op, Span span,
 std::optional<CheckedExpression> CheckBinaryOperator(BinaryOperator op, Span op_span, Operand left,
                                                      Operand right, Diagnostics& diagnostics);
 
+// `left op right within tolerance`, where `op` is `==` or `!=`.
+std::optional<CheckedExpression> CheckWithin(BinaryOperator op, Span op_span, Operand left,
+                                             Operand right, Operand tolerance,
+                                             Diagnostics& diagnostics);
+
 }  // namespace compiler

@@ -13,6 +13,8 @@ namespace compiler {
 enum class ReferenceKind {
   kSensor,
   kParam,
+  kConst,
+  kSet,
   kMemory,
   kGoal,
   kLocal,     // of a `let`

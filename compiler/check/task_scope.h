@@ -31,6 +31,14 @@ struct FunctionSignature {
   Unit unit{};
 };
 
+// What consts and sets stand for. Functions know them as well.
+struct NamedConstants {
+  std::vector<CheckedConst> consts;
+  std::vector<CheckedSet> sets;
+  std::vector<Identifier> names{};  // of both, with those whose declarations are wrong
+  std::set<std::string, std::less<>> used{};
+};
+
 struct TaskScope {
   bool has_robot = false;
   // What there is but cannot be read is not known, and nothing that may be of it is unknown.
@@ -40,6 +48,7 @@ struct TaskScope {
   std::vector<Enumeration> enumerations;
   SensorCatalog sensors;
   SymbolTable symbols;
+  NamedConstants& constants;
   std::vector<FunctionSignature> functions;
   // The names of the current event's values, visible or not.
   std::multimap<std::string, LocalName, std::less<>> locals;

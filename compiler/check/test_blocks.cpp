@@ -4,8 +4,8 @@
 #include <map>
 #include <utility>
 
+#include "compiler/check/constant_value.h"
 #include "compiler/check/expressions.h"
-#include "compiler/check/fold.h"
 #include "compiler/check/names.h"
 #include "compiler/check/report.h"
 #include "compiler/check/target.h"
@@ -56,8 +56,9 @@ class TestChecker {
       return ResolvedPath{{root.span, real, Unit{.second = 1}, TimeStep{}}, 1};
     const bool is_value_of_language =
         root.text == kReward || root.text == kPi || root.text == kEnded;
-    const bool is_declared = scope_.symbols.Find(root.text) != nullptr;
-    if (is_value_of_language && !is_declared) return CannotBeGiven(root);
+    const Symbol* declared = scope_.symbols.Find(root.text);
+    if (declared != nullptr ? IsNamedConstant(*declared) : is_value_of_language)
+      return CannotBeGiven(root);
     return ResolvePath(path, {.kind = Place::kExpect, .tested = &task_}, scope_);
   }
 
@@ -86,7 +87,7 @@ class TestChecker {
   }
 
   bool CanOccur(const CheckedGiven& given, const CheckedExpression& value) {
-    const double number = ValueOf(value).value_or(0);
+    const double number = RealOf(*ConstantValueOf(value, scope_.constants.consts));
     if (given.target == CheckedGiven::kTimeStep && number < 0) {
       Report(scope_.diagnostics, code::kBadGiven, value.span, "a time step is never negative");
       return false;

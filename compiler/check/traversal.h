@@ -25,6 +25,7 @@ void ForEachPart(ExpressionType& expression, const Visit& visit) {
         } else if constexpr (requires { node.left; }) {
           part(node.left);
           part(node.right);
+          if constexpr (requires { node.tolerance; }) part(node.tolerance);
         } else if constexpr (requires { node.arguments; }) {
           for (const CheckedExpressionPtr& argument : node.arguments) part(argument);
         }

@@ -35,7 +35,8 @@ CallExpression CopyOf(const CallExpression& node) {
 }
 UnaryExpression CopyOf(const UnaryExpression& node) { return {node.op, CopyOf(node.operand)}; }
 BinaryExpression CopyOf(const BinaryExpression& node) {
-  return {node.op, node.op_span, CopyOf(node.left), CopyOf(node.right)};
+  return {node.op, node.op_span, CopyOf(node.left), CopyOf(node.right),
+          node.tolerance != nullptr ? CopyOf(node.tolerance) : nullptr};
 }
 
 }  // namespace

@@ -23,6 +23,9 @@ std::string_view KindOf(const AfterEndDeclaration&) { return "after_end"; }
 std::string_view KindOf(const SensorDeclaration&) { return "sensor"; }
 std::string_view KindOf(const ParamDeclaration&) { return "param"; }
 std::string_view KindOf(const ParamOverride&) { return "param"; }
+std::string_view KindOf(const ConstDeclaration&) { return "const"; }
+std::string_view KindOf(const ConstOverride&) { return "const"; }
+std::string_view KindOf(const SetDeclaration&) { return "set"; }
 std::string_view KindOf(const MemoryDeclaration&) { return "memory"; }
 std::string_view KindOf(const GoalDeclaration&) { return "goal"; }
 std::string_view KindOf(const GoalOverride&) { return "goal"; }
@@ -195,6 +198,8 @@ class Extension {
       OverrideParam(*param, std::get<ParamDeclaration>(overridden->node));
     } else if (auto* goal = std::get_if<GoalOverride>(&declaration.node)) {
       std::get<GoalDeclaration>(overridden->node).draw = std::move(goal->draw);
+    } else if (auto* constant = std::get_if<ConstOverride>(&declaration.node)) {
+      std::get<ConstDeclaration>(overridden->node).value = std::move(constant->value);
     } else {
       Replace(std::move(declaration), *overridden);
     }
@@ -297,6 +302,7 @@ class Extension {
       diagnostic.help = DidYouMean(name.span, *nearest);
     } else if (!std::holds_alternative<ParamOverride>(declaration.node) &&
                !std::holds_alternative<GoalOverride>(declaration.node) &&
+               !std::holds_alternative<ConstOverride>(declaration.node) &&
                !std::holds_alternative<RewardOverride>(declaration.node)) {
       diagnostic.help = {"to add it, leave out `override`", {Without(*declaration.override_span)}};
     }
@@ -368,7 +374,7 @@ class Extension {
     diagnostic.labels = {{NameOf(inherited).span, "declared here"}};
     if (kind == "memory" || kind == "sensor") {
       diagnostic.help = "use the base's, or take another name";
-    } else if (kind == "param" || kind == "goal") {
+    } else if (kind == "param" || kind == "const" || kind == "goal") {
       diagnostic.help =
           fmt::format("to give it another value: `override {} {} = ...`", kind, name.text);
     } else {

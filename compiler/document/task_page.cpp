@@ -1,6 +1,7 @@
 #include "compiler/document/task_page.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -88,6 +89,8 @@ class PageWriter {
     Requirements();
     Metrics();
     Params();
+    Consts();
+    Sets();
     Goals();
     Memory();
     Logs();
@@ -246,6 +249,32 @@ class PageWriter {
     AddTable(std::move(table));
   }
 
+  void Consts() {
+    Table table{{"const", "type", "value", "meaning"}, {}};
+    for (const ConstDeclaration* constant : All<ConstDeclaration>(tree_)) {
+      const auto& checked =
+          *std::ranges::find(task_.consts, constant->name.text, &CheckedConst::name);
+      table.rows.push_back({Code(checked.name), Code(TypeText(checked)),
+                            Math(ToFormula(constant->value).text), FromDoc(constant->doc)});
+    }
+    if (table.rows.empty()) return;
+    AddHeading("Consts");
+    AddTable(std::move(table));
+  }
+
+  void Sets() {
+    Table table{{"set", "of", "members", "meaning"}, {}};
+    for (const SetDeclaration* set : All<SetDeclaration>(tree_)) {
+      const auto& checked = *std::ranges::find(task_.sets, set->name.text, &CheckedSet::name);
+      table.rows.push_back(
+          {Code(checked.name), Plain(checked.parts.empty() ? "numbers" : checked.parts + "s"),
+           Code(fmt::format("{}", fmt::join(checked.names, ", "))), FromDoc(set->doc)});
+    }
+    if (table.rows.empty()) return;
+    AddHeading("Sets");
+    AddTable(std::move(table));
+  }
+
   // "`head`, `body`"
   Text TermsText(const std::vector<uint32_t>& terms) const {
     Text text;
@@ -312,9 +341,14 @@ class PageWriter {
 
   std::string TypeOf(const std::string& memory) const {
     const auto found = std::ranges::find(task_.memory, memory, &CheckedMemory::name);
-    if (found == task_.memory.end()) return "";
-    const std::string unit = ToString(found->unit);
-    return ToString(found->type) + (unit.empty() ? "" : " [" + unit + "]");
+    return found == task_.memory.end() ? "" : TypeText(*found);
+  }
+
+  // "vec3 [m]"
+  template <typename Declared>
+  static std::string TypeText(const Declared& declared) {
+    const std::string unit = ToString(declared.unit);
+    return ToString(declared.type) + (unit.empty() ? "" : " [" + unit + "]");
   }
 
   void Logs() {

@@ -19,8 +19,9 @@ struct TestOptions {
 Json ToJson(const Failure& failure, const Sources& sources) {
   Json values = Json::array();
   for (const SeenValue& seen : failure.values) {
-    values.push_back(
-        {{"expression", sources.FileOf(seen.span).TextOf(seen.span)}, {"value", seen.value}});
+    const std::string_view written = sources.FileOf(seen.span).TextOf(seen.span);
+    values.push_back({{"expression", seen.name.empty() ? written : std::string_view(seen.name)},
+                      {"value", seen.value}});
   }
   return {{"file", sources.FileOf(failure.span).path()},
           {"line", sources.LineOf(failure.span)},

@@ -88,6 +88,18 @@ std::string_view CppType(Scalar scalar) {
   return "double";
 }
 
+std::string NumberLiteralText(double value, Scalar scalar) {
+  switch (scalar) {
+    case Scalar::kBool:
+      return value != 0 ? "true" : "false";
+    case Scalar::kInt:
+      return IntLiteral(value);
+    case Scalar::kReal:
+      break;
+  }
+  return RealLiteral(value);
+}
+
 std::string Declarator(const std::string& name, const Type& type) {
   std::string_view element = CppType(type.scalar);
   if (type.shape == Shape::kScalar) return fmt::format("{} {}", element, name);

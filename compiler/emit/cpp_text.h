@@ -28,6 +28,9 @@ CppText BinaryText(BinaryOperator op, const CppText& left, const CppText& right)
 // The type that holds one element: "bool", "long long", "double".
 std::string_view CppType(Scalar scalar);
 
+// One element of a constant: "true", "2LL", "0.5".
+std::string NumberLiteralText(double value, Scalar scalar);
+
 // "double name" or "bool name[18]".
 std::string Declarator(const std::string& name, const Type& type);
 

@@ -9,7 +9,6 @@
 
 #include "base/variant/overloaded.h"
 #include "compiler/emit/chain.h"
-#include "compiler/emit/cpp_literal.h"
 
 namespace compiler {
 namespace {
@@ -55,20 +54,8 @@ bool HasRepetition(std::vector<uint32_t> indices) {
   return std::ranges::adjacent_find(indices) != indices.end();
 }
 
-std::string ConstantLiteral(const Constant& constant, Scalar scalar) {
-  switch (scalar) {
-    case Scalar::kBool:
-      return constant.value != 0 ? "true" : "false";
-    case Scalar::kInt:
-      return IntLiteral(constant.value);
-    case Scalar::kReal:
-      break;
-  }
-  return RealLiteral(constant.value);
-}
-
 CppText LiteralText(const Constant& constant, Scalar scalar) {
-  std::string literal = ConstantLiteral(constant, scalar);
+  std::string literal = NumberLiteralText(constant.value, scalar);
   return {literal, literal.starts_with('-') ? Precedence::kPrefix : Precedence::kPrimary};
 }
 
@@ -268,6 +255,7 @@ CppText ExpressionEmitter::Element(const CheckedExpression& expression, const In
   return std::visit(
       variant::Overloaded{
           [&](const Constant& node) { return LiteralText(node, type.scalar); },
+          [&](const ConstRead& node) { return Subscript(values_.consts[node.index], type, index); },
           [&](const SensorRead& node) {
             return Subscript(values_.sensors[node.sensor], type, index);
           },
@@ -288,7 +276,9 @@ CppText ExpressionEmitter::Element(const CheckedExpression& expression, const In
           [&](const FunctionCall& node) { return Call(node); },
           [&](const Draw& node) { return ElementOf(node, expression, index); },
           [&](const IntToReal& node) { return AsReal(*node.operand, index); },
-          [](const TestRead&) { return CppText{}; },  // only in tests, which plugins do not hold
+          // Only in tests, which plugins do not hold.
+          [](const TestRead&) { return CppText{}; },
+          [](const CheckedWithin&) { return CppText{}; },
       },
       expression.node);
 }
@@ -418,6 +408,7 @@ std::vector<CppText> ExpressionEmitter::Arguments(const FunctionCall& call) {
 std::string ExpressionEmitter::ArrayOf(const CheckedExpression& expression) const {
   if (auto named = named_.find(&expression); named != named_.end()) return named->second;
   return std::visit(variant::Overloaded{
+                        [&](const ConstRead& node) { return values_.consts[node.index]; },
                         [&](const SensorRead& node) { return values_.sensors[node.sensor]; },
                         [&](const MemoryRead& node) { return values_.memory[node.memory]; },
                         [&](const LocalRead& node) { return values_.locals[node.local]; },

@@ -22,6 +22,7 @@ namespace compiler {
 // How C++ calls the values of a task inside one function, and the task's functions. Indexed like
 // the lists of the task, of the event, and of the function.
 struct ValueNames {
+  std::vector<std::string> consts;
   std::vector<std::string> sensors;
   std::vector<std::string> params;
   std::vector<std::string> memory;  // with the struct: "memory.fallen"

@@ -63,6 +63,9 @@ PluginNames::PluginNames(const CheckedTask& task) {
     functions.push_back(taken.Add("fn_" + function.name));
   }
   for (const CheckedGoal& goal : task.goals) draws.push_back(taken.Add("draw_" + goal.name));
+  for (const CheckedConst& constant : task.consts) {
+    consts.push_back(taken.Add("const_" + constant.name));
+  }
   UniqueNames members;
   for (const CheckedMemory& variable : task.memory) memory.push_back(members.Add(variable.name));
 }

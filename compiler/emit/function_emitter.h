@@ -24,6 +24,7 @@ struct PluginNames {
   std::vector<std::string> logs;       // enumerators: "log_speed"
   std::vector<std::string> functions;  // "fn_shape"
   std::vector<std::string> draws;      // of each goal, the function that draws it: "draw_velocity"
+  std::vector<std::string> consts;     // "const_home"
   std::vector<std::string> memory;     // members of the struct
 };
 
@@ -50,6 +51,7 @@ class FunctionEmitter {
     Function(const PluginNames& plugin, UsedValues of_function)
         : names(&plugin.taken), used(std::move(of_function)) {
       values.functions = plugin.functions;
+      values.consts = plugin.consts;
     }
 
     UniqueNames names;

@@ -190,6 +190,27 @@ std::vector<std::string> IdentityFields(const CheckedTask& task, const Sources& 
           ".source_hash = " + StringLiteral(sources.Hash())};
 }
 
+// The consts with a shape that the plugin's functions read.
+void EmitConsts(const CheckedTask& task, const PluginNames& names, TextWriter& writer) {
+  UsedValues used;
+  for (const CheckedEvent& event : task.events) used.Add(event.body);
+  for (const CheckedMetric& metric : task.metrics) used.Add(metric.value);
+  for (const CheckedFunction& function : task.functions) {
+    for (const CheckedLet& let : function.lets) used.Add(let.value);
+    used.Add(function.value);
+  }
+  if (!used.consts.empty()) writer.BlankLine();
+  for (const uint32_t index : used.consts) {
+    const CheckedConst& constant = task.consts[index];
+    std::vector<std::string> elements;
+    for (const double element : constant.elements)
+      elements.push_back(NumberLiteralText(element, constant.type.scalar));
+    writer.Line(fmt::format("constexpr {} = {{{}}};",
+                            Declarator(names.consts[index], constant.type),
+                            fmt::join(elements, ", ")));
+  }
+}
+
 }  // namespace
 
 void EmitTables(const CheckedTask& task, const Sources& sources, const PluginNames& names,
@@ -199,6 +220,7 @@ void EmitTables(const CheckedTask& task, const Sources& sources, const PluginNam
   EmitMemoryStruct(task, names, writer);
   EmitNumbers(names.terms, writer);
   EmitNumbers(names.logs, writer);
+  EmitConsts(task, names, writer);
   EmitTable("taskc_sensor", "sensors_table", task.sensors, kRow, writer);
   EmitTable("taskc_param", "params_table", task.params, kRow, writer);
   auto memory_row = [&](const CheckedMemory& memory) {

@@ -18,6 +18,7 @@ void UsedValues::Add(const CheckedExpression& expression) {
   size.Add(expression);
   ForEachPart(expression, [this](const CheckedExpression& part) {
     std::visit(variant::Overloaded{
+                   [&](const ConstRead& node) { consts.insert(node.index); },
                    [&](const SensorRead& node) {
                      sensors.insert(node.sensor);
                      frame = true;

@@ -10,6 +10,7 @@
 namespace compiler {
 
 struct UsedValues {
+  std::set<uint32_t> consts;  // with a shape
   std::set<uint32_t> sensors;
   std::set<uint32_t> params;
   std::set<uint32_t> locals;

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "compiler/check/checked_task.h"
+#include "compiler/check/value.h"
 #include "compiler/interpret/frame.h"
-#include "compiler/interpret/value.h"
 
 namespace compiler {
 

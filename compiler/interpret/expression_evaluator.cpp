@@ -2,25 +2,9 @@
 
 #include <cmath>
 
-#include "compiler/check/arithmetic.h"
-#include "compiler/interpret/builtins.h"
+#include "compiler/check/apply.h"
 
 namespace compiler {
-namespace {
-
-bool IsArithmetic(BinaryOperator op) { return op <= BinaryOperator::kDivide; }
-
-template <typename Number>
-Value Combine(BinaryOperator op, const std::vector<Number>& left, const std::vector<Number>& right,
-              size_t size) {
-  std::vector<Number> result;
-  for (size_t i = 0; i < size; ++i) {
-    result.push_back(Calculate(op, ElementOf(left, i), ElementOf(right, i)));
-  }
-  return result;
-}
-
-}  // namespace
 
 ExpressionEvaluator::ExpressionEvaluator(const CheckedTask& task, const Frame& frame,
                                          const std::vector<Value>& locals,
@@ -33,6 +17,10 @@ Value ExpressionEvaluator::Evaluate(const CheckedExpression& expression) const {
 
 Value ExpressionEvaluator::Of(const Constant& node, const Type& type) const {
   return Filled(type.scalar, 1, node.value);
+}
+
+Value ExpressionEvaluator::Of(const ConstRead& node, const Type& type) const {
+  return MakeValue(type.scalar, task_.consts[node.index].elements);
 }
 
 Value ExpressionEvaluator::Of(const SensorRead& node, const Type&) const {
@@ -69,27 +57,17 @@ Value ExpressionEvaluator::Of(const Elements& node, const Type&) const {
 }
 
 Value ExpressionEvaluator::Of(const CheckedUnary& node, const Type&) const {
-  return std::visit(
-      [&](auto elements) -> Value {
-        for (auto& element : elements) element = Calculate(node.op, element);
-        return elements;
-      },
-      Evaluate(*node.operand));
+  return Apply(node.op, Evaluate(*node.operand));
 }
 
 Value ExpressionEvaluator::Of(const CheckedBinary& node, const Type& type) const {
-  const Value left = Evaluate(*node.left);
-  const Value right = Evaluate(*node.right);
-  if (const auto* reals = std::get_if<Reals>(&left)) {
-    const auto& others = std::get<Reals>(right);
-    if (IsArithmetic(node.op)) return Combine(node.op, *reals, others, type.size());
-    Integers holds;
-    for (size_t i = 0; i < type.size(); ++i) {
-      holds.push_back(Holds(node.op, ElementOf(*reals, i), ElementOf(others, i)));
-    }
-    return holds;
-  }
-  return Combine(node.op, std::get<Integers>(left), std::get<Integers>(right), type.size());
+  return Apply(node.op, Evaluate(*node.left), Evaluate(*node.right), type.size());
+}
+
+Value ExpressionEvaluator::Of(const CheckedWithin& node, const Type&) const {
+  const double difference = RealOf(Evaluate(*node.left)) - RealOf(Evaluate(*node.right));
+  const bool is_near = std::abs(difference) <= RealOf(Evaluate(*node.tolerance));
+  return Integers{is_near == node.is_equal};
 }
 
 Value ExpressionEvaluator::Of(const BuiltinCall& node, const Type& type) const {

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "compiler/check/checked_task.h"
+#include "compiler/check/value.h"
 #include "compiler/interpret/frame.h"
 #include "compiler/interpret/random_numbers.h"
-#include "compiler/interpret/value.h"
 
 namespace compiler {
 
@@ -21,6 +21,7 @@ class ExpressionEvaluator {
 
  private:
   Value Of(const Constant& node, const Type& type) const;
+  Value Of(const ConstRead& node, const Type& type) const;
   Value Of(const SensorRead& node, const Type& type) const;
   Value Of(const ParamRead& node, const Type& type) const;
   Value Of(const MemoryRead& node, const Type& type) const;
@@ -31,6 +32,7 @@ class ExpressionEvaluator {
   Value Of(const Elements& node, const Type& type) const;
   Value Of(const CheckedUnary& node, const Type& type) const;
   Value Of(const CheckedBinary& node, const Type& type) const;
+  Value Of(const CheckedWithin& node, const Type& type) const;
   Value Of(const BuiltinCall& node, const Type& type) const;
   Value Of(const FunctionCall& node, const Type& type) const;
   Value Of(const Draw& node, const Type& type) const;

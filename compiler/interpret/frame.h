@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "compiler/check/checked_task.h"
-#include "compiler/interpret/value.h"
+#include "compiler/check/value.h"
 
 namespace compiler {
 

@@ -51,13 +51,17 @@ class Completer {
       case Expected::kBodyStatement:
         return OfferWords(BodyWords());
       case Expected::kOverridden:
-        for (const char* word :
-             {"param", "reward", "metric", "goal", "on", "start", "after_end", "fn"}) {
+        for (const char* word : {"param", "const", "set", "reward", "metric", "goal", "on", "start",
+                                 "after_end", "fn"}) {
           Add(word, protocol::kCompleteKeyword, "", std::string(ExplanationOf(word)));
         }
         return;
       case Expected::kParamName:
         return OfferInherited(NameKind::kParam);
+      case Expected::kConstName:
+        return OfferInherited(NameKind::kConst);
+      case Expected::kSetName:
+        return OfferInherited(NameKind::kSet);
       case Expected::kGoalName:
         return OfferInherited(NameKind::kGoal);
       case Expected::kMetricName:
@@ -152,7 +156,7 @@ class Completer {
     OfferNames({NameKind::kLet, NameKind::kLoop, NameKind::kArgument, NameKind::kMemory,
                 NameKind::kGoal, NameKind::kSensor},
                protocol::kCompleteVariable);
-    OfferNames({NameKind::kParam}, protocol::kCompleteConstant);
+    OfferNames({NameKind::kParam, NameKind::kConst}, protocol::kCompleteConstant);
     OfferNames({NameKind::kFunction}, protocol::kCompleteFunction);
     for (const std::string& name : BuiltinNames()) {
       Add(name, protocol::kCompleteFunction, fmt::format("`{}`", FindBuiltin(name)->usage));
@@ -206,6 +210,7 @@ class Completer {
       if (fits) OfferParts(each);
     }
     OfferNames({NameKind::kLoop}, protocol::kCompleteVariable);
+    OfferNames({NameKind::kSet}, protocol::kCompleteConstant);
   }
 
   void OfferParts(const Enumeration& parts) {

@@ -18,6 +18,7 @@ const std::map<std::string_view, Expected>& AfterKeyword() {
   static const std::map<std::string_view, Expected> expected = {
       {"task", Expected::kAnyText},        {"sensor", Expected::kAnyText},
       {"param", Expected::kAnyText},       {"memory", Expected::kAnyText},
+      {"const", Expected::kAnyText},       {"set", Expected::kAnyText},
       {"goal", Expected::kAnyText},        {"redraw", Expected::kGoal},
       {"let", Expected::kAnyText},         {"fn", Expected::kAnyText},
       {"test", Expected::kAnyText},        {"import", Expected::kAnyText},
@@ -227,7 +228,9 @@ class PlaceFinder {
     if (first == "fire")
       return tokens_.ExpectsMore(count_ - 1) ? Expected::kEvent : Expected::kOperator;
     if (first == "allow" && last == ",") return Expected::kWarningCode;
-    if (first == "for" && tokens_.ExpectsMore(count_ - 1)) return Expected::kIndex;
+    const bool is_set =
+        first == "for" || first == "set" || (first == "override" && tokens_.Is(begin + 1, "set"));
+    if (is_set && (tokens_.ExpectsMore(count_ - 1) || last == "{")) return Expected::kIndex;
     if (!tokens_.ExpectsMore(count_ - 1) && last != "{") return Expected::kOperator;
     const bool is_goal = first == "goal" || (first == "override" && tokens_.Is(begin + 1, "goal"));
     return is_goal ? Expected::kGoalValue : Expected::kValue;
@@ -235,6 +238,8 @@ class PlaceFinder {
 
   static Expected AfterOverride(std::string_view what) {
     if (what == "param") return Expected::kParamName;
+    if (what == "const") return Expected::kConstName;
+    if (what == "set") return Expected::kSetName;
     if (what == "goal") return Expected::kGoalName;
     if (what == "metric") return Expected::kMetricName;
     if (what == "fn") return Expected::kFunctionName;

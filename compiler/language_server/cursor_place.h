@@ -15,6 +15,8 @@ enum class Expected {
   kBodyStatement,  // of a function
   kOverridden,     // after `override`
   kParamName,      // of the base, after `override param`
+  kConstName,
+  kSetName,
   kGoalName,
   kMetricName,
   kFunctionName,
@@ -22,7 +24,7 @@ enum class Expected {
   kGoalValue,  // what a goal is drawn from
   kOperator,   // after a value
   kMember,     // after `path.`
-  kIndex,      // inside `path[...]`, or after `for x in`
+  kIndex,      // inside `path[...]`, after `for x in`, or after `set NAME =`
   kUnit,
   kType,
   kTypeIndex,  // `bool[...]`: an enumeration, or a unit

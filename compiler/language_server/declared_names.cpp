@@ -12,9 +12,11 @@ struct Keyword {
   NameKind kind;
 };
 // What stands before a name that it declares.
-constexpr std::array<Keyword, 13> kKeywords = {{{"task", NameKind::kTask},
+constexpr std::array<Keyword, 15> kKeywords = {{{"task", NameKind::kTask},
                                                 {"sensor", NameKind::kSensor},
                                                 {"param", NameKind::kParam},
+                                                {"const", NameKind::kConst},
+                                                {"set", NameKind::kSet},
                                                 {"memory", NameKind::kMemory},
                                                 {"goal", NameKind::kGoal},
                                                 {"metric", NameKind::kMetric},
@@ -27,9 +29,9 @@ constexpr std::array<Keyword, 13> kKeywords = {{{"task", NameKind::kTask},
                                                 {"for", NameKind::kLoop}}};
 
 bool IsTopLevel(std::string_view keyword) {
-  constexpr std::array<std::string_view, 13> kTopLevel = {
-      "task",   "start", "after_end", "sensor", "param",  "memory",  "goal",
-      "metric", "on",    "fn",        "test",   "import", "override"};
+  constexpr std::array<std::string_view, 15> kTopLevel = {
+      "task", "start",  "after_end", "sensor", "param", "const",  "set",     "memory",
+      "goal", "metric", "on",        "fn",     "test",  "import", "override"};
   return std::ranges::find(kTopLevel, keyword) != kTopLevel.end();
 }
 

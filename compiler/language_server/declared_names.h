@@ -13,6 +13,8 @@ enum class NameKind {
   kTask,
   kSensor,  // with its dots
   kParam,
+  kConst,
+  kSet,
   kMemory,
   kGoal,
   kMetric,

@@ -15,7 +15,10 @@ std::optional<protocol::SymbolKind> SymbolKindOf(NameKind kind) {
     case NameKind::kSensor:
       return protocol::kField;
     case NameKind::kParam:
+    case NameKind::kConst:
       return protocol::kConstant;
+    case NameKind::kSet:
+      return protocol::kEnum;
     case NameKind::kMemory:
     case NameKind::kGoal:
       return protocol::kVariable;

@@ -7,6 +7,7 @@
 
 #include "compiler/check/builtins.h"
 #include "compiler/check/draws.h"
+#include "compiler/check/type.h"
 #include "compiler/check/unit.h"
 #include "compiler/language_server/bounds_text.h"
 #include "compiler/language_server/cursor_place.h"
@@ -85,7 +86,23 @@ class HoverFinder {
   }
 
   static std::string BoundsOf(const Reference& reference, const Findings& findings) {
-    return findings.analysis.task ? BoundsText(reference, *findings.analysis.task) : "";
+    if (!findings.analysis.task) return "";
+    const std::string constant = ConstantText(reference, *findings.analysis.task);
+    return constant.empty() ? BoundsText(reference, *findings.analysis.task) : constant;
+  }
+
+  // What a const is, and what is in a set.
+  static std::string ConstantText(const Reference& reference, const CheckedTask& task) {
+    if (reference.kind == ReferenceKind::kConst) {
+      const auto found = std::ranges::find(task.consts, reference.name, &CheckedConst::name);
+      if (found == task.consts.end() || IsBool(found->type)) return "";
+      const std::string unit = ToString(found->unit);
+      return fmt::format("{:.6g}{}{}", fmt::join(found->elements, ", "), unit.empty() ? "" : " ",
+                         unit);
+    }
+    if (reference.kind != ReferenceKind::kSet) return "";
+    const auto found = std::ranges::find(task.sets, reference.name, &CheckedSet::name);
+    return found == task.sets.end() ? "" : fmt::format("{}", fmt::join(found->names, ", "));
   }
 
   // What the text says, where the compiler has not come so far.

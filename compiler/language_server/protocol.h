@@ -28,6 +28,7 @@ enum SymbolKind {
   kMethod = 6,
   kProperty = 7,
   kField = 8,
+  kEnum = 10,
   kFunction = 12,
   kVariable = 13,
   kConstant = 14,

@@ -14,6 +14,8 @@ constexpr auto kDeclarations = std::to_array<ExplainedWord>({
     {"sensor", "A sensor that the host supplies: `sensor NAME: TYPE [UNIT]`."},
     {"param",
      "A number that can be set while the trainer runs: `param NAME: TYPE = VALUE in LOW .. HIGH`."},
+    {"const", "A value that never changes: `const NAME: TYPE = VALUE`."},
+    {"set", "A set of links, joints or numbers, for indices and loops: `set NAME = links - feet`."},
     {"memory", "A value that is kept between callbacks: `memory NAME: TYPE = VALUE per action`."},
     {"goal",
      "What the robot is told, drawn at random: `goal NAME: TYPE = uniform(LOW, HIGH) per 3 s .. 8 "
@@ -66,6 +68,7 @@ constexpr auto kValues = std::to_array<ExplainedWord>({
 constexpr auto kOperators = std::to_array<ExplainedWord>({
     {"and", "Whether both conditions hold."},
     {"or", "Whether one of two conditions holds."},
+    {"within", "How far the sides may differ, in a test: `expect total(TERM) == 1 within 1e-9`."},
     {"in", "The range of a param or a sensor: `in LOW .. HIGH`; or the set of a loop."},
     {"per",
      "When a memory is reset to its initial value: `per action`; when a goal is drawn: `per 3 s .. "

@@ -22,12 +22,13 @@ constexpr const char* kLibraryUser = ".library-user.task";
 
 bool IsLibrary(const std::string& text) {
   const TextTokens tokens(text);
-  bool has_functions = false;
+  bool has_parts = false;
   for (const DeclaredName& name : FindDeclaredNames(tokens)) {
     if (name.kind == NameKind::kTask) return false;
-    has_functions = has_functions || name.kind == NameKind::kFunction;
+    has_parts = has_parts || name.kind == NameKind::kFunction || name.kind == NameKind::kConst ||
+                name.kind == NameKind::kSet;
   }
-  return has_functions;
+  return has_parts;
 }
 
 bool IsMadeWith(const Findings& findings, const std::filesystem::path& file) {

@@ -116,26 +116,33 @@ Description BadFunction(const Failure& failure) {
 }
 
 Description BadOverride(const Failure& failure) {
-  if (failure.rule == TaskParser::RuleNewDefault && failure.type() == TaskParser::COLON) {
-    return WithHelp(MakeDiagnostic(code::kBadOverride, SpanOf(failure.found),
-                                   "a param keeps the type and the unit that it has"),
-                    fmt::format("write `override param {} = ...`", failure.last->getText()));
+  const bool is_value =
+      failure.rule == TaskParser::RuleNewDefault || failure.rule == TaskParser::RuleNewConstant;
+  if (is_value && failure.type() == TaskParser::COLON) {
+    const char* kind = failure.rule == TaskParser::RuleNewDefault ? "param" : "const";
+    return WithHelp(
+        MakeDiagnostic(code::kBadOverride, SpanOf(failure.found),
+                       fmt::format("a {} keeps the type and the unit that it has", kind)),
+        fmt::format("write `override {} {} = ...`", kind, failure.last->getText()));
   }
   if (failure.rule != TaskParser::RuleChange || failure.last_type() != TaskParser::OVERRIDE) {
     return std::nullopt;
   }
   const std::string word = failure.found.getText();
   if (IsReserved(failure.type())) {
-    return WithHelp(
-        MakeDiagnostic(code::kBadOverride, SpanOf(failure.found),
-                       fmt::format("`{}` cannot be overridden", word)),
-        "only `start`, `after_end`, `param`, `goal`, `metric`, `reward`, `on` and `fn` can");
+    return WithHelp(MakeDiagnostic(code::kBadOverride, SpanOf(failure.found),
+                                   fmt::format("`{}` cannot be overridden", word)),
+                    "only `start`, `after_end`, `param`, `const`, `set`, `goal`, `metric`, "
+                    "`reward`, `on` and `fn` "
+                    "can");
   }
   Diagnostic diagnostic =
-      Expected(failure, "`start`, `after_end`, `param`, `goal`, `metric`, `reward`, `on` or `fn`");
+      Expected(failure,
+               "`start`, `after_end`, `param`, `const`, `set`, `goal`, `metric`, "
+               "`reward`, `on` or `fn`");
   if (failure.type() != TaskParser::NAME) return diagnostic;
-  diagnostic.help = Nearest(
-      failure.found, {"start", "after_end", "param", "goal", "metric", "reward", "on", "fn"});
+  diagnostic.help = Nearest(failure.found, {"start", "after_end", "param", "const", "set", "goal",
+                                            "metric", "reward", "on", "fn"});
   if (failure.next_type() == TaskParser::ASSIGN) {
     diagnostic.help = {fmt::format("say what it is: `override param {} = ...`", word),
                        {{SpanOf(failure.found), "param " + word}}};

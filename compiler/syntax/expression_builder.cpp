@@ -88,7 +88,16 @@ ExpressionBuilder::Built ExpressionBuilder::Negation(TaskParser::NegationContext
 }
 
 ExpressionBuilder::Built ExpressionBuilder::Comparison(TaskParser::ComparisonContext& context) {
-  return Chain(context, &ExpressionBuilder::Sum);
+  Built left = Sum(*context.sum(0));
+  if (context.op == nullptr) return left;
+  Built comparison = Binary(std::move(left), *context.op, Sum(*context.sum(1)));
+  auto* binary = std::get_if<BinaryExpression>(&comparison.expression->node);
+  if (context.tolerance == nullptr || binary == nullptr) return comparison;
+  Built tolerance = Sum(*context.tolerance);
+  comparison.expression->span = SpanOf(context);
+  comparison.depth = std::max(comparison.depth, tolerance.depth + 1);
+  binary->tolerance = std::move(tolerance.expression);
+  return comparison;
 }
 
 ExpressionBuilder::Built ExpressionBuilder::Sum(TaskParser::SumContext& context) {

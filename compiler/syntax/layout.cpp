@@ -41,7 +41,7 @@ bool IsPrefix(TokenType type) { return type == TaskParser::NOT || type == TaskPa
 // Words that can begin a line without beginning a statement.
 bool ContinuesStatement(TokenType type) {
   return type == TaskParser::LEFT_BRACE || type == TaskParser::ELSE || type == TaskParser::IN ||
-         type == TaskParser::PER || type == TaskParser::ARROW;
+         type == TaskParser::PER || type == TaskParser::ARROW || type == TaskParser::WITHIN;
 }
 
 bool AnnouncesBlock(TokenType type) {
@@ -61,6 +61,7 @@ bool BeginsStatementBehind(TokenType last) {
 // What follows makes a name of the word: `log = 3`, `test: real`, `log(x)`; not `require (a)`.
 bool IsNameBefore(TokenType word, TokenType next) {
   if (word == TaskParser::FN && next == TaskParser::LEFT_PARENTHESIS) return false;
+  if (next == TaskParser::WITHIN) return false;  // a name, or else `word` is not first
   const bool takes_expression =
       word == TaskParser::REQUIRE || word == TaskParser::EXPECT || word == TaskParser::RETURN;
   const bool begins_expression = next == TaskParser::LEFT_PARENTHESIS || next == TaskParser::MINUS;
@@ -121,6 +122,7 @@ void Layout::Add(std::unique_ptr<antlr4::CommonToken> token, const antlr4::Token
   RejectForeignLoop(*token);
   CountNesting(*token);
   if (type == TaskParser::ALLOW) allow_line_ = token->getLine();
+  if (type == TaskParser::SET) is_in_set_ = true;
   if (!doc_.empty() && token->getLine() != allow_line_) {
     result_.docs[SpanOf(*token).begin] = std::exchange(doc_, "");
   }
@@ -151,8 +153,17 @@ void Layout::MendOperator(antlr4::CommonToken& token, const antlr4::Token* next)
 
 void Layout::ClassifyWord(antlr4::CommonToken& token, TokenType next) {
   const TokenType type = token.getType();
+  if (type == TaskParser::WITHIN && !IsBetweenOperands(next)) token.setType(TaskParser::NAME);
   if (!IsContextualKeyword(type)) return;
   if (!CanBeginStatement(token) || IsNameBefore(type, next)) token.setType(TaskParser::NAME);
+}
+
+// What is called `within` is behind no operand, or else set: `within = 3`.
+bool Layout::IsBetweenOperands(TokenType next) const {
+  const bool may_begin_operand = next == TaskParser::LEFT_PARENTHESIS ||
+                                 next == TaskParser::MINUS || next == TaskParser::WITHIN;
+  const bool is_name = FollowsOperand(next) && !may_begin_operand;
+  return !is_name && last_ != nullptr && EndsOperand(last_->getType());
 }
 
 bool Layout::CanBeginStatement(const antlr4::CommonToken& token) const {
@@ -250,6 +261,7 @@ void Layout::BeginLine(const antlr4::CommonToken& next) {
   } else {
     AddSynthetic(TaskParser::LINE_END);
     block_head_ = 0;
+    is_in_set_ = false;
   }
 }
 
@@ -307,8 +319,7 @@ uint32_t Layout::IndentationOf(const antlr4::Token& token) {
 // ---- Brackets ----------------------------------------------------------------------------------
 
 void Layout::Open(antlr4::CommonToken& token) {
-  const bool is_block =
-      token.getType() == TaskParser::LEFT_BRACE && !IsInBrackets() && !IsLoopSet();
+  const bool is_block = token.getType() == TaskParser::LEFT_BRACE && !IsInBrackets() && !IsSet();
   if (is_block) block_head_ = 0;
   const Span span = SpanOf(token);
   const uint32_t nesting = 1 + std::exchange(prefix_run_, 0);
@@ -318,9 +329,10 @@ void Layout::Open(antlr4::CommonToken& token) {
   if (token.getType() == TaskParser::LEFT_BRACE && !is_block) token.setType(TaskParser::SET_BEGIN);
 }
 
-bool Layout::IsLoopSet() const {
-  return block_head_ == TaskParser::IN &&
-         (last_->getType() == TaskParser::IN || ExpectsOperand(last_->getType()));
+bool Layout::IsSet() const {
+  if (last_ == nullptr) return false;
+  if (block_head_ == TaskParser::IN && last_->getType() == TaskParser::IN) return true;
+  return (block_head_ == TaskParser::IN || is_in_set_) && ExpectsOperand(last_->getType());
 }
 
 bool Layout::Close(antlr4::CommonToken& token, const antlr4::Token* next) {

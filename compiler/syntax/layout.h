@@ -44,6 +44,7 @@ class Layout {
   // Makes a name of a word that is not a keyword in its place.
   void ClassifyWord(antlr4::CommonToken& token, TokenType next);
   bool CanBeginStatement(const antlr4::CommonToken& token) const;
+  bool IsBetweenOperands(TokenType next) const;
   void AddSynthetic(TokenType type);
   void AddDocumentation(const antlr4::Token& token);
 
@@ -66,8 +67,8 @@ class Layout {
   bool IsOneTooMany(const antlr4::Token& next);
   void ReportUnmatched(const antlr4::CommonToken& token);
   bool IsInBrackets() const { return !open_.empty() && !open_.back().is_block; }
-  // The next brace opens a set: `for l in {`, `for l in links - {`.
-  bool IsLoopSet() const;
+  // The next brace opens a set: `for l in {`, `for l in links - {`, `set supports = {`.
+  bool IsSet() const;
   // The open brackets from `index` on are not closed: reports the innermost that has been opened,
   // before `next`, and closes them all.
   void CloseUnclosed(size_t index, const antlr4::CommonToken& next);
@@ -91,6 +92,7 @@ class Layout {
   // The word that says that a block must follow: `if`, `else`, `on` ...; `in` for a `for` that has
   // got that far. 0: none must.
   TokenType block_head_ = 0;
+  bool is_in_set_ = false;  // in a declaration of a `set`
   const antlr4::Token* last_ = nullptr;
   std::vector<TokenType> synthetic_closings_;  // whose real ones may still come
   // Blocks whose closing brace stands further left than the line that opens them: where a brace is

@@ -108,7 +108,8 @@ Description ReservedName(const Failure& failure) {
 }
 
 Description MisplacedSet(const Failure& failure) {
-  if (failure.type() != TaskParser::LEFT_BRACE || !ExpectsOperand(failure.last_type())) {
+  if (failure.type() != TaskParser::LEFT_BRACE || !ExpectsOperand(failure.last_type()) ||
+      failure.last_type() == TaskParser::WITHIN) {
     return std::nullopt;
   }
   return WithHelp(MakeDiagnostic(code::kMisplacedSet, SpanOf(failure.found),

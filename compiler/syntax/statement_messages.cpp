@@ -273,6 +273,12 @@ Description BadStatement(const Failure& failure) {
     default:
       break;
   }
+  if (failure.type() == TaskParser::CONST) {
+    Diagnostic diagnostic = Misplaced(failure, "is not allowed inside an event", "");
+    diagnostic.help = {"a value of this block is `let x = ...`; a `const` is declared outside",
+                       {{SpanOf(failure.found), "let"}}};
+    return diagnostic;
+  }
   if (IsDeclarationKeyword(failure.type())) {
     return Misplaced(failure, "is not allowed inside an event", "move it out of the braces");
   }

@@ -99,6 +99,7 @@ struct BinaryExpression {
   Span op_span;
   ExpressionPtr left;
   ExpressionPtr right;
+  ExpressionPtr tolerance{};  // of `a == b within 1e-9`; null: none
 };
 
 struct Expression {
@@ -272,6 +273,21 @@ struct MetricDeclaration {  // `metric distance = base.position.x`, `metric max 
   Expression value;
 };
 
+struct ConstDeclaration {  // `const reach: real [m] = 5 cm`
+  std::string doc;
+  Identifier name;
+  TypeExpression type;
+  std::optional<UnitExpression> unit;
+  Expression value;
+};
+
+struct SetDeclaration {  // `set supports = {feet, hands}`
+  std::string doc;
+  Identifier name;
+  std::vector<ExpressionPtr> items;  // an index set
+  Span items_span;
+};
+
 struct EventDeclaration {  // `on end_of_time_step { ... }`
   std::string doc;
   EventKind event;
@@ -323,6 +339,10 @@ struct ParamOverride {  // `override param direction = -1`; type and unit are th
   std::optional<Expression> minimum;  // nothing: the base's range
   std::optional<Expression> maximum;
 };
+struct ConstOverride {  // `override const reach = 10 cm`; type and unit are the base's
+  Identifier name;
+  Expression value;
+};
 struct GoalOverride {  // `override goal velocity = uniform(0 m/s, 2 m/s)`; type and unit stay
   Identifier name;
   GoalDraw draw;
@@ -369,9 +389,9 @@ struct TestDeclaration {  // `test "a fall is paid once" { ... }`
 struct Declaration {
   Span span;
   std::variant<SensorDeclaration, ParamDeclaration, MemoryDeclaration, GoalDeclaration,
-               MetricDeclaration, EventDeclaration, StartDeclaration, AfterEndDeclaration,
-               ImportDeclaration, FunctionDeclaration, ParamOverride, GoalOverride, RewardOverride,
-               TestDeclaration>
+               MetricDeclaration, ConstDeclaration, SetDeclaration, EventDeclaration,
+               StartDeclaration, AfterEndDeclaration, ImportDeclaration, FunctionDeclaration,
+               ParamOverride, ConstOverride, GoalOverride, RewardOverride, TestDeclaration>
       node;
   std::optional<Span> override_span{};  // of the word `override`, where it stands before it
 };
@@ -404,7 +424,7 @@ struct LostText {
 
 struct SyntaxTree {
   std::string doc;                  // the `///` lines before `task`
-  std::optional<Identifier> task;   // nothing: a library, which has functions and imports only
+  std::optional<Identifier> task;   // nothing: a library, which has no rewards, memory and the like
   std::optional<Identifier> robot;  // `for humanoid`
   std::optional<BaseTask> base;
   std::vector<Declaration> declarations;

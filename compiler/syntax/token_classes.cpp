@@ -71,7 +71,7 @@ bool ExpectsOperand(TokenType type) {
   return IsComparison(type) || IsAssignment(type) ||
          IsOneOf(type, {TaskParser::PLUS, TaskParser::MINUS, TaskParser::TIMES, TaskParser::DIVIDE,
                         TaskParser::AND, TaskParser::OR, TaskParser::NOT, TaskParser::COMMA,
-                        TaskParser::RANGE, TaskParser::ARROW});
+                        TaskParser::RANGE, TaskParser::ARROW, TaskParser::WITHIN});
 }
 
 bool FollowsOperand(TokenType type) {

@@ -112,13 +112,14 @@ class TreeBuilder {
     Diagnostic diagnostic =
         MakeDiagnostic(code::kNotInLibrary, SpanOf(word),
                        fmt::format("`{}` is not allowed in a library", word.getText()));
-    diagnostic.help = "a file without `task NAME` holds only imports and functions";
+    diagnostic.help = "a file without `task NAME` holds only imports, functions, sets and consts";
     report_.AddUnlessFaulty(std::move(diagnostic));
   }
 
   static bool IsLibraryPart(TaskParser::DeclarationContext& context) {
     const TokenType type = context.getStart()->getType();
-    return type == TaskParser::FN || type == TaskParser::IMPORT;
+    return type == TaskParser::FN || type == TaskParser::IMPORT || type == TaskParser::SET ||
+           type == TaskParser::CONST;
   }
 
   Span WholeFile() const {
@@ -162,6 +163,8 @@ class TreeBuilder {
     if (auto* memory = context.memory()) return Memory(*memory);
     if (auto* goal = context.goal()) return Goal(*goal);
     if (auto* metric = context.metric()) return Metric(*metric);
+    if (auto* constant = context.constant()) return Const(*constant);
+    if (auto* set = context.namedSet()) return Set(*set);
     if (auto* event = context.event()) return Event(*event);
     if (auto* function = context.function()) return Function(*function);
     if (auto* test = context.test()) return Test(*test);
@@ -173,6 +176,8 @@ class TreeBuilder {
     if (auto* after = context.afterEnd()) return AfterAnEnd(*after);
     if (auto* param = context.newDefault()) return NewDefault(*param);
     if (auto* goal = context.newGoal()) return GoalOverride{BuildName(*goal->name()), Draw(*goal)};
+    if (auto* constant = context.newConstant()) return NewConstant(*constant);
+    if (auto* set = context.namedSet()) return Set(*set);
     if (auto* metric = context.metric()) return Metric(*metric);
     if (auto* event = context.event()) return Event(*event);
     if (auto* function = context.function()) return Function(*function);
@@ -284,6 +289,24 @@ class TreeBuilder {
                                 "a reduction of a metric", report_);
     }
     return metric;
+  }
+
+  ConstDeclaration Const(TaskParser::ConstantContext& context) {
+    ConstDeclaration constant;
+    constant.doc = doc_;
+    constant.name = BuildName(*context.name());
+    SetType(*context.type(), constant);
+    constant.value = expressions_.Build(*context.expression());
+    return constant;
+  }
+
+  ConstOverride NewConstant(TaskParser::NewConstantContext& context) {
+    return {BuildName(*context.name()), expressions_.Build(*context.expression())};
+  }
+
+  SetDeclaration Set(TaskParser::NamedSetContext& context) {
+    return {doc_, BuildName(*context.name()), expressions_.BuildSet(*context.items()),
+            SpanOf(*context.items())};
   }
 
   EventDeclaration Event(TaskParser::EventContext& context) {

@@ -6,6 +6,7 @@
 
 #include "compiler/check/checked_task.h"
 #include "compiler/interpret/evaluator.h"
+#include "compiler/source/sources.h"
 
 namespace compiler {
 
@@ -13,10 +14,13 @@ namespace compiler {
 struct SeenValue {
   Span span;
   std::string value;
+  std::string name{};  // where it is no part of what was written: "the difference"
 };
 
-// The values that tell why `condition`, a false one, is false: both sides of a comparison; of an
-// `and`, those of the sides that are false. Constants tell nothing.
-std::vector<SeenValue> Explain(const CheckedExpression& condition, const Evaluator& evaluator);
+// The values that tell why `condition`, a false one, is false: both sides of a comparison, and
+// with `within` their difference; of an `and`, those of the sides that are false. Numbers that
+// stand there tell nothing; consts are in `sources` by their names.
+std::vector<SeenValue> Explain(const CheckedExpression& condition, const Evaluator& evaluator,
+                               const Sources& sources);
 
 }  // namespace compiler

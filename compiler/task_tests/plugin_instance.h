@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "compiler/interpret/value.h"
+#include "compiler/check/value.h"
 #include "plugins/host/task_frame.h"
 
 namespace compiler {

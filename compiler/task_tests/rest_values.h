@@ -2,7 +2,7 @@
 #pragma once
 
 #include "compiler/check/checked_task.h"
-#include "compiler/interpret/value.h"
+#include "compiler/check/value.h"
 
 namespace compiler {
 

@@ -18,7 +18,8 @@ std::string ToText(const Failure& failure, const Sources& sources) {
                                  sources.LineOf(failure.span), WrittenAt(failure.span, sources));
   if (!failure.message.empty()) text += fmt::format("            {}\n", failure.message);
   for (const SeenValue& seen : failure.values) {
-    text += fmt::format("            {} is {}\n", WrittenAt(seen.span, sources), seen.value);
+    const std::string_view name = seen.name.empty() ? WrittenAt(seen.span, sources) : seen.name;
+    text += fmt::format("            {} is {}\n", name, seen.value);
   }
   return text;
 }

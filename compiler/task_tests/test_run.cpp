@@ -13,7 +13,8 @@ namespace {
 
 class TestRun {
  public:
-  TestRun(const CheckedTask& task, const taskc_plugin& plugin) : task_(task), both_(task, plugin) {
+  TestRun(const CheckedTask& task, const Sources& sources, const taskc_plugin& plugin)
+      : task_(task), sources_(sources), both_(task, plugin) {
     for (uint32_t i = 0; i < task.sensors.size(); ++i) {
       both_.SetSensor(i, RestValue(task.sensors[i]));
     }
@@ -61,7 +62,7 @@ class TestRun {
   void Run(const CheckedExpect& expect, Span span) {
     both_.Record();
     if (IsTrue(both_.evaluator().Evaluate(expect.condition))) return;
-    failures_.push_back({span, "", Explain(expect.condition, both_.evaluator())});
+    failures_.push_back({span, "", Explain(expect.condition, both_.evaluator(), sources_)});
   }
 
   void Run(const CheckedExpectEnd& expect, Span span) {
@@ -81,6 +82,7 @@ class TestRun {
   }
 
   const CheckedTask& task_;
+  const Sources& sources_;
   SideBySide both_;
   std::optional<double> time_step_;  // as given
   std::vector<Failure> failures_;
@@ -88,8 +90,9 @@ class TestRun {
 
 }  // namespace
 
-TestResult RunTest(const CheckedTest& test, const CheckedTask& task, const taskc_plugin& plugin) {
-  TestRun run(task, plugin);
+TestResult RunTest(const CheckedTest& test, const CheckedTask& task, const Sources& sources,
+                   const taskc_plugin& plugin) {
+  TestRun run(task, sources, plugin);
   for (const CheckedTestStatement& statement : test.statements) run.Run(statement);
   return {test.name, test.span, run.TakeFailures()};
 }

@@ -28,6 +28,7 @@ struct TestResult {
 
 // Goes on after an expectation that does not hold. Throws Disagreement where the plugin, which was
 // made from the task, differs from the evaluator.
-TestResult RunTest(const CheckedTest& test, const CheckedTask& task, const taskc_plugin& plugin);
+TestResult RunTest(const CheckedTest& test, const CheckedTask& task, const Sources& sources,
+                   const taskc_plugin& plugin);
 
 }  // namespace compiler

@@ -44,7 +44,7 @@ TestReport TestTask(const CheckedTask& task, const Sources& sources, const std::
   for (const CheckedTest& test : task.tests) {
     if (test.name.find(filter) == std::string::npos) continue;
     try {
-      report.results.push_back(RunTest(test, task, *plugin));
+      report.results.push_back(RunTest(test, task, sources, *plugin));
     } catch (const Disagreement& found) {
       Accuse(task, sources, cpp, fmt::format("in test \"{}\", {}", test.name, found.what()), cache);
     }

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "compiler/check/checked_task.h"
-#include "compiler/interpret/value.h"
+#include "compiler/check/value.h"
 
 namespace compiler {
 

@@ -59,6 +59,9 @@ const samples = [
   ['after_end continue', 'after_end', 'keyword.declaration.task'],
   ['after_end continue', 'continue', 'constant.language.task'],
   ['override fn near(d: real) -> real = d', 'near', 'entity.name.function.task'],
+  ['const reach: real [m] = 5 cm', 'const', 'keyword.declaration.task'],
+  ['override set supports = feet', 'set', 'keyword.declaration.task'],
+  ['  expect total(a) == 1 within 1e-9', 'within', 'keyword.operator.word.task'],
   ['allow W0706, W0712', 'W0712', 'constant.other.warning.task'],
 ];
 

@@ -98,6 +98,16 @@ TEST(Import, BringsTheFunctionsOfALibrary) {
   EXPECT_THAT(All<ImportDeclaration>(tree), IsEmpty());
 }
 
+TEST(Import, BringsSetsAndConsts) {
+  const CheckedTask task = Checked(
+      {{"main.task",
+        "task a\nimport \"shared.task\"\nsensor x: real[4]\nmetric b = half(sum(x[ends]))\n"},
+       {"shared.task",
+        "const two: real = 2\nset ends = {0, 3}\nfn half(x: real) -> real = x / two\n"}});
+  EXPECT_EQ(task.consts.at(0).name, "two");
+  EXPECT_EQ(task.sets.at(0).names, (std::vector<std::string>{"0", "3"}));
+}
+
 TEST(Import, TwiceIsOnce) {
   const SyntaxTree tree =
       Merged({{"main.task", "task t\nimport \"a.task\"\nimport \"b.task\"\nimport \"./b.task\"\n"},
@@ -152,6 +162,25 @@ TEST(Extension, AppendsToTheBlocksOfTheBaseInScopesOfTheirOwn) {
   ASSERT_EQ(task.terms.size(), 2u);
   EXPECT_EQ(task.terms[0].name, "run");
   EXPECT_EQ(task.terms[1].name, "more");
+}
+
+TEST(Extension, OverridesConstsAndSets) {
+  const FileSet files = {
+      {"main.task",
+       "task a extends \"base.task\"\nconst most: int = 2\noverride const reach = 7 cm\n"
+       "/// Others.\noverride set few = {most, 4}\n"},
+      {"base.task",
+       "/// The base.\ntask base\nsensor x: real[5] [m]\nset few = 0..1\n/// How far.\n"
+       "const reach: real [m] = 5 cm\n"
+       "on end_of_time_step {\n  reward rate a = sum(x[few]) / reach\n}\n"}};
+  const CheckedTask task = Checked(files);
+  ASSERT_EQ(task.consts.size(), 2u);
+  EXPECT_EQ(task.consts[1].name, "reach");
+  EXPECT_EQ(task.consts[1].elements, std::vector<double>{0.07});
+  EXPECT_EQ(task.sets.at(0).indices, (std::vector<uint32_t>{2, 4}));
+  const SyntaxTree tree = Merged(files);
+  EXPECT_EQ(All<ConstDeclaration>(tree)[0]->doc, "How far.");
+  EXPECT_EQ(All<SetDeclaration>(tree)[0]->doc, "Others.");
 }
 
 TEST(Extension, OverridesTheDefaultOfAParam) {

@@ -104,6 +104,34 @@ on end_of_action {
   EXPECT_EQ(instance.Metric("sum_of_turned"), 16);
 }
 
+TEST(Constructs, ConstsAreTheirValues) {
+  CompiledTask task(R"(task t
+const half: real = length / 10
+const length: real = norm(corner) + 0 * most
+const corner: vec3 = vec3(3, 2 * most, 0)
+const most: int = 2
+const wide: real[40] = -half
+set ends = {0, most, inner + 30}
+set inner = 1..most
+memory seen: vec3 = 0
+memory every: real[40] = 1
+fn shift(v: vec3, most: vec3) -> vec3 = v + corner * half - most
+on end_of_action {
+  seen = shift(corner, corner[{0, 1, 2}])
+  every = every - wide
+  for i in ends - inner { reward paid = i + wide[i] }
+  reward paid = count(select(half == 0.5, inner_of(true), inner_of(false))) * 1000
+}
+fn inner_of(b: bool) -> bool[2] = both
+const both: bool[2] = true
+)");
+  Instance instance(task);
+  instance.Initialize();
+  instance.Fire(TASKC_END_OF_ACTION);
+  EXPECT_THAT(ElementsOf(instance, "seen", 3), ElementsAre(1.5, 2, 0));
+  EXPECT_EQ(instance.Memory("every", 39), 1.5);
+}
+
 TEST(Constructs, LogsAddUp) {
   CompiledTask task(R"(task t
 sensor x: real [m]

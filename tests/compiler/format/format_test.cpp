@@ -55,6 +55,13 @@ TEST(Format, SetsIndicesAndSetsTightly) {
             "let a = any(contact[2..7, links - {body, head} - feet])");
 }
 
+TEST(Format, SetsConstsSetsAndTolerances) {
+  EXPECT_EQ(Formatted("task t\nconst   a:real[ m ]=5cm\nset  b={ feet,hands }-0 .. 3\n"
+                      "test \"c\" {expect a==b  within  -c}\n"),
+            "task t\nconst a: real [m] = 5 cm\nset b = {feet, hands} - 0..3\n"
+            "test \"c\" { expect a == b within -c }\n");
+}
+
 TEST(Format, SetsUnitsAsTheyAreRead) {
   EXPECT_EQ(FormattedLine("let a = 0.25/5ms*b"), "let a = 0.25 / 5 ms * b");
   EXPECT_EQ(FormattedLine("let a = 3m / s ^ 2 * b"), "let a = 3 m/s^2 * b");

@@ -37,6 +37,13 @@ TEST(CursorPlace, KnowsDeclarations) {
   EXPECT_EQ(ExpectedIn("task t\nmemory a: int = 0 per |"), Expected::kScope);
   EXPECT_EQ(ExpectedIn("task t\noverride |"), Expected::kOverridden);
   EXPECT_EQ(ExpectedIn("task t\noverride param |"), Expected::kParamName);
+  EXPECT_EQ(ExpectedIn("task t\noverride const |"), Expected::kConstName);
+  EXPECT_EQ(ExpectedIn("task t\noverride set |"), Expected::kSetName);
+  EXPECT_EQ(ExpectedIn("task t\nconst |"), Expected::kAnyText);
+  EXPECT_EQ(ExpectedIn("task t\nconst a: real = |"), Expected::kValue);
+  EXPECT_EQ(ExpectedIn("task t\nset a = |"), Expected::kIndex);
+  EXPECT_EQ(ExpectedIn("task t\nset a = {|"), Expected::kIndex);
+  EXPECT_EQ(ExpectedIn("task t\noverride set a = feet - |"), Expected::kIndex);
   EXPECT_EQ(ExpectedIn("allow W07|"), Expected::kWarningCode);
   EXPECT_EQ(ExpectedIn("import \"sh|"), Expected::kFile);
 }

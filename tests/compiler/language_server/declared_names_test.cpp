@@ -23,13 +23,15 @@ TEST(DeclaredNames, AreFoundInAWholeTask) {
   EXPECT_THAT(
       NamesIn(
           "task t\nsensor base.velocity: vec3 [m/s]\nparam gain: real [1/s] = 4 / s in 0 .. 2\n"
+          "const reach: real [m] = 5 cm\nset ends = {0, 3}\n"
           "memory touched: bool[link] = false per action\nmetric max height = log(x)\n"
           "fn near(d: real [m], e: vec3) -> real [1/s] = d\n"
           "on end_of_action {\n  let speed = 1\n  for l in links { log sum touches = 1 }\n"
           "  reward rate up = reward\n  reward += 1\n}\ntest \"works\" { expect reward == 1 }\n"),
-      ElementsAre("t", "base.velocity: vec3 [m/s]", "gain: real [1/s]", "touched: bool[link]",
-                  "height", "near: (d: real [m], e: vec3) -> real [1/s]", "d: real [m]", "e: vec3",
-                  "end_of_action", "speed", "l", "touches", "up", "\"works\""));
+      ElementsAre("t", "base.velocity: vec3 [m/s]", "gain: real [1/s]", "reach: real [m]", "ends",
+                  "touched: bool[link]", "height", "near: (d: real [m], e: vec3) -> real [1/s]",
+                  "d: real [m]", "e: vec3", "end_of_action", "speed", "l", "touches", "up",
+                  "\"works\""));
 }
 
 TEST(DeclaredNames, AreFoundInABrokenText) {

@@ -190,6 +190,21 @@ TEST(HoverText, IsThereInABrokenFile) {
               HasSubstr("param fall_penalty: real"));
 }
 
+TEST(HoverText, TellsWhatConstsAndSetsStandFor) {
+  Editor editor;
+  const std::string task =
+      "task t for humanoid\n/// How far.\nconst reach: real [m] = 5 cm\n"
+      "set soles = feet\nmetric a = count(contact[soles]) / (reach / 1 m)\n";
+  const auto hover = [&](const std::string& word) {
+    const size_t place = task.rfind(word) + 1;
+    return editor.HoverAt(task.substr(0, place) + "|" + task.substr(place));
+  };
+  EXPECT_THAT(hover("reach"), AllOf(HasSubstr("const reach: real [m] = 5 cm"), HasSubstr("0.05 m"),
+                                    HasSubstr("How far.")));
+  EXPECT_THAT(hover("soles"),
+              AllOf(HasSubstr("set soles = feet"), HasSubstr("left_foot, right_foot")));
+}
+
 // ---- Completion ---------------------------------------------------------------------------------
 
 TEST(Completion, OffersSensorsAndElements) {
@@ -239,6 +254,23 @@ TEST(Completion, OffersValuesThatAreVisible) {
   EXPECT_THAT(values, Not(Contains("forward"))) << "terms are never read";
   EXPECT_THAT(editor.CompleteAt(TaskWith("norm(base.velocity.xy)", "|")), Not(Contains("speed")));
   EXPECT_THAT(editor.CompleteAt(TaskWith("\"time is up\"", "\"time |\"")), IsEmpty());
+}
+
+TEST(Completion, OffersConstsAndSets) {
+  Editor editor;
+  const std::string task = "task t for humanoid\nconst reach: real [m] = 5 cm\nset soles = feet\n";
+  EXPECT_THAT(editor.CompleteAt(task + "metric a = |"),
+              AllOf(Contains("reach"), Not(Contains("soles"))));
+  EXPECT_THAT(editor.CompleteAt(task + "metric a = count(contact[|])"),
+              AllOf(Contains("soles"), Contains("feet"), Not(Contains("reach"))));
+  EXPECT_THAT(editor.CompleteAt(task + "set others = links - |"),
+              AllOf(Contains("soles"), Contains("hands"), Contains("left_knee_pitch")));
+  editor.Write("base.task", task);
+  const std::string own = "task a extends \"base.task\"\n";
+  editor.CompleteAt(own + "|");  // a text without mistakes, from which the base is known
+  EXPECT_THAT(editor.CompleteAt(own + "override |"), AllOf(Contains("const"), Contains("set")));
+  EXPECT_THAT(editor.CompleteAt(own + "override const |"), ElementsAre("reach"));
+  EXPECT_THAT(editor.CompleteAt(own + "override set |"), ElementsAre("soles"));
 }
 
 TEST(Completion, ReplacesTheWord) {
@@ -323,6 +355,22 @@ TEST(Navigation, GoesThroughAllFiles) {
   EXPECT_EQ(edit.at("changes").size(), 3u);
   const MarkedText there("/// How near.\nfn ne|ar(d: real) -> real = exp(-d)\n");
   EXPECT_EQ(editor.AskIn("shaping.task", "references", there).size(), 3u);
+}
+
+TEST(Navigation, KnowsConstsAndSets) {
+  Editor editor;
+  const MarkedText at("const half: real = 1 / 2\nset so|les = {0, 2}\n");
+  editor.Write("user.task",
+               "task user\nimport \"shared.task\"\nsensor x: real[3]\n"
+               "metric a = sum(x[soles]) * half\non end_of_action {\n"
+               "  for i in soles { reward b = half * i }\n}\n");
+  EXPECT_EQ(editor.Open("shared.task", at.text).at(0)["params"]["diagnostics"], Json::array());
+  EXPECT_EQ(editor.AskIn("shared.task", "references", at).size(), 3u);
+  const Json edit = editor.AskIn("shared.task", "rename", at, {{"newName", "ends"}});
+  EXPECT_EQ(edit.at("changes").size(), 2u);
+  const Json symbols = editor.AskIn("shared.task", "documentSymbol", at);
+  EXPECT_EQ(symbols.at(0)["name"], "half");
+  EXPECT_EQ(symbols.at(1)["name"], "soles");
 }
 
 TEST(Navigation, RefusesNamesThatWouldBeWrong) {

@@ -150,6 +150,8 @@ std::string RandomExpressions::Read(const Type& type, const Unit& unit) {
     if (readable.unit != unit || readable.type.scalar != type.scalar) continue;
     if (readable.type == type) {
       reads.push_back(readable.name);
+    } else if (IsScalar(type) && readable.is_constant) {
+      continue;
     } else if (IsScalar(type)) {
       reads.push_back(ElementOf(readable));
     } else if (std::string part = PartOf(readable, type); !part.empty()) {

@@ -15,6 +15,7 @@ struct Readable {
   std::string name;
   Type type;
   Unit unit;
+  bool is_constant = false;  // only read as a whole: what its elements give might not be finite
 };
 
 // What an expression may call.

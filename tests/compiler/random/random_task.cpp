@@ -21,6 +21,7 @@ class TaskWriter {
     // Else an early end would leave little to compare.
     if (!random_.OneIn(3)) Line("after_end continue");
     DeclareSensors();
+    DeclareConsts();
     DeclareParams();
     DeclareMemory();
     for (int i = 0; i < 4; ++i) DeclareGoal();
@@ -54,13 +55,38 @@ class TaskWriter {
 
   void DeclareSensor(const std::string& type_name, const Unit& unit) {
     const std::string name = NewName("s");
-    const std::string element = type_name.substr(0, type_name.find('['));
-    Type type = *FindType(element);
-    if (element != type_name) {
-      type = ArrayOf(type, static_cast<uint32_t>(std::stoi(type_name.substr(element.size() + 1))));
-    }
+    const Type type = TypeOf(type_name);
     Line(fmt::format("sensor {}: {}", name, TypeText(type, unit)));
     readable_.push_back({name, type, unit});
+  }
+
+  // Sets and numbers for loops, and consts with a shape.
+  void DeclareConsts() {
+    Line("const most: int = 2");
+    Line("set few = {0, most} + 1");
+    Line("set fewer = few - 0");
+    for (const char* name : {"vec3", "vec4", "mat3", "real[5]", "real[40]", "int[3]", "bool[5]"}) {
+      DeclareConst(TypeOf(name), {});
+      DeclareConst(TypeOf(name), UnitFor(TypeOf(name)));
+    }
+    readable_.insert(readable_.end(), consts_.begin(), consts_.end());
+  }
+
+  void DeclareConst(const Type& type, const Unit& unit) {
+    consts_.push_back({NewName("c"), type, unit, true});
+    const std::string one = ConstantOf(ScalarType(type.scalar), unit);
+    const bool is_vec3 = type.shape == Shape::kVector && type.rows == 3;
+    Line(fmt::format("const {}: {} = {}", consts_.back().name, TypeText(type, unit),
+                     is_vec3 ? fmt::format("vec3({0}, 2 * {0}, -({0}))", one) : one));
+  }
+
+  static Type TypeOf(const std::string& name) {
+    const std::string element = name.substr(0, name.find('['));
+    Type type = *FindType(element);
+    if (element == name) return type;
+    type.shape = Shape::kArray;
+    type.rows = static_cast<uint32_t>(std::stoi(name.substr(element.size() + 1)));
+    return type;
   }
 
   void DeclareParams() {
@@ -121,7 +147,7 @@ class TaskWriter {
     readable_.push_back(goals_.back());
   }
 
-  // A function reads nothing but its arguments; it may call those before it.
+  // A function reads nothing but its arguments and consts; it may call those before it.
   void DeclareFunction() {
     std::vector<Readable> inside;
     for (Scalar scalar : {Scalar::kBool, Scalar::kInt, Scalar::kReal}) {
@@ -135,6 +161,7 @@ class TaskWriter {
     }
     Callable function{NewName("f"), inside[random_.Below(inside.size())].type, {}, inside};
     function.unit = UnitFor(function.type);
+    inside.insert(inside.end(), consts_.begin(), consts_.end());
     RandomExpressions expressions(random_, inside, callable_);
     std::string parameters;
     for (const Readable& argument : function.arguments) {
@@ -293,11 +320,13 @@ class TaskWriter {
   // The loop's variable is a constant. What is computed with it is not: it has a sensor in it.
   void WriteFor(int depth) {
     const std::string variable = NewName("i");
-    Line(fmt::format("for {} in {} {{", variable, random_.OneOf({"0..2", "1", "{0, 2} + 1"})));
+    Line(fmt::format("for {} in {} {{", variable,
+                     random_.OneOf({"0..2", "1", "{0, 2} + 1", "few", "most - 1", "fewer, 0"})));
     const size_t outside = readable_.size();
     for (size_t i = 0; i < outside; ++i) {
       const Readable whole = readable_[i];
-      const bool has_element = whole.type.shape == Shape::kArray && whole.type.rows > 2;
+      const bool has_element =
+          whole.type.shape == Shape::kArray && whole.type.rows > 2 && !whole.is_constant;
       if (!has_element || random_.OneIn(2)) continue;
       readable_.push_back(
           {fmt::format("{}[{}]", whole.name, variable), EntryOf(whole.type), whole.unit});
@@ -345,6 +374,7 @@ class TaskWriter {
   RandomNumbers random_;
   std::vector<Readable> readable_;
   std::vector<Callable> callable_;
+  std::vector<Readable> consts_;
   std::vector<Readable> params_;
   std::vector<Readable> memory_;
   std::vector<Readable> goals_;

@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "compiler/interpret/value.h"
+#include "compiler/check/value.h"
 #include "tests/compiler/random/random_numbers.h"
 
 namespace compiler {

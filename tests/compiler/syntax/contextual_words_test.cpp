@@ -8,9 +8,10 @@
 namespace compiler {
 namespace {
 
-const char* const kWords[] = {"fn",      "import", "extends", "override", "allow", "after_end",
-                              "test",    "given",  "fire",    "expect",   "once",  "log",
-                              "require", "goal",   "redraw",  "return"};
+const char* const kWords[] = {"fn",        "import", "extends", "override", "allow",
+                              "after_end", "test",   "given",   "fire",     "expect",
+                              "once",      "set",    "const",   "log",      "require",
+                              "goal",      "redraw", "return",  "within"};
 
 class ContextualWord : public testing::TestWithParam<const char*> {};
 
@@ -48,6 +49,15 @@ INSTANTIATE_TEST_SUITE_P(All, ContextualWord, testing::ValuesIn(kWords),
 TEST(ContextualWords, BeginStatementsBehindOthers) {
   EXPECT_EQ(ToText(ParseBlock("n = a log b = n require n < 3 once per run if a { log c = 1 }")),
             "n = a; log last b n; require (< n 3) ''; once run if a {log last c 1}");
+}
+
+TEST(ContextualWords, WithinStandsBetweenOperands) {
+  EXPECT_EQ(ParseExpression("a == b within 1 and c"), "(and (== a b within 1) c)");
+  EXPECT_EQ(ParseExpression("a == b\n within\n -(c)"), "(== a b within (- c))");
+  EXPECT_EQ(ParseExpression("within == within within within"), "(== within within within within)");
+  EXPECT_EQ(ToText(ParseBlock("let a = b\nwithin = 3")), "let a b; within = 3");
+  EXPECT_EQ(ToText(ParseBlock("n = a within = 3 within[2] = 1")),
+            "n = a; within = 3; (at within 2) = 1");
 }
 
 TEST(ContextualWords, LogIsAlsoAFunction) {

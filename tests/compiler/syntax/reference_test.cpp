@@ -31,8 +31,9 @@ std::vector<std::string> Examples(const std::string& page, std::string begin = "
 std::string MakeTask(const std::string& example) {
   const std::string header = "task example for humanoid\n";
   if (example.find("task ") == 0 || example.find("\ntask ") != std::string::npos) return example;
-  for (const char* word : {"start ", "sensor ", "param ", "memory ", "metric ", "on ", "override ",
-                           "fn ", "after_end ", "import ", "test ", "allow "}) {
+  for (const char* word :
+       {"start ", "sensor ", "param ", "const ", "set ", "memory ", "goal ", "metric ", "on ",
+        "override ", "fn ", "after_end ", "import ", "test ", "allow "}) {
     if (example.find(word) == 0 || example.find(std::string("\n") + word) != std::string::npos) {
       return header + example;
     }

@@ -72,8 +72,9 @@ std::string ToText(const Expression& expression) {
                            ToText(*e.operand));
       },
       [](const BinaryExpression& e) {
-        return fmt::format("({} {} {})", kBinaryOperators.at(static_cast<size_t>(e.op)),
-                           ToText(*e.left), ToText(*e.right));
+        return fmt::format("({} {} {}{})", kBinaryOperators.at(static_cast<size_t>(e.op)),
+                           ToText(*e.left), ToText(*e.right),
+                           e.tolerance != nullptr ? " within " + ToText(*e.tolerance) : "");
       },
       [](const MethodExpression& e) {
         return fmt::format("(method {} {}{})", e.name.text, ToText(*e.object), List(e.arguments));

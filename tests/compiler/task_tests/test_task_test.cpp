@@ -155,6 +155,42 @@ FAILED  of nothing
 )");
 }
 
+TEST(TestTask, ComparesWithATolerance) {
+  EXPECT_EQ(ResultsOf(R"(task near
+const wanted: real [m] = 1 m
+sensor x: real [m]
+memory y: real [m] = 0
+on end_of_time_step { y += 0.1 * x if x > 90 m { truncate_episode "far" } }
+test "near" {
+  given x = wanted
+  fire 10 * end_of_time_step
+  expect y == 1 m within 1e-9 m and not (y == wanted)
+  expect y != wanted within 0 m and y != 2 m within 99 cm
+  expect 2 * y == 2 m within 1 mm
+}
+test "not near" {
+  given x = 0.5 m
+  fire end_of_time_step
+  expect y == wanted within 10 cm
+  expect y == 0.04 m within 0.1 mm and y < 1 m
+  expect y != 0.05 m within 1 mm
+}
+)"),
+            R"(ok      near
+FAILED  not near
+        tested.task:16: expect y == wanted within 10 cm
+            y is 0.05 m
+            wanted is 1 m
+            the difference is 0.95 m
+        tested.task:17: expect y == 0.04 m within 0.1 mm and y < 1 m
+            y is 0.05 m
+            the difference is 0.010000000000000002 m
+        tested.task:18: expect y != 0.05 m within 1 mm
+            y is 0.05 m
+            the difference is 0 m
+)");
+}
+
 TEST(TestTask, KnowsTheFirstEnd) {
   EXPECT_EQ(TextOf(R"(test "ends" {
   fire end_of_time_step

@@ -1,4 +1,4 @@
-// The values of a task as the evaluator holds them.
+// The values of a task: as constants have them, and as the evaluator holds them.
 #pragma once
 
 #include <cstdint>
@@ -17,6 +17,9 @@ using Value = std::variant<Integers, Reals>;
 
 // `size` elements, all `number`.
 Value Filled(Scalar scalar, size_t size, double number);
+
+// These elements; ints and bools as exact numbers.
+Value MakeValue(Scalar scalar, const std::vector<double>& elements);
 
 size_t SizeOf(const Value& value);
 // The first element; of a bool, whether it is true.

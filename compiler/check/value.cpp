@@ -1,4 +1,4 @@
-#include "compiler/interpret/value.h"
+#include "compiler/check/value.h"
 
 #include "compiler/check/arithmetic.h"
 
@@ -27,6 +27,11 @@ Number Assigned(AssignOperator op, Number old, Number value) {
 Value Filled(Scalar scalar, size_t size, double number) {
   if (scalar == Scalar::kReal) return Reals(size, number);
   return Integers(size, static_cast<int64_t>(number));
+}
+
+Value MakeValue(Scalar scalar, const std::vector<double>& elements) {
+  if (scalar == Scalar::kReal) return elements;
+  return Integers(elements.begin(), elements.end());
 }
 
 size_t SizeOf(const Value& value) {

@@ -1,4 +1,4 @@
-#include "compiler/interpret/builtins.h"
+#include "compiler/check/apply.h"
 
 #include <cmath>
 #include <cstdlib>
@@ -98,7 +98,39 @@ Value ApplyToAll(Builtin function, const std::vector<Value>& arguments) {
       Joined(arguments));
 }
 
+bool IsArithmetic(BinaryOperator op) { return op <= BinaryOperator::kDivide; }
+
+template <typename Number>
+Value Combine(BinaryOperator op, const std::vector<Number>& left, const std::vector<Number>& right,
+              size_t size) {
+  std::vector<Number> result;
+  for (size_t i = 0; i < size; ++i)
+    result.push_back(Calculate(op, ElementOf(left, i), ElementOf(right, i)));
+  return result;
+}
+
 }  // namespace
+
+Value Apply(UnaryOperator op, Value operand) {
+  std::visit(
+      [&](auto& elements) {
+        for (auto& element : elements) element = Calculate(op, element);
+      },
+      operand);
+  return operand;
+}
+
+Value Apply(BinaryOperator op, const Value& left, const Value& right, size_t size) {
+  if (const auto* reals = std::get_if<Reals>(&left)) {
+    const auto& others = std::get<Reals>(right);
+    if (IsArithmetic(op)) return Combine(op, *reals, others, size);
+    Integers holds;
+    for (size_t i = 0; i < size; ++i)
+      holds.push_back(Holds(op, ElementOf(*reals, i), ElementOf(others, i)));
+    return holds;
+  }
+  return Combine(op, std::get<Integers>(left), std::get<Integers>(right), size);
+}
 
 Value Apply(Builtin function, const std::vector<Value>& arguments, const Type& type) {
   switch (function) {
