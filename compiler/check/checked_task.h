@@ -353,6 +353,7 @@ struct CheckedGiven {
   uint32_t index = 0;              // into the task's sensors, params, memory or goals
   std::vector<uint32_t> elements;  // empty: all
   CheckedExpression value;         // a constant for each element, or one scalar for all of them
+  bool is_implied = false;         // by the orientation that the statement gives
 };
 struct CheckedFire {
   EventKind event;

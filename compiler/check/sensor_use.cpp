@@ -2,6 +2,7 @@
 
 #include <taskc/plugin.h>
 
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -55,11 +56,21 @@ void CheckTestedSensors(CheckedTask& task, Diagnostics& diagnostics) {
            {.note = "it only has the value that the test itself gives it"});
   });
   if (diagnostics.has_errors()) return;
+  const auto is_read = [&](const CheckedGiven& given) {
+    return task.sensors[given.index].read_by != 0;
+  };
+  // Where the statements begin that have an effect, perhaps only by what they imply.
+  std::set<uint32_t> effective;
+  for (CheckedTest& test : task.tests)
+    for (CheckedTestStatement& statement : test.statements)
+      if (const CheckedGiven* given = GivenSensor(statement); given != nullptr && is_read(*given))
+        effective.insert(statement.span.begin);
   const auto is_useless = [&](CheckedTestStatement& statement) {
     const CheckedGiven* given = GivenSensor(statement);
-    if (given == nullptr || task.sensors[given->index].read_by != 0) return false;
-    Report(diagnostics, code::kUselessGiven, statement.span,
-           fmt::format("nothing in this task reads `{}`", task.sensors[given->index].name));
+    if (given == nullptr || is_read(*given)) return false;
+    if (!given->is_implied && !effective.contains(statement.span.begin))
+      Report(diagnostics, code::kUselessGiven, statement.span,
+             fmt::format("nothing in this task reads `{}`", task.sensors[given->index].name));
     return true;
   };
   for (CheckedTest& test : task.tests) std::erase_if(test.statements, is_useless);

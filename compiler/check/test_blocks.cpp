@@ -6,6 +6,7 @@
 
 #include "compiler/check/constant_value.h"
 #include "compiler/check/expressions.h"
+#include "compiler/check/given_orientation.h"
 #include "compiler/check/names.h"
 #include "compiler/check/report.h"
 #include "compiler/check/target.h"
@@ -19,7 +20,8 @@ constexpr Place kGivenPlace{Place::kGiven};
 // The statements of one test.
 class TestChecker {
  public:
-  TestChecker(const TaskScope& scope, const CheckedTask& task) : scope_(scope), task_(task) {}
+  TestChecker(const TaskScope& scope, const CheckedTask& task)
+      : scope_(scope), task_(task), orientation_(scope.sensors) {}
 
   std::vector<CheckedTestStatement> Check(const TestDeclaration& test) {
     for (const TestStatement& statement : test.statements)
@@ -44,8 +46,13 @@ class TestChecker {
     checked.elements = ElementsOf(*target);
     value = FitTo({std::move(*value), &given.value}, *target, given.target, scope_);
     if (!value || !CanOccur(checked, *value)) return;
+    std::vector<CheckedGiven> implied;
+    if (checked.target == CheckedGiven::kSensor)
+      implied = orientation_.Give(checked.index, checked.elements,
+                                  *ConstantValueOf(*value, scope_.constants.consts));
     checked.value = std::move(*value);
     Add(span, std::move(checked));
+    for (CheckedGiven& further : implied) Add(span, std::move(further));
   }
 
   Whole ResolveGiven(const Target& target) {
@@ -144,6 +151,7 @@ class TestChecker {
 
   const TaskScope& scope_;
   const CheckedTask& task_;
+  GivenOrientation orientation_;
   std::vector<CheckedTestStatement> checked_;
 };
 

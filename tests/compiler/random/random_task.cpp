@@ -82,11 +82,9 @@ class TaskWriter {
 
   static Type TypeOf(const std::string& name) {
     const std::string element = name.substr(0, name.find('['));
-    Type type = *FindType(element);
+    const Type type = *FindType(element);
     if (element == name) return type;
-    type.shape = Shape::kArray;
-    type.rows = static_cast<uint32_t>(std::stoi(name.substr(element.size() + 1)));
-    return type;
+    return ArrayOf(type, static_cast<uint32_t>(std::stoi(name.substr(element.size() + 1))));
   }
 
   void DeclareParams() {

@@ -191,6 +191,31 @@ FAILED  not near
 )");
 }
 
+TEST(TestTask, OrientationImpliesRotation) {
+  EXPECT_EQ(TextOf(R"(test "on its side" {
+  given base.orientation = quat(1, 1, 0, 0)
+  expect base.rotation[1, 2] == -1 and base.rotation[2, 1] == 1 and base.rotation[0, 0] == 1
+  expect base.up.y == -1 and base.left.z == 1 and base.forward.x == 1 and base.up.z == 0
+  fire end_of_time_step
+  expect total(up) == 0
+}
+test "by elements" {
+  given base.orientation.w = 0
+  expect base.up.z == 1
+  given base.orientation.x = 2
+  expect base.up.z == -1
+}
+test "unless it is given itself" {
+  given base.up.z = 0.5
+  given base.orientation = quat(0, 1, 0, 0)
+  expect base.up.z == 0.5 and base.left.y == -1
+  given base.left = vec3(1, 2, 3)
+  expect base.left.z == 3 and base.rotation[1, 1] == -1
+}
+)"),
+            "ok      on its side\nok      by elements\nok      unless it is given itself\n");
+}
+
 TEST(TestTask, KnowsTheFirstEnd) {
   EXPECT_EQ(TextOf(R"(test "ends" {
   fire end_of_time_step
