@@ -40,6 +40,37 @@ TEST(Task, HasParamsInSiUnits) {
   EXPECT_DOUBLE_EQ(task.params[3].initial, 3.141592653589793);
 }
 
+TEST(Task, HasParamsFromConstantsOfAnyShape) {
+  const CheckedTask task =
+      CheckTask(TaskText("param far: real [m] = norm(corner) in 0 m .. 2 * corner.y\n"
+                         "param near: real = norm(vec3(3, 4, 0))\n"
+                         "const corner: vec3 [m] = vec3(3 m, 4 m, 0)",
+                         ""));
+  ASSERT_EQ(task.params.size(), 2u);
+  EXPECT_EQ(task.params[0].initial, 5);
+  EXPECT_EQ(task.params[0].maximum, 8);
+  EXPECT_EQ(task.params[1].initial, 5);
+}
+
+TEST(Task, HasConstsAndSets) {
+  const CheckedTask task = CheckTask(
+      TaskText("const wide: real[joint] = 0.5\nconst turn: real [rad] = half * 180 deg\n"
+               "const half: real = 1 / most\nconst most: int = 2\n"
+               "set soles = feet\nset others = links - soles - {2..15}\nset few = most - 1..3",
+               "reward a = turn / 1 rad + wide[3] + joint.angle[most + 1] / 1 rad\n"
+               "for l in others { if contact[l] { reward b = 1 } }"));
+  ASSERT_EQ(task.consts.size(), 4u);
+  EXPECT_EQ(task.consts[0].elements, std::vector<double>(17, 0.5));
+  EXPECT_DOUBLE_EQ(task.consts[3].elements[0], 1.5707963267948966);
+  ASSERT_EQ(task.sets.size(), 3u);
+  EXPECT_EQ(task.sets[0].parts, "link");
+  EXPECT_EQ(task.sets[0].names, (std::vector<std::string>{"left_foot", "right_foot"}));
+  EXPECT_EQ(task.sets[1].names, (std::vector<std::string>{"body", "head", "right_ankle"}));
+  EXPECT_EQ(task.sets[2].indices, (std::vector<uint32_t>{1, 2, 3}));
+  EXPECT_EQ(std::get<CheckedFor>(BlockOf(task, EventKind::kEndOfTimeStep)[1].node).passes.size(),
+            3u);
+}
+
 TEST(Task, HasMemoryOfThreeScopes) {
   const CheckedTask task = CheckTask(
       TaskText("memory a: real = 1\nmemory b: bool = false per action\nmemory c: int = 2 per run\n"
