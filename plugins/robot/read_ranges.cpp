@@ -1,20 +1,13 @@
-#include <algorithm>
-#include <array>
-
 #include "plugins/robot/read_parts.h"
 #include "plugins/robot/sensors.h"
 
 namespace robot {
 namespace {
 
-// The sensors that no stop, limit or length bounds.
-constexpr std::array kUnlimited = {SensorId::kBasePosition, SensorId::kBaseVelocity,
-                                   SensorId::kBaseAngularVelocity, SensorId::kJointVelocity};
-
 const SensorDescription& FindUnlimited(const TomlValue& value, const std::string& name) {
   std::vector<std::string> names;
-  for (const SensorId id : kUnlimited) {
-    const SensorDescription& sensor = Sensors()[static_cast<size_t>(id)];
+  for (const SensorDescription& sensor : Sensors()) {
+    if (!IsUnlimited(sensor.id)) continue;
     if (sensor.name == name) return sensor;
     names.emplace_back(sensor.name);
   }

@@ -17,6 +17,11 @@ namespace robot {
 using Vector3 = std::array<double, 3>;
 using Quaternion = std::array<double, 4>;  // w, x, y, z
 
+// What robots are in, and what no link of theirs exceeds: a simulation that does is at its end.
+inline constexpr double kGravity = 9.8;          // downward [m / s^2]
+inline constexpr double kFastest = 1e2;          // [m / s]
+inline constexpr double kFastestRotation = 1e4;  // [rad / s]
+
 enum class ShapeKind { kBox, kCapsule, kSphere };
 
 struct LinkShape {

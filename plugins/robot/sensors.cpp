@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdlib>
-#include <numbers>
 
 namespace robot {
 namespace {
@@ -14,6 +12,7 @@ constexpr double kY[] = {0, 1, 0};
 constexpr double kZ[] = {0, 0, 1};
 constexpr double kNoTurn[] = {1, 0, 0, 0};
 constexpr double kIdentity[] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+constexpr double kHeld[] = {0, 0, kGravity};
 
 constexpr std::array<SensorDescription, static_cast<size_t>(SensorId::kCount)> kSensors = {{
     {SensorId::kTime, "time", "real", "s", "since the start of the episode", kZeros},
@@ -34,15 +33,35 @@ constexpr std::array<SensorDescription, static_cast<size_t>(SensorId::kCount)> k
      "velocity of the base link's center, in the world frame", kZeros},
     {SensorId::kBaseAngularVelocity, "base.angular_velocity", "vec3", "rad/s",
      "angular velocity of the base link, in the world frame", kZeros},
+    {SensorId::kBaseAcceleration, "base.acceleration", "vec3", "m/s^2",
+     "what an accelerometer in the base link's center shows, along the link's own axes: its mean "
+     "acceleration since the start of the last time step, less that of gravity",
+     kHeld},
     {SensorId::kJointAngle, "joint.angle", "real[joint]", "rad",
      "angle of each hinge, from -pi to pi; 0 in the zero pose", kZeros},
     {SensorId::kJointVelocity, "joint.velocity", "real[joint]", "rad/s",
      "rate of change of each hinge's angle", kZeros},
+    {SensorId::kJointAcceleration, "joint.acceleration", "real[joint]", "rad/s^2",
+     "mean rate of change of each hinge's velocity since the start of the last time step", kZeros},
     {SensorId::kJointTorque, "joint.torque", "real[joint]", "N m",
      "torque that the controller asked for in the last physics step, within its limit", kZeros},
+    {SensorId::kJointTarget, "joint.target", "real[joint]", "rad",
+     "angle that the controller was told to bring each hinge to in the last physics step", kZeros},
+    {SensorId::kLinkPosition, "link.position", "vec3[link]", "m",
+     "center of mass of each link, in the world frame", kZeros},
+    {SensorId::kLinkOrientation, "link.orientation", "quat[link]", "",
+     "orientation of each link (w, x, y, z), from its own frame to the world frame", kNoTurn},
+    {SensorId::kLinkVelocity, "link.velocity", "vec3[link]", "m/s",
+     "velocity of each link's center of mass, in the world frame", kZeros},
+    {SensorId::kLinkAngularVelocity, "link.angular_velocity", "vec3[link]", "rad/s",
+     "angular velocity of each link, in the world frame", kZeros},
     {SensorId::kContact, "contact", "bool[link]", "",
      "whether each link touches the ground, low-pass filtered: a touch shows after about 8 ms, its "
      "end after about 39 ms",
+     kZeros},
+    {SensorId::kContactForce, "contact_force", "vec3[link]", "N",
+     "sum of the forces of all contacts on each link, with the ground and with other links, in the "
+     "world frame: their mean since the start of the last time step",
      kZeros},
 }};
 
@@ -54,7 +73,10 @@ constexpr bool InOrderOfId() {
 }
 static_assert(InOrderOfId());
 
-// Of the types that do not depend on the robot; 0 of those that do.
+// What an array has for each link or joint; of other types all.
+constexpr std::string_view EntryOf(std::string_view type) { return type.substr(0, type.find('[')); }
+
+// 0 of unknown types.
 constexpr int CountOf(std::string_view type) {
   if (type == "bool" || type == "int" || type == "real") return 1;
   if (type == "vec2") return 2;
@@ -66,62 +88,21 @@ constexpr int CountOf(std::string_view type) {
 
 constexpr bool HaveCountedTypes() {
   for (const SensorDescription& sensor : kSensors) {
-    const bool is_of_robot = sensor.type.ends_with("[joint]") || sensor.type.ends_with("[link]");
-    const auto count = static_cast<size_t>(CountOf(sensor.type));
-    if (is_of_robot ? !sensor.at_rest.empty() : count == 0) return false;
+    const auto count = static_cast<size_t>(CountOf(EntryOf(sensor.type)));
+    if (count == 0) return false;
     if (!sensor.at_rest.empty() && sensor.at_rest.size() != count) return false;
   }
   return true;
 }
 static_assert(HaveCountedTypes());
 
-// A joint gives way a little at its stops; see docs/simulation.md.
-constexpr double kGiveOfStops = 0.1;  // [rad]
+constexpr std::array kConstants = {
+    ConstantDescription{"joint.low", "real[joint]", "rad", "the lower stop of each hinge"},
+    ConstantDescription{"joint.high", "real[joint]", "rad", "the upper stop of each hinge"},
+    ConstantDescription{"joint.rest", "real[joint]", "rad",
+                        "the angle of each hinge in the robot's first pose"},
+};
 
-std::vector<Range> AngleRanges(const RobotDescription& robot) {
-  std::vector<Range> ranges;
-  for (const Joint& joint : robot.joints) {
-    ranges.push_back({std::max(joint.low - kGiveOfStops, -std::numbers::pi),
-                      std::min(joint.high + kGiveOfStops, std::numbers::pi)});
-  }
-  return ranges;
-}
-
-// What no stop, limit or length bounds: as the robot's description says.
-std::vector<Range> NominalRanges(const SensorDescription& sensor, const RobotDescription& robot) {
-  for (const NominalRange& nominal : robot.nominal_ranges) {
-    if (nominal.sensor == sensor.name) return nominal.elements;
-  }
-  return {Range{}};
-}
-
-// One range for each element, or one for all.
-std::vector<Range> CommonRanges(const SensorDescription& sensor, const RobotDescription& robot) {
-  switch (sensor.id) {
-    case SensorId::kTime:
-      return {{.low = 0}};
-    case SensorId::kBaseOrientation:
-    case SensorId::kBaseRotation:
-    case SensorId::kBaseForward:
-    case SensorId::kBaseLeft:
-    case SensorId::kBaseUp:
-      return {{-1, 1}};
-    case SensorId::kJointAngle:
-      return AngleRanges(robot);
-    case SensorId::kJointTorque:
-      return {{-robot.controller.max_torque, robot.controller.max_torque}};
-    case SensorId::kContact:
-      return {{0, 1}};
-    case SensorId::kBasePosition:
-    case SensorId::kBaseVelocity:
-    case SensorId::kBaseAngularVelocity:
-    case SensorId::kJointVelocity:
-      return NominalRanges(sensor, robot);
-    case SensorId::kCount:
-      break;
-  }
-  std::abort();
-}
 }  // namespace
 
 std::span<const SensorDescription> Sensors() { return kSensors; }
@@ -132,16 +113,21 @@ const SensorDescription* FindSensor(std::string_view name) {
 }
 
 int ElementCount(const SensorDescription& sensor, const RobotDescription& robot) {
-  if (sensor.type.ends_with("[joint]")) return static_cast<int>(robot.joints.size());
-  if (sensor.type.ends_with("[link]")) return static_cast<int>(robot.links.size());
-  return CountOf(sensor.type);
+  const int count = CountOf(EntryOf(sensor.type));
+  if (sensor.type.ends_with("[joint]")) return count * static_cast<int>(robot.joints.size());
+  if (sensor.type.ends_with("[link]")) return count * static_cast<int>(robot.links.size());
+  return count;
 }
 
-std::vector<Range> RangesOf(const SensorDescription& sensor, const RobotDescription& robot) {
-  std::vector<Range> ranges = CommonRanges(sensor, robot);
-  const auto count = static_cast<size_t>(ElementCount(sensor, robot));
-  if (ranges.size() == 1) ranges.resize(count, ranges.front());
-  return ranges;
+std::span<const ConstantDescription> Constants() { return kConstants; }
+
+std::vector<double> ValuesOf(const ConstantDescription& constant, const RobotDescription& robot) {
+  if (constant.name == "joint.rest") return robot.poses.front().joint_angles;
+  std::vector<double> stops;
+  for (const Joint& joint : robot.joints) {
+    stops.push_back(constant.name == "joint.low" ? joint.low : joint.high);
+  }
+  return stops;
 }
 
 }  // namespace robot

@@ -20,21 +20,29 @@ enum class SensorId {
   kBaseUp,
   kBaseVelocity,
   kBaseAngularVelocity,
+  kBaseAcceleration,
   kJointAngle,
   kJointVelocity,
+  kJointAcceleration,
   kJointTorque,
+  kJointTarget,
+  kLinkPosition,
+  kLinkOrientation,
+  kLinkVelocity,
+  kLinkAngularVelocity,
   kContact,
+  kContactForce,
   kCount
 };
 
 struct SensorDescription {
   SensorId id;
   std::string_view name;  // "base.velocity"
-  std::string_view type;  // in the task language: "vec3", "real[joint]", "bool[link]"
+  std::string_view type;  // in the task language: "vec3", "real[joint]", "vec3[link]"
   std::string_view unit;  // "m/s"; "" for a plain number
   std::string_view doc;   // with its frame
-  // The elements while the robot stands upright and still, its axes along the world's; empty: all 0
-  // or false.
+  // The elements, or those of each entry of an array, while the robot stands upright and still, its
+  // axes along the world's; empty: all 0 or false.
   std::span<const double> at_rest;
 };
 
@@ -45,11 +53,25 @@ std::span<const SensorDescription> Sensors();
 const SensorDescription* FindSensor(std::string_view name);
 
 // The number of elements that a sensor of this type has for this robot: 3 for "vec3", 9 for "mat3",
-// the number of links for "bool[link]".
+// the number of links for "bool[link]", three times that for "vec3[link]".
 int ElementCount(const SensorDescription& sensor, const RobotDescription& robot);
 
 // The values that each element of the sensor can have for this robot: from what the sensor is, the
-// joints' stops, the controller's limit, and what the description says of the rest.
+// joints' stops, the controller's limit, what the description says of the rest, and what follows
+// from that.
 std::vector<Range> RangesOf(const SensorDescription& sensor, const RobotDescription& robot);
+// Whether nothing bounds the sensor by itself, so that a description may give its range.
+bool IsUnlimited(SensorId sensor);
+
+// What tasks read like sensors, and what is known of a robot before any run.
+struct ConstantDescription {
+  std::string_view name;  // "joint.low"
+  std::string_view type;
+  std::string_view unit;
+  std::string_view doc;
+};
+std::span<const ConstantDescription> Constants();
+// One value for each element.
+std::vector<double> ValuesOf(const ConstantDescription& constant, const RobotDescription& robot);
 
 }  // namespace robot

@@ -234,6 +234,7 @@ class Out : public Port {
         function_(
             [](void* target) -> const T& { return (static_cast<Object*>(target)->*Method)(); }) {}
 
+  bool connected() const { return !peers_.empty(); }
   const T& operator()() const { return function_(object_); }
 
  private:

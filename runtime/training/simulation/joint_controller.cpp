@@ -9,6 +9,7 @@ JointController::JointController(const robot::RobotDescription& robot, const Rob
                                  double time_step)
     : controller_(robot.controller),
       body_(body),
+      targets_(robot.joints.size(), 0.0),
       angles_(robot.joints.size(), 0.0),
       torques_(robot.joints.size(), 0.0),
       motors_(robot.joints.size(),
@@ -18,6 +19,7 @@ JointController::JointController(const robot::RobotDescription& robot, const Rob
 void JointController::Update(std::span<const double> targets) {
   for (int j = 0; j < body_.joint_count(); ++j) {
     const dJointID hinge = body_.hinge(j);
+    targets_[j] = targets[j];
     angles_[j] = dJointGetHingeAngle(hinge);
     const double pull = controller_.stiffness * (targets[j] - angles_[j]);
     torques_[j] = std::clamp(pull - controller_.damping * dJointGetHingeAngleRate(hinge),

@@ -31,7 +31,8 @@ class JointController {
   void Update(std::span<const double> targets);
 
   // All from the last update.
-  std::span<const double> angles() const { return angles_; }  // [rad]
+  std::span<const double> targets() const { return targets_; }  // [rad]; 0 before the first
+  std::span<const double> angles() const { return angles_; }    // [rad]
   // [N m]: clip(stiffness * (target - angle) - damping * rate, max_torque).
   std::span<const double> torques() const { return torques_; }
   std::span<const Motor> motors() const { return motors_; }
@@ -39,6 +40,7 @@ class JointController {
  private:
   const robot::Controller& controller_;
   const RobotBody& body_;
+  std::vector<double> targets_;
   std::vector<double> angles_;
   std::vector<double> torques_;
   std::vector<Motor> motors_;

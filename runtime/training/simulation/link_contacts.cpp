@@ -45,6 +45,19 @@ double LinkContacts::NormalSpeed(int contact, std::span<const Vector6> velocitie
   return contacts_[contact].rows[0].Speed(velocities);
 }
 
+Vector3 LinkContacts::Impulse(int contact, std::span<const Vector6> velocities) const {
+  const LinkContact& touch = contacts_[contact];
+  Vector3 impulse = Vector3::Zero();
+  for (const Row& row : touch.rows) {
+    const bool is_normal = &row == touch.rows;
+    const double speed = row.Speed(velocities);
+    const double along =
+        is_normal ? touch.pull.load() - touch.pull.hold() * speed : -touch.hold * speed;
+    impulse += along * row.first_row.head<3>();
+  }
+  return impulse;
+}
+
 void LinkContacts::AddImpulses(TreeFactor& tree, std::span<const Vector6> velocities,
                                std::span<Vector6> momenta) {
   CollectRows();

@@ -24,6 +24,8 @@ class LinkContacts {
   int size() const { return static_cast<int>(contacts_.size()); }
   LimitedPull& pull(int contact) { return contacts_[contact].pull; }
   double NormalSpeed(int contact, std::span<const Vector6> velocities) const;
+  // On the first of the two links, once the velocities are known.
+  Vector3 Impulse(int contact, std::span<const Vector6> velocities) const;
 
   // Finds the contacts' impulses, with the normals in the states that they are assumed to be in,
   // and adds them to the momenta. `velocities` are those without the contacts.

@@ -46,10 +46,12 @@ void OdeSolver::AddMotor(const robot::Joint& joint) {
   motors_.push_back(std::move(motor));
 }
 
-void OdeSolver::Step(std::span<const Contact> contacts, const JointController& controller) {
+void OdeSolver::Step(std::span<const Contact> contacts, const JointController& controller,
+                     std::span<Vector3> impulses) {
   Drive(controller);
-  MakeContacts(contacts);
+  MakeContacts(contacts, !impulses.empty());
   dWorldStep(world_, time_step_);
+  if (!impulses.empty()) AddImpulses(contacts, impulses);
 }
 
 void OdeSolver::Drive(const JointController& controller) {
@@ -65,12 +67,26 @@ void OdeSolver::Drive(const JointController& controller) {
   }
 }
 
-void OdeSolver::MakeContacts(std::span<const Contact> contacts) {
+void OdeSolver::MakeContacts(std::span<const Contact> contacts, bool has_feedback) {
   dJointGroupEmpty(contacts_.get());
-  for (const Contact& contact : contacts) {
+  if (has_feedback) feedback_.assign(contacts.size(), {});
+  for (size_t i = 0; i < contacts.size(); ++i) {
+    const Contact& contact = contacts[i];
     contact_.geom = contact.geometry;
     const dJointID joint = dJointCreateContact(world_, contacts_.get(), &contact_);
     dJointAttach(joint, BodyOf(contact.first), BodyOf(contact.second));
+    if (has_feedback) dJointSetFeedback(joint, &feedback_[i]);
+  }
+}
+
+// ODE tells the force on the first body that there is, and that on the second.
+void OdeSolver::AddImpulses(std::span<const Contact> contacts, std::span<Vector3> impulses) const {
+  for (size_t i = 0; i < contacts.size(); ++i) {
+    const Contact& contact = contacts[i];
+    const bool has_first = contact.first != Contact::kGround;
+    impulses[has_first ? contact.first : contact.second] += time_step_ * ToEigen(feedback_[i].f1);
+    const bool has_both = has_first && contact.second != Contact::kGround;
+    if (has_both) impulses[contact.second] += time_step_ * ToEigen(feedback_[i].f2);
   }
 }
 

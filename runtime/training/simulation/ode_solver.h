@@ -13,12 +13,14 @@ class OdeSolver : public PhysicsSolver {
   OdeSolver(const robot::RobotDescription& robot, const Profile& profile,
             const SolverSettings& settings, const RobotBody& body, dWorldID world);
 
-  void Step(std::span<const Contact> contacts, const JointController& controller) override;
+  void Step(std::span<const Contact> contacts, const JointController& controller,
+            std::span<Vector3> impulses) override;
 
  private:
   void AddMotor(const robot::Joint& joint);
   void Drive(const JointController& controller);
-  void MakeContacts(std::span<const Contact> contacts);
+  void MakeContacts(std::span<const Contact> contacts, bool has_feedback);
+  void AddImpulses(std::span<const Contact> contacts, std::span<Vector3> impulses) const;
   dBodyID BodyOf(int link) const;
 
   const RobotBody& body_;
@@ -27,7 +29,8 @@ class OdeSolver : public PhysicsSolver {
   JointDrive drive_;
   std::vector<OdeJoint> motors_;  // for JointDrive::kMotor
   OdeJointGroup contacts_;
-  dContact contact_;  // with the surface that all have
+  dContact contact_;                      // with the surface that all have
+  std::vector<dJointFeedback> feedback_;  // of each contact, where it is wanted
 };
 
 }  // namespace runtime

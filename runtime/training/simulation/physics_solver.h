@@ -10,6 +10,7 @@
 #include "runtime/training/simulation/joint_controller.h"
 #include "runtime/training/simulation/profile.h"
 #include "runtime/training/simulation/robot_body.h"
+#include "runtime/training/simulation/spatial.h"
 
 namespace runtime {
 
@@ -17,18 +18,20 @@ class PhysicsSolver {
  public:
   virtual ~PhysicsSolver() = default;
 
-  // One step, from the bodies' present state with what the controller drives the joints by. Throws
-  // OdeFailure if it cannot be computed.
-  virtual void Step(std::span<const Contact> contacts, const JointController& controller) = 0;
+  // One step, from the bodies' present state with what the controller drives the joints by. Adds to
+  // `impulses` what the contacts do to each link [N s, in the world frame], unless it is empty:
+  // that changes nothing in the step. Throws OdeFailure if it cannot be computed.
+  virtual void Step(std::span<const Contact> contacts, const JointController& controller,
+                    std::span<Vector3> impulses) = 0;
 };
 
 // The constants of the equations that every solver solves.
 struct SolverSettings {
-  double time_step;      // [s]
-  Softness contacts;     // of the contacts' normals
-  double gravity = 9.8;  // downward [m / s^2]
-  double erp = 0.2;      // of joints
-  double cfm = 1e-5;     // of joints, and of what keeps contacts from sliding
+  double time_step;   // [s]
+  Softness contacts;  // of the contacts' normals
+  double gravity = robot::kGravity;
+  double erp = 0.2;   // of joints
+  double cfm = 1e-5;  // of joints, and of what keeps contacts from sliding
   double bounce = 1e-5;
   double bounce_speed = 0.1;  // slower impacts do not bounce [m / s]
 };

@@ -96,11 +96,9 @@ void RobotBody::MoveTo(const robot::RobotDescription& robot, const robot::Pose& 
 }
 
 bool RobotBody::IsPlausible() const {
-  constexpr double kFastest = 1e2;      // m / s
-  constexpr double kFastestTurn = 1e4;  // rad / s
   for (const OdeBody& body : bodies_) {
-    if (!Within(dBodyGetLinearVel(body.get()), kFastest) ||
-        !Within(dBodyGetAngularVel(body.get()), kFastestTurn)) {
+    if (!Within(dBodyGetLinearVel(body.get()), robot::kFastest) ||
+        !Within(dBodyGetAngularVel(body.get()), robot::kFastestRotation)) {
       return false;
     }
   }

@@ -83,6 +83,7 @@ void RobotEnvironment::ThrowForeignTargets() const {
 bool RobotEnvironment::StepPhysics(int index) {
   const double length = world_->physics_time_step();
   start_of_physics_step_(length);
+  if (index == 0) world_->StartTimeStep(WantedMeans());
   try {
     world_->Step(targets_);
   } catch (const OdeFailure& failure) {
@@ -96,6 +97,15 @@ bool RobotEnvironment::StepPhysics(int index) {
   sensors_.Refresh(*world_, time_);
   end_of_physics_step_(length);
   return true;
+}
+
+StepMeans::Wanted RobotEnvironment::WantedMeans() const {
+  const auto is_read = [&](robot::SensorId sensor) {
+    return sensor_ports_[static_cast<size_t>(sensor)].connected();
+  };
+  return {.base_acceleration = is_read(robot::SensorId::kBaseAcceleration),
+          .joint_accelerations = is_read(robot::SensorId::kJointAcceleration),
+          .contact_forces = is_read(robot::SensorId::kContactForce)};
 }
 
 void RobotEnvironment::Diverge(const char* why) {

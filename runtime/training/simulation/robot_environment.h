@@ -20,6 +20,8 @@ namespace runtime {
 // first pose).
 //
 // Out ports: one for each of the robot's sensors, with its name.
+// What some of them tell is measured only while something is connected to them, from the next time
+// step on (runtime/training/simulation/step_means.h).
 // In port: `joint_targets`, one angle for each joint [rad], read at the start of every time
 // step, after start_of_time_step. Until the first one, and while nothing is connected, all targets
 // are 0.
@@ -57,6 +59,7 @@ class RobotEnvironment : public Module {
   // Returns whether the episode can continue.
   [[noreturn]] void ThrowForeignTargets() const;
   bool StepPhysics(int index);
+  StepMeans::Wanted WantedMeans() const;
   void Diverge(const char* why);
 
   const robot::RobotDescription& robot_;

@@ -13,6 +13,10 @@ void CopyColumn(const dReal* rotation, int index, double* to) {
   for (int row = 0; row < 3; ++row) to[row] = rotation[4 * row + index];
 }
 
+void CopyFromLinks(const RobotBody& body, const dReal* (*read)(dBodyID), size_t count, double* to) {
+  for (int i = 0; i < body.link_count(); ++i) Copy(read(body.body(i)), count, to + count * i);
+}
+
 }  // namespace
 
 RobotSensor::RobotSensor(RobotSensors* all, const robot::SensorDescription& description,
@@ -60,17 +64,47 @@ void RobotSensor::Compute() {
     case robot::SensorId::kBaseAngularVelocity:
       Copy(dBodyGetAngularVel(base), 3, out);
       break;
+    case robot::SensorId::kBaseAcceleration: {
+      const Vector3 felt = world.means().BaseAcceleration() + Vector3(0, 0, robot::kGravity);
+      dVector3 in_body;
+      dBodyVectorFromWorld(base, felt[0], felt[1], felt[2], in_body);
+      Copy(in_body, 3, out);
+      break;
+    }
     case robot::SensorId::kJointAngle:
       for (int j = 0; j < body.joint_count(); ++j) out[j] = dJointGetHingeAngle(body.hinge(j));
       break;
     case robot::SensorId::kJointVelocity:
       for (int j = 0; j < body.joint_count(); ++j) out[j] = dJointGetHingeAngleRate(body.hinge(j));
       break;
+    case robot::SensorId::kJointAcceleration:
+      for (int j = 0; j < body.joint_count(); ++j) out[j] = world.means().JointAcceleration(j);
+      break;
     case robot::SensorId::kJointTorque:
       std::copy_n(world.controller().torques().begin(), body.joint_count(), out);
       break;
+    case robot::SensorId::kJointTarget:
+      std::copy_n(world.controller().targets().begin(), body.joint_count(), out);
+      break;
+    case robot::SensorId::kLinkPosition:
+      CopyFromLinks(body, dBodyGetPosition, 3, out);
+      break;
+    case robot::SensorId::kLinkOrientation:
+      CopyFromLinks(body, dBodyGetQuaternion, 4, out);
+      break;
+    case robot::SensorId::kLinkVelocity:
+      CopyFromLinks(body, dBodyGetLinearVel, 3, out);
+      break;
+    case robot::SensorId::kLinkAngularVelocity:
+      CopyFromLinks(body, dBodyGetAngularVel, 3, out);
+      break;
     case robot::SensorId::kContact:
       for (int i = 0; i < body.link_count(); ++i) flags_[i] = world.contacts().flag(i);
+      break;
+    case robot::SensorId::kContactForce:
+      for (int i = 0; i < body.link_count(); ++i) {
+        Vector3::Map(out + 3 * i) = world.means().ContactForce(i);
+      }
       break;
     case robot::SensorId::kCount:
       assert(!"a sensor");

@@ -59,11 +59,13 @@ TreeSolver::TreeSolver(const robot::RobotDescription& robot, const Profile& prof
   }
 }
 
-void TreeSolver::Step(std::span<const Contact> contacts, const JointController& controller) {
+void TreeSolver::Step(std::span<const Contact> contacts, const JointController& controller,
+                      std::span<Vector3> impulses) {
   ReadLinks();
   for (int j = 0; j < body_.joint_count(); ++j) ReadHinge(j, controller);
   ReadContacts(contacts);
   SolveForVelocities();
+  if (!impulses.empty()) AddImpulses(contacts, impulses);
   for (int i = 0; i < body_.link_count(); ++i) {
     MoveLink(body_.body(i), links_[i], velocities_[i], settings_.time_step);
   }
@@ -204,6 +206,31 @@ void TreeSolver::SolveAsAssumed() {
   if (link_contacts_.empty()) return;
   link_contacts_.AddImpulses(tree_, velocities_, momenta_);
   tree_.Solve(momenta_, velocities_);
+}
+
+void TreeSolver::AddImpulses(std::span<const Contact> contacts, std::span<Vector3> impulses) const {
+  size_t ground_contact = 0;
+  int link_contact = 0;
+  for (const Contact& contact : contacts) {
+    if (contact.first == Contact::kGround || contact.second == Contact::kGround) {
+      const GroundContact& ground = ground_contacts_[ground_contact++];
+      impulses[ground.link] += ImpulseOf(ground, ToEigen(contact.geometry.pos));
+    } else {
+      const Vector3 impulse = link_contacts_.Impulse(link_contact++, velocities_);
+      impulses[contact.first] += impulse;
+      impulses[contact.second] -= impulse;
+    }
+  }
+}
+
+// Along the normal a pull within its limits, across it what keeps the link from sliding.
+Vector3 TreeSolver::ImpulseOf(const GroundContact& contact, const Vector3& point) const {
+  const Vector6& velocity = velocities_[contact.link];
+  const Vector3 arm = point - links_[contact.link].position;
+  const double speed = contact.row.dot(velocity);
+  const Vector3 sliding =
+      velocity.head<3>() + velocity.tail<3>().cross(arm) - speed * contact.normal();
+  return (contact.pull.load() - contact.pull.hold() * speed) * contact.normal() - hold_ * sliding;
 }
 
 int TreeSolver::CorrectStates(bool all) {

@@ -32,7 +32,8 @@ class TreeSolver : public PhysicsSolver {
   TreeSolver(const robot::RobotDescription& robot, const Profile& profile,
              const SolverSettings& settings, RobotBody& body);
 
-  void Step(std::span<const Contact> contacts, const JointController& controller) override;
+  void Step(std::span<const Contact> contacts, const JointController& controller,
+            std::span<Vector3> impulses) override;
 
  private:
   // What does not change of a hinge, in the frames of its links.
@@ -49,6 +50,8 @@ class TreeSolver : public PhysicsSolver {
     int link;
     Vector6 row;
     LimitedPull pull;
+
+    Vector3 normal() const { return row.head<3>(); }
   };
   struct HingeLimits {
     Vector6 load;       // of the constraints that have no limits
@@ -69,6 +72,9 @@ class TreeSolver : public PhysicsSolver {
   void SolveForVelocities();
   // With the limits in the states that they are assumed to be in.
   void SolveAsAssumed();
+  // What the contacts do with the velocities that were found.
+  void AddImpulses(std::span<const Contact> contacts, std::span<Vector3> impulses) const;
+  Vector3 ImpulseOf(const GroundContact& contact, const Vector3& point) const;
   // Returns how many states are wrong, and corrects all of them, or the last one only.
   int CorrectStates(bool all);
 

@@ -34,6 +34,7 @@ World::World(const robot::RobotDescription& robot, const Profile& profile, const
       collision_(robot, body_),
       controller_(robot, body_, physics_time_step()),
       contact_filter_(body_.link_count(), physics_time_step()),
+      means_(body_),
       solver_(MakeSolver(robot, profile, settings_, body_, world_.get())) {
   collision_.Update();
   contact_filter_.Start(collision_.ground());
@@ -43,12 +44,13 @@ void World::Step(std::span<const double> targets) {
   controller_.Update(targets);
   collision_.Update();
   try {
-    solver_->Step(collision_.contacts(), controller_);
+    solver_->Step(collision_.contacts(), controller_, means_.impulses());
   } catch (const OdeFailure&) {
     KeepForever(std::move(threading_));
     throw;
   }
   contact_filter_.Update(collision_.ground());
+  means_.Add(physics_time_step());
   if (!body_.IsPlausible()) throw OdeFailure("a link moves faster than anything can");
 }
 

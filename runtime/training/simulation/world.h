@@ -12,6 +12,7 @@
 #include "runtime/training/simulation/physics_solver.h"
 #include "runtime/training/simulation/profile.h"
 #include "runtime/training/simulation/robot_body.h"
+#include "runtime/training/simulation/step_means.h"
 
 namespace runtime {
 
@@ -28,6 +29,8 @@ class World {
   double physics_time_step() const { return settings_.time_step; }  // [s]
   int physics_steps_per_time_step() const { return physics_steps_per_time_step_; }
 
+  // A time step begins, of which the sensors will tell these means.
+  void StartTimeStep(const StepMeans::Wanted& wanted) { means_.Start(wanted); }
   // One physics step toward `targets`, one angle for each joint [rad]. Throws OdeFailure if there
   // is no sensible state to continue from; the world must not be stepped again then.
   void Step(std::span<const double> targets);
@@ -36,6 +39,7 @@ class World {
   const Collision& collision() const { return collision_; }
   const JointController& controller() const { return controller_; }
   const ContactFilter& contacts() const { return contact_filter_; }
+  const StepMeans& means() const { return means_; }
 
  private:
   int physics_steps_per_time_step_;
@@ -46,6 +50,7 @@ class World {
   Collision collision_;
   JointController controller_;
   ContactFilter contact_filter_;
+  StepMeans means_;
   std::unique_ptr<PhysicsSolver> solver_;
 };
 

@@ -73,6 +73,20 @@ TEST_F(RobotSensorsTest, JointsAreThoseOfOde) {
   }
 }
 
+TEST_F(RobotSensorsTest, LinksAreThoseOfOde) {
+  for (int i = 0; i < 18; ++i) {
+    const dBodyID body = world_.body().body(i);
+    for (int k = 0; k < 3; ++k) {
+      EXPECT_EQ(Reals("link.position")[3 * i + k], dBodyGetPosition(body)[k]);
+      EXPECT_EQ(Reals("link.velocity")[3 * i + k], dBodyGetLinearVel(body)[k]);
+      EXPECT_EQ(Reals("link.angular_velocity")[3 * i + k], dBodyGetAngularVel(body)[k]);
+    }
+    for (int k = 0; k < 4; ++k) {
+      EXPECT_EQ(Reals("link.orientation")[4 * i + k], dBodyGetQuaternion(body)[k]);
+    }
+  }
+}
+
 TEST_F(RobotSensorsTest, ContactIsThatOfTheFilter) {
   const bool* contact = by_name_.at("contact")->Read().flags();
   int touching = 0;

@@ -37,6 +37,8 @@ void MoveAtRandom(const char* profile, double largest, double seconds) {
               std::min(robot.joints[j].high, largest))(random);
         }
       }
+      world.StartTimeStep(
+          {.base_acceleration = true, .joint_accelerations = true, .contact_forces = true});
       StepFor(world, 0.005, targets);
       sensors.Refresh(world, time);
       for (RobotSensor& sensor : sensors.sensors()) ExpectInside(sensor, robot);

@@ -1,0 +1,141 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <numbers>
+
+#include "plugins/robot/sensors.h"
+
+namespace robot {
+namespace {
+
+constexpr std::array kUnlimited = {
+    SensorId::kBasePosition,        SensorId::kBaseVelocity,  SensorId::kBaseAngularVelocity,
+    SensorId::kBaseAcceleration,    SensorId::kJointVelocity, SensorId::kJointAcceleration,
+    SensorId::kJointTarget,         SensorId::kLinkPosition,  SensorId::kLinkVelocity,
+    SensorId::kLinkAngularVelocity, SensorId::kContactForce};
+
+// A joint gives way a little at its stops; see docs/simulation.md.
+constexpr double kGiveOfStops = 0.1;  // [rad]
+
+std::vector<Range> AngleRanges(const RobotDescription& robot) {
+  std::vector<Range> ranges;
+  for (const Joint& joint : robot.joints) {
+    ranges.push_back({std::max(joint.low - kGiveOfStops, -std::numbers::pi),
+                      std::min(joint.high + kGiveOfStops, std::numbers::pi)});
+  }
+  return ranges;
+}
+
+double Distance(const Vector3& a, const Vector3& b) {
+  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+// How far each link's center can be from the base's: the way along the joints, stretched out.
+std::vector<double> Reaches(const RobotDescription& robot) {
+  std::vector<double> reaches(robot.links.size(), 0);
+  for (size_t round = 0; round < robot.joints.size(); ++round) {  // in whatever order they stand
+    for (const Joint& joint : robot.joints) {
+      reaches[joint.child] = reaches[joint.parent] +
+                             Distance(robot.links[joint.parent].position, joint.anchor) +
+                             Distance(joint.anchor, robot.links[joint.child].position);
+    }
+  }
+  return reaches;
+}
+
+std::vector<Range> RangesOf(SensorId sensor, const RobotDescription& robot) {
+  return RangesOf(Sensors()[static_cast<size_t>(sensor)], robot);
+}
+
+std::vector<Range> LinkPositionRanges(const RobotDescription& robot) {
+  const std::vector<Range> base = RangesOf(SensorId::kBasePosition, robot);
+  std::vector<Range> ranges;
+  for (const double reach : Reaches(robot)) {
+    for (const Range& range : base) ranges.push_back({range.low - reach, range.high + reach});
+  }
+  return ranges;
+}
+
+// The fastest change, in one time step.
+double LargestChange(const Range& velocity, const RobotDescription& robot) {
+  return (velocity.high - velocity.low) / robot.controller.time_step;
+}
+
+std::vector<Range> JointAccelerationRanges(const RobotDescription& robot) {
+  std::vector<Range> ranges;
+  for (const Range& velocity : RangesOf(SensorId::kJointVelocity, robot)) {
+    const double largest = LargestChange(velocity, robot);
+    ranges.push_back({-largest, largest});
+  }
+  return ranges;
+}
+
+// Along axes that may point anywhere.
+Range BaseAccelerationRange(const RobotDescription& robot) {
+  double sum = 0;
+  for (const Range& velocity : RangesOf(SensorId::kBaseVelocity, robot)) {
+    sum += LargestChange(velocity, robot) * LargestChange(velocity, robot);
+  }
+  const double largest = std::sqrt(sum) + kGravity;
+  return {-largest, largest};
+}
+
+// What follows from other ranges where the description says nothing. One range for each element, or
+// one for all.
+std::vector<Range> CommonRanges(SensorId sensor, const RobotDescription& robot) {
+  switch (sensor) {
+    case SensorId::kTime:
+      return {{.low = 0}};
+    case SensorId::kBaseOrientation:
+    case SensorId::kBaseRotation:
+    case SensorId::kBaseForward:
+    case SensorId::kBaseLeft:
+    case SensorId::kBaseUp:
+    case SensorId::kLinkOrientation:
+      return {{-1, 1}};
+    case SensorId::kJointAngle:
+      return AngleRanges(robot);
+    case SensorId::kJointTorque:
+      return {{-robot.controller.max_torque, robot.controller.max_torque}};
+    case SensorId::kContact:
+      return {{0, 1}};
+    case SensorId::kBaseAcceleration:
+      return {BaseAccelerationRange(robot)};
+    case SensorId::kJointAcceleration:
+      return JointAccelerationRanges(robot);
+    case SensorId::kLinkPosition:
+      return LinkPositionRanges(robot);
+    case SensorId::kLinkVelocity:
+      return {{-kFastest, kFastest}};
+    case SensorId::kLinkAngularVelocity:
+      return {{-kFastestRotation, kFastestRotation}};
+    case SensorId::kBasePosition:
+    case SensorId::kBaseVelocity:
+    case SensorId::kBaseAngularVelocity:
+    case SensorId::kJointVelocity:
+    case SensorId::kJointTarget:
+    case SensorId::kContactForce:
+      return {Range{}};
+    case SensorId::kCount:
+      break;
+  }
+  std::abort();
+}
+
+}  // namespace
+
+bool IsUnlimited(SensorId sensor) {
+  return std::ranges::find(kUnlimited, sensor) != kUnlimited.end();
+}
+
+std::vector<Range> RangesOf(const SensorDescription& sensor, const RobotDescription& robot) {
+  const auto nominal = std::ranges::find(robot.nominal_ranges, sensor.name, &NominalRange::sensor);
+  std::vector<Range> ranges =
+      nominal != robot.nominal_ranges.end() ? nominal->elements : CommonRanges(sensor.id, robot);
+  const auto count = static_cast<size_t>(ElementCount(sensor, robot));
+  if (ranges.size() == 1) ranges.resize(count, ranges.front());
+  return ranges;
+}
+
+}  // namespace robot
