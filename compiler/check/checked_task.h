@@ -252,6 +252,9 @@ struct CheckedSensor {
   std::vector<double> maximum{};
   // The range is the robot author's claim: no stop, limit or length keeps the values in it.
   bool is_nominal = false;
+  // Of what is known of the robot and need not be sensed, which no CheckedTask has: one for each
+  // element.
+  std::vector<double> constant{};
 };
 struct CheckedParam {
   std::string name;

@@ -332,6 +332,15 @@ bool ReportForeignPath(const std::vector<Identifier>& path, const TaskScope& sco
   return true;
 }
 
+// Its elements, listed.
+CheckedExpression ConstantOf(const CheckedSensor& sensor, Span span) {
+  BuiltinCall list{Builtin::kVector, {}};
+  for (const double value : sensor.constant)
+    list.arguments.push_back(std::make_unique<CheckedExpression>(
+        CheckedExpression{span, ScalarType(Scalar::kReal), sensor.unit, Constant{value}}));
+  return {span, sensor.type, sensor.unit, std::move(list)};
+}
+
 void ReportTakenName(const Identifier& name, std::string_view owner, Diagnostics& diagnostics) {
   Report(diagnostics, code::kTakenName, name.span,
          fmt::format("`{}` is {} and cannot be declared", name.text, owner),
@@ -365,10 +374,14 @@ std::optional<ResolvedPath> ResolvePath(const std::vector<Identifier>& path, con
     const std::string name = Join(path, length);
     const Span span = SpanOf(path, length);
     if (scope.sensors.IsInvalid(name)) return std::nullopt;
-    if (place.is_constant()) return NotConstant(name, span, place, scope);
-    if (place.kind == Place::kGoal) return NotInGoal(name, span, scope);
     const uint32_t index = *scope.sensors.Find(name);
     const CheckedSensor& sensor = scope.sensors.list()[index];
+    if (!sensor.constant.empty()) {
+      NoteSensor(name, span, sensor, scope);
+      return ResolvedPath{ConstantOf(sensor, span), length};
+    }
+    if (place.is_constant()) return NotConstant(name, span, place, scope);
+    if (place.kind == Place::kGoal) return NotInGoal(name, span, scope);
     NoteSensor(name, span, sensor, scope);
     return ResolvedPath{{span, sensor.type, sensor.unit, SensorRead{index}}, length};
   }

@@ -30,17 +30,21 @@ bool IsFirstPart(std::string_view part, std::string_view name) {
   return name.starts_with(part) && (name.size() == part.size() || name[part.size()] == '.');
 }
 
+Unit UnitOf(std::string_view text) {
+  const auto unit = ParseUnit(text);
+  assert(unit && unit->numerator == unit->denominator);
+  return unit->unit;
+}
+
 }  // namespace
 
 SensorCatalog SensorCatalog::OfRobot(const robot::RobotDescription& robot,
                                      const std::vector<Enumeration>& enumerations) {
   SensorCatalog catalog;
   for (const robot::SensorDescription& sensor : robot::Sensors()) {
-    const auto unit = ParseUnit(sensor.unit);
-    assert(unit && unit->numerator == unit->denominator);
     CheckedSensor checked{.name = std::string(sensor.name),
                           .type = TypeOf(sensor.type, enumerations),
-                          .unit = unit->unit};
+                          .unit = UnitOf(sensor.unit)};
     for (const robot::Range& range : robot::RangesOf(sensor, robot)) {
       checked.minimum.push_back(range.low);
       checked.maximum.push_back(range.high);
@@ -49,6 +53,12 @@ SensorCatalog SensorCatalog::OfRobot(const robot::RobotDescription& robot,
         std::ranges::find(robot.nominal_ranges, sensor.name, &robot::NominalRange::sensor) !=
         robot.nominal_ranges.end();
     catalog.Add(std::move(checked));
+  }
+  for (const robot::ConstantDescription& constant : robot::Constants()) {
+    catalog.Add({.name = std::string(constant.name),
+                 .type = TypeOf(constant.type, enumerations),
+                 .unit = UnitOf(constant.unit),
+                 .constant = robot::ValuesOf(constant, robot)});
   }
   return catalog;
 }
@@ -97,7 +107,11 @@ bool SensorCatalog::IsInvalidRoot(std::string_view name) const {
                              [&](const std::string& sensor) { return IsFirstPart(name, sensor); });
 }
 
-bool IsSensorOfRobots(std::string_view name) { return robot::FindSensor(name) != nullptr; }
+bool IsSensorOfRobots(std::string_view name) {
+  return robot::FindSensor(name) != nullptr ||
+         std::ranges::find(robot::Constants(), name, &robot::ConstantDescription::name) !=
+             robot::Constants().end();
+}
 
 std::string DeclarationOf(std::string_view name) {
   const robot::SensorDescription* sensor = robot::FindSensor(name);

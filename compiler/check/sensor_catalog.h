@@ -15,7 +15,8 @@ namespace compiler {
 
 class SensorCatalog {
  public:
-  // The sensors of plugins/robot/sensors.h, as this robot has them; `enumerations` are its own.
+  // The sensors and constants of plugins/robot/sensors.h, as this robot has them; `enumerations`
+  // are its own.
   static SensorCatalog OfRobot(const robot::RobotDescription& robot,
                                const std::vector<Enumeration>& enumerations);
 
@@ -41,7 +42,7 @@ class SensorCatalog {
   std::vector<std::string> invalid_;
 };
 
-// Do all robots have a sensor called `name`?
+// Do all robots have a sensor, or a constant, called `name`?
 bool IsSensorOfRobots(std::string_view name);
 
 // How a task without a robot declares the sensor that robots call `name`: "sensor base.velocity:

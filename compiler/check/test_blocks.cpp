@@ -66,7 +66,10 @@ class TestChecker {
     const Symbol* declared = scope_.symbols.Find(root.text);
     if (declared != nullptr ? IsNamedConstant(*declared) : is_value_of_language)
       return CannotBeGiven(root);
-    return ResolvePath(path, {.kind = Place::kExpect, .tested = &task_}, scope_);
+    auto whole = ResolvePath(path, {.kind = Place::kExpect, .tested = &task_}, scope_);
+    const bool is_constant = whole && std::holds_alternative<BuiltinCall>(whole->expression.node);
+    if (is_constant) return CannotBeGiven({target.name.text, whole->expression.span});
+    return whole;
   }
 
   Whole CannotBeGiven(const Identifier& name) {

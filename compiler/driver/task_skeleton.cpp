@@ -1,5 +1,6 @@
 #include "compiler/driver/task_skeleton.h"
 
+#include <algorithm>
 #include <vector>
 
 #include "plugins/robot/sensors.h"
@@ -33,12 +34,14 @@ std::vector<std::string> NamesOf(const std::vector<Part>& parts) {
 
 std::vector<std::string> SensorNames() {
   std::vector<std::string> names;
-  for (const robot::SensorDescription& sensor : robot::Sensors()) {
+  const auto add = [&names](const auto& sensor) {
     std::string name(sensor.name);
     name += ": " + std::string(sensor.type);
     if (!sensor.unit.empty()) name += " [" + std::string(sensor.unit) + "]";
     names.push_back(name);
-  }
+  };
+  std::ranges::for_each(robot::Sensors(), add);
+  std::ranges::for_each(robot::Constants(), add);
   return names;
 }
 

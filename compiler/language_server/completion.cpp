@@ -21,7 +21,10 @@ namespace {
 using protocol::Json;
 
 // "vec3" of "vec3 [m/s]".
-std::string_view NameOfType(std::string_view type) { return type.substr(0, type.find(' ')); }
+// "vec3" of "vec3 [m]", and of "vec3[link] [m]": members are taken of each vector.
+std::string_view NameOfType(std::string_view type) {
+  return type.substr(0, type.find_first_of(" ["));
+}
 
 class Completer {
  public:

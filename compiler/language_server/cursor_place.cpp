@@ -167,11 +167,18 @@ class PlaceFinder {
   bool IsTypeBefore(size_t bracket) const {
     if (bracket < 2) return false;
     if (tokens_.Is(bracket - 1, "]")) {  // real[4] [N]
-      size_t open = bracket - 1;
-      while (open > 0 && !tokens_.Is(open, "[")) --open;
+      const size_t open = BeforeIndex(bracket);
       return open >= 2 && IsTypeBefore(open);
     }
     return tokens_.Is(bracket - 2, ":") || tokens_.Is(bracket - 2, "->");
+  }
+
+  // The token at which an index begins that ends before `end`; `end` where there is none.
+  size_t BeforeIndex(size_t end) const {
+    if (end == 0 || !tokens_.Is(end - 1, "]")) return end;
+    size_t open = end - 1;
+    while (open > 0 && !tokens_.Is(open, "[")) --open;
+    return open;
   }
 
   Expected InSquareBrackets(size_t bracket) {
@@ -192,7 +199,7 @@ class PlaceFinder {
         std::isdigit(static_cast<unsigned char>(tokens_.text()[place_.word.begin])) != 0;
     if (begins_with_digit) return Expected::kAnyText;
     if (Last() == ".") {
-      place_.path = PathBefore(count_ - 1);
+      place_.path = PathBefore(BeforeIndex(count_ - 1));
       return place_.path.empty() ? Expected::kAnyText : Expected::kMember;
     }
     const auto bracket = OpenBracket();

@@ -126,7 +126,8 @@ class HoverFinder {
     for (const KnownValue& sensor : values_.Sensors()) {
       if (sensor.name != path_.path) continue;
       shown_ = path_.span;
-      return WithDoc(Code(fmt::format("sensor {}: {}", sensor.name, sensor.type)), sensor.doc);
+      const std::string_view what = sensor.is_constant ? "constant" : "sensor";
+      return WithDoc(Code(fmt::format("{} {}: {}", what, sensor.name, sensor.type)), sensor.doc);
     }
     return "";
   }

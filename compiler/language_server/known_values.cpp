@@ -17,11 +17,14 @@ KnownValues::KnownValues(const Document& document, Workspace& workspace)
     : document_(document), good_(workspace.LastGood(document)) {
   if (const robot::RobotDescription* robot = workspace.RobotOf(document)) {
     enumerations_ = EnumerationsOf(robot);
-    for (const robot::SensorDescription& sensor : robot::Sensors()) {
+    const auto add = [this](const auto& sensor, bool is_constant) {
       const std::string unit = sensor.unit.empty() ? "" : fmt::format(" [{}]", sensor.unit);
       robot_sensors_.push_back({std::string(sensor.name), NameKind::kSensor,
-                                std::string(sensor.type) + unit, std::string(sensor.doc)});
-    }
+                                std::string(sensor.type) + unit, std::string(sensor.doc),
+                                is_constant});
+    };
+    for (const robot::SensorDescription& sensor : robot::Sensors()) add(sensor, false);
+    for (const robot::ConstantDescription& constant : robot::Constants()) add(constant, true);
   }
   if (good_ != nullptr) AddInherited(*good_);
 }

@@ -21,6 +21,7 @@ struct KnownValue {
   NameKind kind = NameKind::kSensor;
   std::string type;  // "vec3 [m/s]"; empty where it is not known
   std::string doc;
+  bool is_constant = false;  // of the robot, in the place of a sensor
 };
 
 class KnownValues {

@@ -7,10 +7,13 @@ namespace compiler {
 // A task that declares its own sensors may give them the names and shapes of a robot's.
 Value RestValue(const CheckedSensor& sensor) {
   const robot::SensorDescription* known = robot::FindSensor(sensor.name);
-  const bool is_known = known != nullptr && sensor.type.scalar == Scalar::kReal &&
-                        sensor.type.size() == known->at_rest.size();
-  if (is_known) return Reals(known->at_rest.begin(), known->at_rest.end());
-  return Filled(sensor.type.scalar, sensor.type.size(), 0);
+  const Type& type = sensor.type;
+  const size_t length = type.shape == Shape::kArray ? type.columns : type.size();
+  if (known == nullptr || type.scalar != Scalar::kReal || known->at_rest.size() != length)
+    return Filled(type.scalar, type.size(), 0);
+  Reals elements;
+  for (size_t i = 0; i < type.size(); ++i) elements.push_back(known->at_rest[i % length]);
+  return elements;
 }
 
 double RestTimeStep(EventKind event) {

@@ -163,5 +163,18 @@ TEST(VectorArray, OfConstantsGivesConstants) {
   EXPECT_EQ(std::get<Constant>(z.node).value, 3);
 }
 
+TEST(RobotConstant, IsKnownToTheCompiler) {
+  EXPECT_EQ(TypeOf("joint.low"), "real[joint] [rad]");
+  EXPECT_EQ(TypeOf("joint.angle - joint.rest"), "real[joint] [rad]");
+  EXPECT_EQ(TypeOf("joint.high[legs]"), "real[10] [rad]");
+  const robot::Joint& knee = Humanoid().joints[Humanoid().FindJoint("left_knee_pitch").value()];
+  const CheckedExpression high = CheckText("joint.high[left_knee_pitch]");
+  EXPECT_EQ(std::get<Constant>(high.node).value, knee.high);
+  const CheckedTask task =
+      CheckTask(TaskText("param p: real [rad] = joint.low[left_knee_pitch]", "reward rate a = p"));
+  EXPECT_EQ(task.params[0].initial, knee.low);
+  EXPECT_TRUE(task.sensors.empty());
+}
+
 }  // namespace
 }  // namespace compiler

@@ -78,6 +78,9 @@ TEST(CursorPlace, KnowsExpressions) {
   const CursorPlace member = PlaceIn("task t\nmetric a = base.velocity.x|");
   EXPECT_EQ(member.expected, Expected::kMember);
   EXPECT_EQ(member.path, "base.velocity");
+  const CursorPlace indexed = PlaceIn("task t\nmetric a = link.position[hands, head].|");
+  EXPECT_EQ(indexed.expected, Expected::kMember);
+  EXPECT_EQ(indexed.path, "link.position");
   const CursorPlace index = PlaceIn("task t\nmetric a = norm(joint.angle[legs - {h|");
   EXPECT_EQ(index.expected, Expected::kIndex);
   EXPECT_EQ(index.path, "joint.angle");

@@ -215,6 +215,14 @@ TEST(Completion, OffersSensorsAndElements) {
               ElementsAre("x", "y", "z", "xy"));
   EXPECT_THAT(editor.CompleteAt(TaskWith("base.velocity.xy", "base.orientation.|")),
               ElementsAre("w", "x", "y", "z"));
+  EXPECT_THAT(editor.HoverAt(TaskWith("base.velocity.xy", "joint.l|ow[0]")),
+              HasSubstr("constant joint.low: real[joint] [rad]"));
+  EXPECT_THAT(editor.CompleteAt(TaskWith("base.velocity.xy", "joint.|")),
+              AllOf(Contains("target"), Contains("low"), Contains("rest")));
+  EXPECT_THAT(editor.CompleteAt(TaskWith("base.velocity.xy", "link.position.|")),
+              ElementsAre("x", "y", "z", "xy"));
+  EXPECT_THAT(editor.CompleteAt(TaskWith("base.velocity.xy", "link.position[feet].|")),
+              ElementsAre("x", "y", "z", "xy"));
 }
 
 TEST(Completion, OffersPartsInsideBrackets) {
