@@ -6,10 +6,13 @@
 // all alike. Counters, by CPU time:
 //   PROFILE_us   one physics step with everything around it
 //   PROFILE_x    simulated seconds in one second
+// Sensors: what the rarer ones cost where something reads them, as the ratio of the time of a step
+// with them to that without.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
 #include <ctime>
+#include <deque>
 #include <memory>
 #include <string>
 #include <vector>
@@ -95,20 +98,25 @@ constexpr Situation kStanding = {"standing", false};
 constexpr Situation kLying = {"lying", false};
 constexpr Situation kCrawling = {"lying", true};
 
+const std::vector<std::string> kUsualSensors = {
+    "base.position",         "base.orientation", "base.velocity",  "base.up",
+    "base.angular_velocity", "joint.angle",      "joint.velocity", "contact"};
+
 // An environment in the middle of an episode, whose sensors are read as a task and a state read
 // them.
 class Episode {
  public:
-  Episode(std::string_view profile, Situation situation)
+  Episode(std::string_view profile, Situation situation,
+          const std::vector<std::string>& sensors = kUsualSensors)
       : mover_(situation.moves), environment_("environment", {&Humanoid(), {}, 0}) {
     environment_.Set("profile", std::string(profile));
     environment_.Set("start_pose", std::string(situation.pose));
     for (Port* port : mover_.ports()) {
       Port::Connect(environment_.FindPort(port->name()), *port);
     }
-    for (const char* name : {"base.position", "base.orientation", "base.velocity", "base.up",
-                             "base.angular_velocity", "joint.angle", "joint.velocity", "contact"}) {
-      sensors_.push_back(static_cast<SensorOut*>(&environment_.FindPort(name)));
+    for (const std::string& name : sensors) {
+      Port& port = environment_.FindPort(name);
+      Port::Connect(port, sensors_.emplace_back(&mover_, name, port.type().text));
     }
     environment_.Start();
     environment_.StartEpisode();
@@ -117,7 +125,7 @@ class Episode {
   void RunTimeStep() {
     const double start = Now(CLOCK_THREAD_CPUTIME_ID);
     environment_.RunTimeStep();
-    for (const SensorOut* sensor : sensors_) benchmark::DoNotOptimize((*sensor)().data);
+    for (const SensorIn& sensor : sensors_) benchmark::DoNotOptimize(sensor().data);
     seconds_ += Now(CLOCK_THREAD_CPUTIME_ID) - start;
   }
 
@@ -126,7 +134,7 @@ class Episode {
  private:
   Mover mover_;
   RobotEnvironment environment_;
-  std::vector<SensorOut*> sensors_;
+  std::deque<SensorIn> sensors_;
   double seconds_ = 0;
 };
 
@@ -149,6 +157,34 @@ void TimeStep(benchmark::State& state, Situation situation) {
 BENCHMARK_CAPTURE(TimeStep, standing, kStanding)->Unit(benchmark::kMicrosecond)->MinTime(3);
 BENCHMARK_CAPTURE(TimeStep, lying, kLying)->Unit(benchmark::kMicrosecond)->MinTime(3);
 BENCHMARK_CAPTURE(TimeStep, crawling, kCrawling)->Unit(benchmark::kMicrosecond)->MinTime(3);
+
+void Sensors(benchmark::State& state, const std::vector<std::string>& more) {
+  std::vector<std::string> all = kUsualSensors;
+  all.insert(all.end(), more.begin(), more.end());
+  std::vector<std::unique_ptr<Episode>> without;
+  std::vector<std::unique_ptr<Episode>> with;
+  for (const Profile& profile : kProfiles) {
+    without.push_back(std::make_unique<Episode>(profile.name, kCrawling));
+    with.push_back(std::make_unique<Episode>(profile.name, kCrawling, all));
+  }
+  for (auto _ : state) {
+    for (const auto& episode : without) episode->RunTimeStep();
+    for (const auto& episode : with) episode->RunTimeStep();
+  }
+  for (size_t i = 0; i < kProfiles.size(); ++i) {
+    state.counters[std::string(kProfiles[i].name)] = with[i]->seconds() / without[i]->seconds();
+  }
+}
+BENCHMARK_CAPTURE(Sensors, links,
+                  {"link.position", "link.orientation", "link.velocity", "link.angular_velocity"})
+    ->Unit(benchmark::kMicrosecond)
+    ->MinTime(3);
+BENCHMARK_CAPTURE(Sensors, accelerations, {"base.acceleration", "joint.acceleration"})
+    ->Unit(benchmark::kMicrosecond)
+    ->MinTime(3);
+BENCHMARK_CAPTURE(Sensors, contact_force, {"contact_force"})
+    ->Unit(benchmark::kMicrosecond)
+    ->MinTime(3);
 
 // The part of a physics step of `paper` that is not ODE's dWorldStep: controller, collisions,
 // filter, checks, signals, sensors.
