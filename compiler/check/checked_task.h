@@ -250,7 +250,8 @@ struct CheckedSensor {
   // element.
   std::vector<double> minimum{};
   std::vector<double> maximum{};
-  // The range is the robot author's claim: no stop, limit or length keeps the values in it.
+  // The range is the robot author's claim, or follows from one: no stop, limit or length keeps the
+  // values in it.
   bool is_nominal = false;
   // Of what is known of the robot and need not be sensed, which no CheckedTask has: one for each
   // element.

@@ -49,9 +49,7 @@ SensorCatalog SensorCatalog::OfRobot(const robot::RobotDescription& robot,
       checked.minimum.push_back(range.low);
       checked.maximum.push_back(range.high);
     }
-    checked.is_nominal =
-        std::ranges::find(robot.nominal_ranges, sensor.name, &robot::NominalRange::sensor) !=
-        robot.nominal_ranges.end();
+    checked.is_nominal = robot::IsUnlimited(sensor.id);
     catalog.Add(std::move(checked));
   }
   for (const robot::ConstantDescription& constant : robot::Constants()) {
