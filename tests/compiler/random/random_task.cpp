@@ -129,7 +129,8 @@ class TaskWriter {
   void DeclareGoal() {
     const Readable& model = memory_[random_.Below(memory_.size())];
     const bool is_row = IsScalar(model.type) || IsRow(model.type);
-    const bool is_real = model.type.scalar == Scalar::kReal && is_row;
+    const bool is_real =
+        model.type.scalar == Scalar::kReal && is_row && !IsOfQuaternions(model.type);
     const std::string constant = ConstantOf(model.type, model.unit);
     const std::string number = IsScalar(model.type) ? model.name : constant;
     std::string value = fmt::format("choose({}, {})", model.name, model.name);
