@@ -63,6 +63,15 @@ CodePoint DecodeUtf8(std::string_view text, size_t offset) {
   return {value, length, true};
 }
 
+bool IsUtf8(std::string_view text) {
+  for (size_t i = 0; i < text.size();) {
+    const CodePoint point = DecodeUtf8(text, i);
+    if (!point.is_valid) return false;
+    i += point.length;
+  }
+  return true;
+}
+
 uint32_t DisplayWidth(char32_t value) {
   if (value < 0x300) return 1;
   if (Contains(kZeroWidth, value)) return 0;

@@ -17,6 +17,8 @@ struct CodePoint {
 // beyond U+10FFFF are not valid.
 CodePoint DecodeUtf8(std::string_view text, size_t offset);
 
+bool IsUtf8(std::string_view text);
+
 // How many columns of a terminal a code point fills: 0, 1 or 2.
 uint32_t DisplayWidth(char32_t value);
 // The sum over a text without line ends and tabs.

@@ -40,6 +40,9 @@ class CauseSearch {
       return Add(Cause::kSensor, task_.sensors[read->sensor].name, span);
     if (const auto* read = std::get_if<ParamRead>(&expression.node))
       return Add(Cause::kParam, task_.params[read->param].name, span);
+    if (const auto* read = std::get_if<MemoryRead>(&expression.node);
+        read != nullptr && IsOfPast(*read))
+      return Add(Cause::kOperation, fmt::format("`{}`", NameOfPast(*read)), span);
     if (const auto* read = std::get_if<MemoryRead>(&expression.node))
       return Add(Cause::kMemory, task_.memory[read->memory].name, span);
     if (std::holds_alternative<TimeStep>(expression.node))
@@ -47,6 +50,16 @@ class CauseSearch {
     const auto* local = std::get_if<LocalRead>(&expression.node);
     if (local != nullptr) AddCauses(causes_, locals_[local->local]);
     return local != nullptr;
+  }
+
+  // `rate#1`
+  bool IsOfPast(const MemoryRead& read) const {
+    return std::ranges::find(task_.time_functions, read.memory, &CheckedTimeFunction::value) !=
+           task_.time_functions.end();
+  }
+  std::string NameOfPast(const MemoryRead& read) const {
+    const std::string& name = task_.memory[read.memory].name;
+    return name.substr(0, name.find('#'));
   }
 
   // Returns whether any of them has no bounds; all are searched.

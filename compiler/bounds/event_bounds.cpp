@@ -147,6 +147,24 @@ void EventBounds::Run(const CheckedRedraw& redraw, Reached& values) {
   values->memory[goal.draws] = Box(Interval{0, kInfinity});
 }
 
+void EventBounds::Run(const CheckedAdvance& advance, Reached& values) {
+  const CheckedTimeFunction& function = task_.time_functions[advance.function];
+  const Box now = ExpressionBounds(task_, *values).AllOf(advance.value);
+  const auto widen = [&](uint32_t memory, const Box& by) {
+    values->memory[memory] = Join(values->memory[memory], by);
+  };
+  const Scalar scalar = advance.value.type.scalar;
+  widen(function.value,
+        TimeFunctionBounds(function.function, now, scalar, task_.longest_time_step));
+  if (function.function == TimeFunction::kSince) return;
+  const bool is_time = function.function == TimeFunction::kHeld;
+  const Interval past = is_time ? Interval{0, kInfinity} : Hull(now);
+  widen(function.past,
+        MakeBox(std::vector<Interval>(task_.memory[function.past].type.size(), past)));
+  if (function.function == TimeFunction::kDelay)
+    widen(function.next, Box(Interval{0, static_cast<double>(function.steps - 1)}));
+}
+
 // A callback goes on where what it requires does not hold.
 void EventBounds::Run(const CheckedRequire& require, Reached& values) {
   FindDomainsLeft(require.condition, *values);

@@ -36,6 +36,7 @@ class EventBounds {
   void Run(const CheckedLog& log, Reached& values);
   void Run(const CheckedRequire& require, Reached& values);
   void Run(const CheckedRedraw& redraw, Reached& values);
+  void Run(const CheckedAdvance& advance, Reached& values);
 
   bool Assume(const CheckedExpression& condition, bool truth, Values& values) const;
   void FindDomainsLeft(const CheckedExpression& expression, const Values& values) const;

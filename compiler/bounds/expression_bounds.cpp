@@ -1,6 +1,7 @@
 #include "compiler/bounds/expression_bounds.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "base/variant/overloaded.h"
@@ -129,6 +130,41 @@ Box GoalBounds(const CheckedTask& task, const Values& values, const CheckedGoal&
   const Box value = ExpressionBounds(task, values).AllOf(goal.value);
   const bool is_each = goal.value.type.shape == Shape::kScalar;
   return is_each ? MakeBox(std::vector<Interval>(goal.type.size(), value[0])) : value;
+}
+
+Box TimeFunctionBounds(TimeFunction function, const Box& argument, Scalar scalar,
+                       double time_step) {
+  std::vector<Interval> elements(argument.size());
+  for (size_t i = 0; i < elements.size(); ++i) {
+    switch (function) {
+      case TimeFunction::kPrevious:
+      case TimeFunction::kDelay:
+      case TimeFunction::kSmooth:
+        elements[i] = argument[i];
+        break;
+      case TimeFunction::kChange:
+        elements[i] =
+            compiler::Calculate(BinaryOperator::kSubtract, argument[i], argument[i], scalar);
+        break;
+      case TimeFunction::kRate:
+        elements[i] = kAnything;  // steps may be short
+        if (std::isfinite(time_step))
+          elements[i] = compiler::Calculate(
+              BinaryOperator::kDivide,
+              compiler::Calculate(BinaryOperator::kSubtract, argument[i], argument[i], scalar),
+              Exactly(time_step), scalar);
+        break;
+      case TimeFunction::kSince:
+        elements[i] = {0, kInfinity};
+        break;
+      case TimeFunction::kHeld:
+      case TimeFunction::kRising:
+      case TimeFunction::kFalling:
+        elements[i] = kAnyBool;
+        break;
+    }
+  }
+  return Box(std::move(elements));
 }
 
 bool IsSameRead(const CheckedExpression& a, const CheckedExpression& b) {

@@ -40,6 +40,10 @@ class ExpressionBounds {
 // What a goal can become when it is drawn: the bounds of each of its elements.
 Box GoalBounds(const CheckedTask& task, const Values& values, const CheckedGoal& goal);
 
+// What a function of the past can give, whose argument has these bounds.
+// `time_step`: the length of every step [s], or infinite where no robot says.
+Box TimeFunctionBounds(TimeFunction function, const Box& argument, Scalar scalar, double time_step);
+
 // Are these reads of the same value?
 bool IsSameRead(const CheckedExpression& a, const CheckedExpression& b);
 

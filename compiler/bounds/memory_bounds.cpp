@@ -42,7 +42,8 @@ bool SetsMemory(const CheckedEvent& event) {
   bool sets = false;
   ForEachStatement(event.body, [&](const CheckedStatement& statement) {
     if (std::holds_alternative<CheckedAssign>(statement.node) ||
-        std::holds_alternative<CheckedRedraw>(statement.node))
+        std::holds_alternative<CheckedRedraw>(statement.node) ||
+        std::holds_alternative<CheckedAdvance>(statement.node))
       sets = true;
   });
   return sets;
@@ -100,7 +101,21 @@ class MemoryFixpoint {
       values.memory[goal.memory] = GoalBounds(task_, values, goal);
     // No statement sets it.
     if (task_.ended) values.memory[*task_.ended] = Box(kAnyBool);
+    SetTimeFunctions(values);
     return values.memory;
+  }
+
+  // They have their first values when an episode starts, before anything reads them.
+  void SetTimeFunctions(Values& values) const {
+    const CheckedEvent& start = task_.events[static_cast<size_t>(EventKind::kStartOfEpisode)];
+    for (const CheckedStatement& statement : start.body) {
+      const auto* advance = std::get_if<CheckedAdvance>(&statement.node);
+      if (advance == nullptr) continue;
+      const CheckedTimeFunction& function = task_.time_functions[advance->function];
+      values.memory[function.value] = TimeFunctionBounds(
+          function.function, ExpressionBounds(task_, values).AllOf(advance->value),
+          advance->value.type.scalar, task_.longest_time_step);
+    }
   }
 
   // Also reset, or left alone by what sets nothing.

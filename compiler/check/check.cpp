@@ -12,6 +12,7 @@
 #include "compiler/check/statements.h"
 #include "compiler/check/task_scope.h"
 #include "compiler/check/test_blocks.h"
+#include "compiler/check/time_functions.h"
 #include "compiler/check/warnings.h"
 
 namespace compiler {
@@ -47,11 +48,14 @@ std::optional<CheckedTask> Check(const SyntaxTree& tree, const robot::RobotDescr
                   .is_too_long = false,
                   .refused = {},
                   .around = nullptr,
-                  .references = references};
+                  .references = references,
+                  .time_functions = nullptr};
   if (robot != nullptr) scope.sensors = SensorCatalog::OfRobot(*robot, scope.enumerations);
   if (!knows_robot && !DeclaresSensors(tree)) scope.sensors = SensorCatalog::OfAnyRobot();
 
   CheckedTask task;
+  TimeFunctionTable time_functions(task);
+  scope.time_functions = &time_functions;
   if (tree.task) task.name = tree.task->text;
   task.doc = tree.doc;
   if (tree.robot) task.robot = tree.robot->text;
@@ -69,6 +73,7 @@ std::optional<CheckedTask> Check(const SyntaxTree& tree, const robot::RobotDescr
   CheckFunctions(tree, scope, task);
   CheckMetrics(tree, scope, task);
   CheckEvents(tree, scope, task);
+  time_functions.AddStatements();
   AddGoalStatements(task);
   AddMemoryOfEnd(tree, task);
   CheckTests(tree, scope, task);

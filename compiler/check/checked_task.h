@@ -218,10 +218,20 @@ struct CheckedRedraw {
   uint32_t goal = 0;
 };
 
+// Brings a time function up to date, with the value that its argument has now; at the start of an
+// episode with its first one, where the function does not merely count time.
+struct CheckedAdvance {
+  uint32_t function = 0;  // index into CheckedTask::time_functions
+  bool is_start = false;
+  CheckedExpression value;
+  // A real [s]; of `delay` perhaps an int: time steps. Not at the start.
+  std::optional<CheckedExpression> duration;
+};
+
 struct CheckedStatement {
   Span span;
   std::variant<CheckedLet, CheckedAssign, CheckedIf, CheckedFor, CheckedReward, CheckedEnd,
-               CheckedLog, CheckedRequire, CheckedRedraw>
+               CheckedLog, CheckedRequire, CheckedRedraw, CheckedAdvance>
       node;
 };
 
@@ -296,6 +306,29 @@ struct CheckedGoal {
   };
   std::optional<Interval> interval;  // nothing: once per episode
   Span span{};
+};
+// A value that follows from another one and its past. It lives in memory, is computed once at the
+// end of each time step, before the blocks, and keeps its value until the next: what reads it is a
+// MemoryRead.
+enum class TimeFunction {
+  kPrevious,  // what it was a time step ago
+  kChange,    // by how much it has changed since
+  kRate,      // the same per second
+  kDelay,     // what it was some time ago
+  kSmooth,    // a running mean, in which the past counts less and less
+  kHeld,      // whether it has been true for some time
+  kSince,     // how long it has not been true
+  kRising,    // whether it has become true in this step
+  kFalling    // whether it has become false in this step
+};
+struct CheckedTimeFunction {
+  TimeFunction function = TimeFunction::kPrevious;
+  uint32_t value = 0;  // memory: what it gives
+  uint32_t past = 0;   // memory: what it needs of before; of a delay `steps` of them, one after
+                       // the other
+  uint32_t steps = 1;  // how many values `past` has room for
+  uint32_t next = 0;   // memory, of a delay: where in `past` the next one goes
+  Span span{};         // of its first call
 };
 struct CheckedTerm {
   std::string name;
@@ -396,6 +429,7 @@ struct CheckedTask {
   // it ends none, or its callbacks run on. See after_end.h.
   std::optional<uint32_t> ended{};
   std::vector<CheckedGoal> goals;
+  std::vector<CheckedTimeFunction> time_functions;  // each after those that its argument reads
   std::vector<CheckedTerm> terms;
   std::vector<CheckedMetric> metrics;
   std::vector<CheckedLogValue> logs;

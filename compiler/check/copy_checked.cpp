@@ -1,5 +1,6 @@
 #include "compiler/check/copy_checked.h"
 
+#include <algorithm>
 #include <memory>
 #include <vector>
 
@@ -42,6 +43,54 @@ CheckedExpression CopyOf(const CheckedExpression& expression) {
   CheckedExpression copy{expression.span, expression.type, expression.unit, {}};
   std::visit([&](const auto& node) { copy.node = CopyOf(node); }, expression.node);
   return copy;
+}
+
+namespace {
+
+bool IsSamePart(const CheckedExpressionPtr& a, const CheckedExpressionPtr& b) {
+  return IsSame(*a, *b);
+}
+bool IsSamePart(const std::vector<CheckedExpressionPtr>& a,
+                const std::vector<CheckedExpressionPtr>& b) {
+  return std::ranges::equal(a, b, [](const auto& x, const auto& y) { return IsSame(*x, *y); });
+}
+
+bool IsSameNode(const Constant& a, const Constant& b) { return a.value == b.value; }
+bool IsSameNode(const SensorRead& a, const SensorRead& b) { return a.sensor == b.sensor; }
+bool IsSameNode(const ParamRead& a, const ParamRead& b) { return a.param == b.param; }
+bool IsSameNode(const MemoryRead& a, const MemoryRead& b) { return a.memory == b.memory; }
+bool IsSameNode(const LocalRead& a, const LocalRead& b) { return a.local == b.local; }
+bool IsSameNode(const ArgumentRead& a, const ArgumentRead& b) { return a.argument == b.argument; }
+bool IsSameNode(const RewardSoFar&, const RewardSoFar&) { return true; }
+bool IsSameNode(const TimeStep&, const TimeStep&) { return true; }
+bool IsSameNode(const Elements& a, const Elements& b) {
+  return a.indices == b.indices && IsSamePart(a.operand, b.operand);
+}
+bool IsSameNode(const CheckedUnary& a, const CheckedUnary& b) {
+  return a.op == b.op && IsSamePart(a.operand, b.operand);
+}
+bool IsSameNode(const CheckedBinary& a, const CheckedBinary& b) {
+  return a.op == b.op && IsSamePart(a.left, b.left) && IsSamePart(a.right, b.right);
+}
+bool IsSameNode(const BuiltinCall& a, const BuiltinCall& b) {
+  return a.function == b.function && IsSamePart(a.arguments, b.arguments);
+}
+bool IsSameNode(const FunctionCall& a, const FunctionCall& b) {
+  return a.function == b.function && IsSamePart(a.arguments, b.arguments);
+}
+bool IsSameNode(const Draw& a, const Draw& b) { return a.site == b.site; }
+bool IsSameNode(const TestRead& a, const TestRead& b) {
+  return a.kind == b.kind && a.index == b.index;
+}
+bool IsSameNode(const IntToReal& a, const IntToReal& b) { return IsSamePart(a.operand, b.operand); }
+
+}  // namespace
+
+bool IsSame(const CheckedExpression& a, const CheckedExpression& b) {
+  if (!(a.type == b.type) || !(a.unit == b.unit) || a.node.index() != b.node.index()) return false;
+  return std::visit(
+      [&]<typename Node>(const Node& node) { return IsSameNode(node, std::get<Node>(b.node)); },
+      a.node);
 }
 
 size_t SizeOf(const CheckedExpression& expression) {

@@ -10,6 +10,9 @@ namespace compiler {
 CheckedExpression CopyOf(const CheckedExpression& expression);
 
 // The number of nodes.
+// Do the two compute the same, in the same way?
+bool IsSame(const CheckedExpression& a, const CheckedExpression& b);
+
 size_t SizeOf(const CheckedExpression& expression);
 
 }  // namespace compiler

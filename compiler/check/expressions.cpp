@@ -19,6 +19,7 @@
 #include "compiler/check/operators.h"
 #include "compiler/check/report.h"
 #include "compiler/check/test_read.h"
+#include "compiler/check/time_functions.h"
 #include "compiler/check/type.h"
 #include "compiler/check/unit.h"
 #include "compiler/check/written_form.h"
@@ -111,6 +112,11 @@ class ExpressionChecker {
     const bool is_draw = place_.kind == Place::kGoal && IsDrawFunction(call.function.text);
     const BuiltinDescription* builtin = FindBuiltin(call.function.text);
     const FunctionSignature* function = nullptr;
+    const TimeFunctionDescription* timed = scope_.symbols.Find(call.function.text) == nullptr
+                                               ? FindTimeFunction(call.function.text)
+                                               : nullptr;
+    if (timed != nullptr)
+      return scope_.time_functions->Check(*timed, call, expression.span, place_, scope_);
     if (builtin == nullptr && !is_draw) {
       if (ReportCalledArray(call, expression.span, scope_)) return std::nullopt;
       function = ResolveFunction(call.function, place_, scope_);

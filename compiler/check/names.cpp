@@ -7,6 +7,7 @@
 #include "compiler/check/builtins.h"
 #include "compiler/check/draws.h"
 #include "compiler/check/report.h"
+#include "compiler/check/time_functions.h"
 #include "compiler/check/type.h"
 #include "compiler/syntax/foreign_words.h"
 #include "compiler/syntax/power_help.h"
@@ -111,6 +112,17 @@ std::nullopt_t NotConstant(std::string_view name, Span span, const Place& place,
                       ? "a test gives constants"
                       : "constants are allowed here; a memory may also start with the value of a "
                         "param"});
+  return std::nullopt;
+}
+
+// What a function of the past needs is computed before the block, and in each time step.
+std::nullopt_t LocalInPast(const Identifier& name, const Symbol& symbol, const TaskScope& scope) {
+  Report(scope.diagnostics, code::kLocalInPast, name.span,
+         fmt::format("`{}` is known only from here on, and only in this block", name.text),
+         {.note = "functions that look back in time are computed in each step, before the blocks",
+          .help = fmt::format("write what `{}` is computed from in its place, or a `fn` of it",
+                              name.text),
+          .labels = {{symbol.span, "declared here"}}});
   return std::nullopt;
 }
 
@@ -354,6 +366,8 @@ std::optional<ResolvedPath> ResolvePath(const std::vector<Identifier>& path, con
   const Identifier& root = path[0];
   if (const Symbol* symbol = FindSymbol(root, scope)) {
     if (!symbol->is_valid) return std::nullopt;
+    if (place.kind == Place::kTimed && symbol->kind == SymbolKind::kLocal)
+      return LocalInPast(root, *symbol, scope);
     if (place.is_constant() && !IsNamedConstant(*symbol))
       return NotConstant(root.text, root.span, place, scope);
     auto value = ReadOf(*symbol, root, scope);
@@ -439,6 +453,7 @@ const FunctionSignature* ResolveFunction(const Identifier& name, const Place& pl
   if (!scope.knows_functions || scope.refused.contains(name.text)) return nullptr;
   std::vector<std::string> functions = BuiltinNames();
   for (const FunctionSignature& function : scope.functions) functions.push_back(function.name.text);
+  for (const TimeFunctionDescription& each : kTimeFunctions) functions.emplace_back(each.name);
   if (place.kind == Place::kExpect)
     for (const std::string_view of_test : {kTotal, kValue}) functions.emplace_back(of_test);
   if (IsDrawFunction(name.text)) {

@@ -39,6 +39,8 @@ struct NamedConstants {
   std::set<std::string, std::less<>> used{};
 };
 
+class TimeFunctionTable;  // compiler/check/time_functions.h
+
 struct TaskScope {
   bool has_robot = false;
   // What there is but cannot be read is not known, and nothing that may be of it is unknown.
@@ -67,6 +69,7 @@ struct TaskScope {
   // In a function: the scope around it, of whose values it reads none.
   const TaskScope* around = nullptr;
   References* references = nullptr;  // null: not wanted
+  TimeFunctionTable* time_functions = nullptr;
 };
 
 // Where an expression stands, as far as this decides what it may read.
@@ -77,6 +80,7 @@ struct Place {
     kEvent,
     kFunction,
     kGoal,   // what it is drawn from
+    kTimed,  // the argument of a time function
     kGiven,  // the value of a `given`: a constant
     kExpect
   };
@@ -89,7 +93,8 @@ struct Place {
 
   // Is there a time step whose length is known?
   bool has_time_step() const {
-    return kind == kMetric || (kind == kEvent && event >= EventKind::kStartOfTimeStep);
+    return kind == kMetric || kind == kTimed ||
+           (kind == kEvent && event >= EventKind::kStartOfTimeStep);
   }
 };
 

@@ -54,7 +54,10 @@ requires std::is_same_v<std::remove_const_t<StatementType>, CheckedStatement>
 void ForEachExpression(StatementType& statement, const Visit& visit) {
   std::visit(
       [&](auto& node) {
-        if constexpr (requires { node.value; }) {
+        if constexpr (requires { node.duration; }) {
+          visit(node.value);
+          if (node.duration) visit(*node.duration);
+        } else if constexpr (requires { node.value; }) {
           visit(node.value);
         } else if constexpr (requires { node.branches; }) {
           for (auto& branch : node.branches) visit(branch.condition);

@@ -5,6 +5,7 @@
 
 #include "compiler/check/after_end.h"
 #include "compiler/check/memory_reset.h"
+#include "compiler/emit/time_function_lines.h"
 #include "compiler/syntax/words.h"
 
 namespace compiler {
@@ -390,6 +391,33 @@ void FunctionEmitter::Emit(const CheckedRequire& require, SourceLine line) {
 
 void FunctionEmitter::Emit(const CheckedRedraw& redraw, SourceLine line) {
   writer_.Line(fmt::format("{}(frame);", names_.draws[redraw.goal]), line);
+}
+
+void FunctionEmitter::Emit(const CheckedAdvance& advance, SourceLine line) {
+  const CheckedTimeFunction& function = task_.time_functions[advance.function];
+  const Type& type = advance.value.type;
+  const std::vector<std::string>& memory = function_.values.memory;
+  TimeFunctionNames names{.value = memory[function.value],
+                          .past = memory[function.past],
+                          .next = memory[function.next],
+                          .now = function_.names.Add("now"),
+                          .duration = ""};
+  std::vector<std::string> definition;
+  if (type.shape == Shape::kScalar) {
+    const std::string value = expressions_->EmitScalar(advance.value).text;
+    definition = {fmt::format("const {} {} = {};", CppType(type.scalar), names.now, value)};
+  } else {
+    definition =
+        ArrayDefinition(names.now, type, expressions_->EmitElements(advance.value, type.size()));
+  }
+  bool counts_steps = false;
+  if (advance.duration) {
+    names.duration = AtLeast(Precedence::kPrefix, expressions_->EmitScalar(*advance.duration));
+    counts_steps = advance.duration->type.scalar == Scalar::kInt;
+  }
+  WriteLines(expressions_->TakeParts(), line);
+  WriteLines(definition, line);
+  WriteLines(AdvanceLines(function, type, advance.is_start, counts_steps, names, helpers_), line);
 }
 
 void FunctionEmitter::EmitReset(const CheckedMemory& memory, uint32_t index) {

@@ -81,6 +81,7 @@ class FunctionEmitter {
   void Emit(const CheckedLog& log, SourceLine line);
   void Emit(const CheckedRequire& require, SourceLine line);
   void Emit(const CheckedRedraw& redraw, SourceLine line);
+  void Emit(const CheckedAdvance& advance, SourceLine line);
   void EmitReset(const CheckedMemory& memory, uint32_t index);
   // Sets all elements of a variable, or those with these indices.
   void EmitStore(uint32_t memory, std::string_view op, const std::vector<CppText>& values,

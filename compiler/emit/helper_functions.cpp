@@ -128,6 +128,15 @@ double Normal(const DrawPlace& place, taskc_uint32 element, taskc_uint32 site, d
 int Choose(const DrawPlace& place, taskc_uint32 element, taskc_uint32 site, int count) {
   return (int)(RandomUnit(place, element, site, 0) * count);
 })"},
+    {Helper::kApproach, "Approach",
+     R"(// A share of the way from the past to the present, never beyond it.
+double Approach(double past, double now, double share) {
+  const double next = past + (now - past) * share;
+  return (next > now) == (past < now) ? now : next;
+})"},
+    {Helper::kLag, "Lag",
+     R"(// How many steps back, of those that are remembered.
+long long Lag(double steps, double most) { return (long long)(steps < most ? steps : most); })"},
 }};
 
 constexpr bool IsInOrder() {

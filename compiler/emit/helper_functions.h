@@ -35,6 +35,8 @@ enum class Helper {
   kUniform,
   kNormal,
   kChoose,
+  kApproach,
+  kLag,
   kCount
 };
 inline constexpr int kHelperCount = static_cast<int>(Helper::kCount);

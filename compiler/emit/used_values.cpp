@@ -45,7 +45,9 @@ void UsedValues::Add(const CheckedBlock& block) {
                    [](const CheckedLet&) {},
                    [](const CheckedIf&) {},
                    [](const CheckedFor&) {},
-                   [this](const CheckedAssign&) { memory = frame = true; },
+                   [this](const variant::OneOf<CheckedAssign, CheckedAdvance> auto&) {
+                     memory = frame = true;
+                   },
                    [this](const CheckedReward&) { reward = frame = true; },
                    [this](const auto&) { frame = true; },
                },

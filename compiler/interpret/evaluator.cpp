@@ -8,6 +8,7 @@
 #include "compiler/check/arithmetic.h"
 #include "compiler/check/memory_reset.h"
 #include "compiler/interpret/expression_evaluator.h"
+#include "compiler/interpret/time_functions.h"
 
 namespace compiler {
 namespace {
@@ -137,6 +138,20 @@ void Evaluator::Run(const CheckedRedraw& redraw) {
   Assign(AssignOperator::kSet, {}, evaluate(goal.value), frame_.memory[goal.memory]);
   if (goal.interval) frame_.memory[goal.interval->left] = evaluate(goal.interval->length);
   ++draws;
+}
+
+void Evaluator::Run(const CheckedAdvance& advance) {
+  const CheckedTimeFunction& function = task_.time_functions[advance.function];
+  const Value now = EvaluateHere(advance.value);
+  double duration = 0;
+  if (advance.duration) duration = RealOf(EvaluateHere(*advance.duration));
+  const bool counts_steps = advance.duration && advance.duration->type.scalar == Scalar::kInt;
+  Advance({.function = function,
+           .is_start = advance.is_start,
+           .counts_steps = counts_steps,
+           .duration = duration,
+           .time_step = frame_.time_step},
+          now, frame_.memory);
 }
 
 }  // namespace compiler

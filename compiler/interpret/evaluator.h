@@ -42,6 +42,7 @@ class Evaluator {
   void Run(const CheckedLog& log);
   void Run(const CheckedRequire& require);
   void Run(const CheckedRedraw& redraw);
+  void Run(const CheckedAdvance& advance);
   Value EvaluateHere(const CheckedExpression& expression) const;
 
   const CheckedTask& task_;

@@ -8,6 +8,7 @@
 
 #include "compiler/check/builtins.h"
 #include "compiler/check/draws.h"
+#include "compiler/check/time_functions.h"
 #include "compiler/check/type.h"
 #include "compiler/check/unit.h"
 #include "compiler/language_server/cursor_place.h"
@@ -165,11 +166,17 @@ class Completer {
       Add(name, protocol::kCompleteFunction, fmt::format("`{}`", FindBuiltin(name)->usage));
     }
     OfferWords(ValueWords());
-    if (!IsInTest()) return;
+    if (!IsInTest()) return OfferTimeFunctions();
     for (const char* word : {"total", "value", "ended"}) {
       Add(word, protocol::kCompleteFunction, "", std::string(ExplanationOf(word)));
     }
     OfferNames({NameKind::kTerm, NameKind::kMetric, NameKind::kLog}, protocol::kCompleteProperty);
+  }
+
+  void OfferTimeFunctions() {
+    for (const TimeFunctionDescription& each : kTimeFunctions)
+      Add(std::string(each.name), protocol::kCompleteFunction, fmt::format("`{}`", each.usage),
+          std::string(each.doc));
   }
 
   bool IsInTest() const {

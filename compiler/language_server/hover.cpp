@@ -7,6 +7,7 @@
 
 #include "compiler/check/builtins.h"
 #include "compiler/check/draws.h"
+#include "compiler/check/time_functions.h"
 #include "compiler/check/type.h"
 #include "compiler/check/unit.h"
 #include "compiler/language_server/bounds_text.h"
@@ -218,6 +219,8 @@ std::string SignatureOf(std::string_view function, const Document& document, Wor
     }
     return usage;
   }
+  if (const TimeFunctionDescription* timed = FindTimeFunction(function))
+    return fmt::format("{}\n{}", timed->usage, timed->doc);
   const auto* draw = std::ranges::find(kDraws, function, &DrawDescription::name);
   if (draw != std::end(kDraws)) return fmt::format("{}\n{}", draw->usage, draw->doc);
   const KnownValues values(document, workspace);

@@ -94,6 +94,12 @@ class ParamSearch {
     if (is_decided || !IsIndependent(Of(goal.value))) Change(goal.memory);
   }
 
+  void Search(const CheckedAdvance& advance, bool is_decided) {
+    const bool is_independent = IsIndependent(Of(advance.value)) &&
+                                (!advance.duration || IsIndependent(Of(*advance.duration)));
+    if (is_decided || !is_independent) Change(task_.time_functions[advance.function].value);
+  }
+
   // Nothing reads a log.
   void Search(const CheckedLog&, bool) {}
 

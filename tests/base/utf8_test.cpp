@@ -31,6 +31,13 @@ TEST(Utf8, DecodesTheFirstAndLastOfEachLength) {
   ExpectValid("\xF4\x8F\xBF\xBF", 0x10FFFF);
 }
 
+TEST(Utf8, KnowsWholeTexts) {
+  EXPECT_TRUE(IsUtf8(""));
+  EXPECT_TRUE(IsUtf8("fast \xC3\xBC"));
+  EXPECT_FALSE(IsUtf8("fast\x80"));
+  EXPECT_FALSE(IsUtf8("fast\xC3"));
+}
+
 TEST(Utf8, RefusesWhatIsNoUtf8) {
   ExpectInvalid("\x80");              // a continuation without a begin
   ExpectInvalid("\xC1\xBF");          // overlong

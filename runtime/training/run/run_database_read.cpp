@@ -5,6 +5,7 @@
 #include <map>
 #include <string_view>
 
+#include "base/text/utf8.h"
 #include "runtime/base/user_error.h"
 #include "runtime/training/run/body_json.h"
 #include "runtime/training/run/change_json.h"
@@ -63,6 +64,8 @@ class RunValues {
   const std::string& Text(const std::string& key) const {
     const auto found = values_.find(key);
     if (found == values_.end()) Fail(fmt::format("has no `{}`", key));
+    // It goes on into JSON, which has no other texts.
+    if (!text::IsUtf8(found->second)) Fail(fmt::format("has a `{}` that is not UTF-8", key));
     return found->second;
   }
 

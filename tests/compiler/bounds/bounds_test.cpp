@@ -64,6 +64,15 @@ TEST(Bounds, OfArraysOfVectorsAreThoseOfTheirVectors) {
   ExpectEnds(RateOf("max(dot(few, vec3(1, -1, 0)))", sensors), -3, 3);
 }
 
+TEST(Bounds, OfThePastAreThoseOfItsArgument) {
+  ExpectEnds(RateOf("smooth(x + 2, 0.1 s)"), 1, 3);
+  ExpectEnds(RateOf("previous(x) + delay(x, 3)"), -2, 2);
+  ExpectEnds(RateOf("change(x)"), -2, 2);
+  ExpectEnds(RateOf("since(down) / 1 s"), 0, kInfinity);
+  ExpectEnds(RateOf("select(held(down, 1 s), 2.0, 3.0)"), 2, 3);
+  ExpectEnds(RateOf("1 / smooth(x + 3, 0.1 s)"), 0.25, 0.5);
+}
+
 TEST(Bounds, OfATermCoverAllItsStatements) {
   const TaskBounds bounds =
       BoundsOf("", "if down { reward rate a = x } else { reward rate a = 3 }\nreward a = -2 + y");

@@ -73,7 +73,9 @@ void ExpectBounds(const CheckedTask& task, RandomNumbers& random) {
   for (int call = 0; call < 60 && !testing::Test::HasFailure(); ++call) {
     for (size_t i = 0; i < task.sensors.size(); ++i)
       if (call == 0 || random.OneIn(2)) frame.sensors[i] = RandomWithin(task.sensors[i], random);
-    evaluator.Fire(static_cast<EventKind>(random.Below(8)), random.OneOf({0.0, 0.005, 1.0}));
+    // It all begins with an episode.
+    const auto event = static_cast<EventKind>(call == 0 ? 0 : random.Below(8));
+    evaluator.Fire(event, random.OneOf({0.0, 0.005, 1.0}));
     for (size_t i = 0; i < task.memory.size(); ++i) {
       const Reals elements = ToReals(frame.memory[i]);
       for (size_t j = 0; j < elements.size(); ++j)

@@ -25,6 +25,7 @@ class TaskWriter {
     DeclareParams();
     DeclareMemory();
     for (int i = 0; i < 4; ++i) DeclareGoal();
+    past_ = readable_.size();
     for (int i = 0; i < 4; ++i) DeclareFunction();
     DeclareMetrics();
     for (const auto& event : kEventNames) {
@@ -217,7 +218,7 @@ class TaskWriter {
   }
 
   void WriteStatement(int depth) {
-    switch (random_.Below(depth > 0 ? 16 : 12)) {
+    switch (random_.Below(depth > 0 ? 17 : 13)) {
       case 0:
       case 1:
         return WriteLet();
@@ -240,8 +241,10 @@ class TaskWriter {
       case 11:
         return Line(fmt::format("redraw {}", random_.OneOf(goals_).name));
       case 12:
-        return WriteFor(depth);
+        return WritePast();
       case 13:
+        return WriteFor(depth);
+      case 14:
         Line(fmt::format("once per {} if {} {{", random_.OneOf({"action", "episode", "run"}),
                          Condition()));
         WriteBlock(1 + random_.Below(3), depth - 1);
@@ -259,6 +262,33 @@ class TaskWriter {
     const Readable let{NewName("l"), type, unit};
     Line(fmt::format("let {} = {}", let.name, expressions_.OfType(type, unit)));
     readable_.push_back(let);
+  }
+
+  // What a declared value was, or how it changes.
+  void WritePast() {
+    const Readable& of = readable_[random_.Below(past_)];
+    if ((!IsScalar(of.type) && !IsRow(of.type)) || HasVectors(of.type)) return WriteLet();
+    struct Form {
+      std::string_view text;
+      bool is_condition = false;
+    };
+    const bool is_condition = IsBool(of.type);
+    std::vector<Form> forms = {{"previous({})", is_condition}, {"delay({}, 2)", is_condition}};
+    if (is_condition) {
+      forms.insert(forms.end(), {Form{"held({}, 8 ms)", true},
+                                 {"since({})"},
+                                 {"rising({})", true},
+                                 {"falling({})", true}});
+    } else {
+      forms.insert(forms.end(), {Form{"change({})"}, {"rate({})"}, {"smooth({}, 6 ms)"}});
+    }
+    const Form form = forms[random_.Below(forms.size())];
+    std::string number = fmt::format(fmt::runtime(form.text), of.name);
+    if (!IsScalar(of.type))
+      number = fmt::format("{}({})", form.is_condition ? "count" : "sum", number);
+    else if (form.is_condition)
+      number = fmt::format("select({}, 1, 0)", number);
+    Line(fmt::format("log {} = {}", NewName("past"), number));
   }
 
   void WriteAssignment() {
@@ -379,6 +409,7 @@ class TaskWriter {
   std::vector<Readable> goals_;
   RandomExpressions expressions_;
   std::string text_;
+  size_t past_ = 0;  // as many of `readable_` are declared
   size_t indent_ = 0;
   int names_ = 0;
   EventKind event_{};
