@@ -27,4 +27,12 @@ std::vector<std::string> BuiltinNames() {
   return names;
 }
 
+bool IsElementwise(Builtin function) {
+  return std::ranges::any_of(kBuiltins, [&](const BuiltinDescription& builtin) {
+    const bool takes_elements = builtin.arguments == ArgumentRule::kElements ||
+                                builtin.arguments == ArgumentRule::kRealElements;
+    return takes_elements && builtin.function == std::variant<Builtin, Composite>(function);
+  });
+}
+
 }  // namespace compiler

@@ -60,5 +60,7 @@ struct BuiltinDescription {
 // The function called `name`, or null.
 const BuiltinDescription* FindBuiltin(std::string_view name);
 std::vector<std::string> BuiltinNames();
+// Whether it takes single numbers, and so applies to each element of several.
+bool IsElementwise(Builtin function);
 
 }  // namespace compiler

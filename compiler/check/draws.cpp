@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "compiler/check/builtins.h"
 #include "compiler/check/fold.h"
 #include "compiler/check/report.h"
 #include "compiler/check/traversal.h"
@@ -29,6 +30,9 @@ void ForEachOperand(ExpressionType& value, const Visit& visit) {
   }
   if (const auto* draw = std::get_if<Draw>(&value.node))
     for (const CheckedExpressionPtr& argument : draw->arguments) operand(argument);
+  const auto* call = std::get_if<BuiltinCall>(&value.node);
+  if (call != nullptr && IsElementwise(call->function))
+    for (const CheckedExpressionPtr& argument : call->arguments) operand(argument);
 }
 
 const DrawDescription& Describe(std::string_view name) {

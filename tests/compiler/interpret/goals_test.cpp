@@ -69,15 +69,18 @@ TEST(Goals, DrawANumberForEachElementThatItStandsFor) {
   GoalRun run(
       "memory origin: vec2 = 0\nmemory length: real = 0\n"
       "goal target: vec2 = origin + 2 * uniform(0, 1)\n"
+      "goal far: vec2 = origin + max(uniform(0, 1), 0.0)\n"
       "goal way: vec3 = choose(1, 2, 3, 4, 5, 6, 7, 8)\n"
       "goal corner: vec2 = choose(vec2(0, 0), vec2(1, 1), vec2(2, 2))\n"
       "goal heading: vec2 = normalize(vec2(normal(0, 1), normal(0, 1)))\n"
       "on end_of_time_step {\n  origin.x += x\n  length += x\n"
-      "  reward a = norm(target) + norm(way) + norm(corner) + norm(heading) + length\n}\n");
+      "  reward a = norm(target) + norm(far) + norm(way) + norm(corner) + norm(heading) + "
+      "length\n}\n");
   std::set<double> ways;
   for (uint64_t seed = 0; seed < 20; ++seed) {
     run.Start(seed);
     EXPECT_NE(run.Value("target")[0], run.Value("target")[1]);
+    EXPECT_NE(run.Value("far")[0], run.Value("far")[1]);
     EXPECT_EQ(run.Value("corner")[0], run.Value("corner")[1]);
     EXPECT_DOUBLE_EQ(std::hypot(run.Value("heading")[0], run.Value("heading")[1]), 1);
     ways.insert(run.Value("way")[0] - run.Value("way")[1]);
