@@ -56,6 +56,7 @@ bool IsSamePart(const std::vector<CheckedExpressionPtr>& a,
 }
 
 bool IsSameNode(const Constant& a, const Constant& b) { return a.value == b.value; }
+bool IsSameNode(const ConstRead& a, const ConstRead& b) { return a.index == b.index; }
 bool IsSameNode(const SensorRead& a, const SensorRead& b) { return a.sensor == b.sensor; }
 bool IsSameNode(const ParamRead& a, const ParamRead& b) { return a.param == b.param; }
 bool IsSameNode(const MemoryRead& a, const MemoryRead& b) { return a.memory == b.memory; }
@@ -71,6 +72,10 @@ bool IsSameNode(const CheckedUnary& a, const CheckedUnary& b) {
 }
 bool IsSameNode(const CheckedBinary& a, const CheckedBinary& b) {
   return a.op == b.op && IsSamePart(a.left, b.left) && IsSamePart(a.right, b.right);
+}
+bool IsSameNode(const CheckedWithin& a, const CheckedWithin& b) {
+  return a.is_equal == b.is_equal && IsSamePart(a.left, b.left) && IsSamePart(a.right, b.right) &&
+         IsSamePart(a.tolerance, b.tolerance);
 }
 bool IsSameNode(const BuiltinCall& a, const BuiltinCall& b) {
   return a.function == b.function && IsSamePart(a.arguments, b.arguments);

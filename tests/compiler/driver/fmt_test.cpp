@@ -60,7 +60,7 @@ TEST(Fmt, DoesNotTouchWhatItCannotRead) {
   taskc.Write("b.task", kUntidy);
   Outcome outcome = taskc.Run("fmt a.task absent.task b.task");
   EXPECT_EQ(outcome.status, 2);
-  EXPECT_THAT(outcome.error, HasSubstr("a.task:2:10"));
+  EXPECT_THAT(outcome.error, HasSubstr("a.task:2:9"));
   EXPECT_THAT(outcome.error, HasSubstr("`absent.task`"));
   EXPECT_EQ(ReadWholeFile(taskc.path("a.task")), "task  t\nmemory a:=0\n");
   EXPECT_EQ(ReadWholeFile(taskc.path("b.task")), kTidy);
