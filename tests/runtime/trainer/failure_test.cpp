@@ -53,7 +53,7 @@ TEST_F(FailureTest, ASumOfRewardsThatOverflowsCostsTheLearnerNothing) {
   EXPECT_THAT(train("run", "false"),
               AllOf(HasSubstr("warning: episode 2: not finite, or beyond 1e+30, and so not paid: "
                               "`huge` (" +
-                              TaskFile("overflowing") + ":12) 47x, first at 0.005 s"),
+                              TaskFile("overflowing") + ":14) 47x, first at 0.005 s"),
                     Not(HasSubstr("episode 3"))));
   const auto episodes = RunDatabase::OpenToRead(RunFolder("run")).ReadEpisodes();
   const auto sound = RunDatabase::OpenToRead(RunFolder("sound")).ReadEpisodes();
