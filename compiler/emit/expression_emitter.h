@@ -46,6 +46,9 @@ class ExpressionEmitter {
   // The same, but the elements are computed before any of them is used.
   std::vector<CppText> EmitElementsFirst(const CheckedExpression& expression, uint32_t count);
 
+  // Up to so many elements are written out.
+  uint32_t written_out() const { return written_out_; }
+
   // The lines that have to stand before the texts emitted since the last call.
   std::vector<std::string> TakeParts();
 

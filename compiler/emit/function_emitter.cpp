@@ -417,7 +417,9 @@ void FunctionEmitter::Emit(const CheckedAdvance& advance, SourceLine line) {
   }
   WriteLines(expressions_->TakeParts(), line);
   WriteLines(definition, line);
-  WriteLines(AdvanceLines(function, type, advance.is_start, counts_steps, names, helpers_), line);
+  WriteLines(AdvanceLines(function, type, advance.is_start, counts_steps, names,
+                          expressions_->written_out(), helpers_),
+             line);
 }
 
 void FunctionEmitter::EmitReset(const CheckedMemory& memory, uint32_t index) {

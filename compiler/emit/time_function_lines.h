@@ -19,9 +19,10 @@ struct TimeFunctionNames {
 };
 
 // The lines that bring it up to date. `type`: of the argument; `counts_steps`: the duration is a
-// number of time steps.
+// number of time steps; `written_out`: up to so many elements are no loop.
 std::vector<std::string> AdvanceLines(const CheckedTimeFunction& function, const Type& type,
                                       bool is_start, bool counts_steps,
-                                      const TimeFunctionNames& names, HelperSet& helpers);
+                                      const TimeFunctionNames& names, uint32_t written_out,
+                                      HelperSet& helpers);
 
 }  // namespace compiler
