@@ -147,12 +147,15 @@ void FunctionEmitter::EmitDraw(uint32_t index) {
   used.Add(goal.value);
   if (goal.interval) used.Add(goal.interval->length);
   used.memory = used.frame = true;
+  const bool is_random = used.draws;  // or else it follows from other goals
   Begin(names_.draws[index], line, std::move(used));
   writer_.Line(fmt::format("if ({}) return;", function_.values.memory[goal.held]), line);
   const std::string& draws = function_.values.memory[goal.draws];
-  writer_.Line(fmt::format("{} draw{{frame->seed, {}u, (taskc_uint32){}}};",
-                           helpers_.Use(Helper::kDrawPlace), goal.stream, draws),
-               line);
+  if (is_random) {
+    writer_.Line(fmt::format("{} draw{{frame->seed, {}u, (taskc_uint32){}}};",
+                             helpers_.Use(Helper::kDrawPlace), goal.stream, draws),
+                 line);
+  }
   const uint32_t size = goal.type.size();
   const std::vector<CppText> elements = expressions_->EmitElements(goal.value, size);
   WriteLines(expressions_->TakeParts(), line);

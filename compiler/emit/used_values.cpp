@@ -30,6 +30,7 @@ void UsedValues::Add(const CheckedExpression& expression) {
                    [&](const MemoryRead&) { memory = frame = true; },
                    [&](const RewardSoFar&) { reward = frame = true; },
                    [&](const TimeStep&) { frame = true; },
+                   [&](const Draw&) { draws = frame = true; },
                    [&](const LocalRead& node) { locals.insert(node.local); },
                    [&](const ArgumentRead& node) { arguments.insert(node.argument); },
                    [](const auto&) {},

@@ -17,6 +17,7 @@ struct UsedValues {
   std::set<uint32_t> arguments;
   bool memory = false;
   bool reward = false;  // pays a term or reads the sum so far
+  bool draws = false;   // takes random numbers
   bool frame = false;   // any of the above but locals and arguments, or what else the frame holds
   CodeSize size;
 

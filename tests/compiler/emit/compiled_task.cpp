@@ -131,6 +131,8 @@ void Instance::Fire(int event, double time_step) {
   if (plugin_.events[event] != nullptr) plugin_.events[event](&frame_);
 }
 
+void Instance::ClearTerms() { std::ranges::fill(terms_, 0.0); }
+
 double Instance::Term(const std::string& name) const {
   return terms_[IndexOf(plugin_.terms, plugin_.term_count, name)];
 }
@@ -146,6 +148,11 @@ const taskc_log_state& Instance::Log(const std::string& name) const {
 double Instance::Memory(const std::string& name, size_t element) const {
   const taskc_memory& entry = plugin_.memory[IndexOf(plugin_.memory, plugin_.memory_count, name)];
   return Load(&memory_[entry.offset + element * SizeOf(entry.scalar)], entry.scalar);
+}
+
+double Instance::Goal(const std::string& name, size_t element) const {
+  const taskc_goal& goal = plugin_.goals[IndexOf(plugin_.goals, plugin_.goal_count, name)];
+  return Load(&memory_[goal.offset + element * SizeOf(goal.scalar)], goal.scalar);
 }
 
 }  // namespace compiler

@@ -42,10 +42,14 @@ class Instance {
   // Values of a sensor, as doubles whatever its type. Unknown names and wrong counts throw.
   void Sense(const std::string& sensor, const std::vector<double>& values);
   void SetParam(const std::string& param, double value);
+  // Of the goals of the episodes that start from now on.
+  void SetSeed(taskc_uint64 seed) { frame_.seed = seed; }
   void Initialize() { plugin_.initialize(&frame_); }
   // Calls one event; an event that the task does not have does nothing.
   void Fire(int event, double time_step = 0);
   void Measure() { plugin_.measure(&frame_); }
+  // All sums of terms are 0 again.
+  void ClearTerms();
 
   double reward() const { return frame_.reward; }
   int end() const { return frame_.end; }
@@ -55,6 +59,7 @@ class Instance {
   double Metric(const std::string& name) const;
   const taskc_log_state& Log(const std::string& name) const;
   double Memory(const std::string& name, size_t element = 0) const;
+  double Goal(const std::string& name, size_t element = 0) const;
   const std::vector<unsigned char>& memory_bytes() const { return memory_; }
 
  private:

@@ -214,5 +214,20 @@ on end_of_time_step {
   EXPECT_THAT(rewards, ElementsAre(111, 0, 1, 11));
 }
 
+TEST(Constructs, AGoalMayFollowFromAnother) {
+  CompiledTask task(R"(task t
+goal angle: real [rad] = uniform(0 rad, 1 rad)
+goal place: vec2 = vec2(cos(angle), sin(angle))
+on end_of_time_step { reward x = place.x }
+)");
+  Instance instance(task);
+  for (taskc_uint64 seed : {1, 2}) {
+    instance.SetSeed(seed);
+    instance.Fire(TASKC_START_OF_EPISODE);
+    EXPECT_EQ(instance.Goal("place", 0), std::cos(instance.Goal("angle")));
+    EXPECT_EQ(instance.Goal("place", 1), std::sin(instance.Goal("angle")));
+  }
+}
+
 }  // namespace
 }  // namespace compiler
