@@ -19,6 +19,22 @@ constexpr double kMostDeviations = 8.572;
 
 Interval Anything(Scalar scalar) { return scalar == Scalar::kReal ? kAnything : AnyOf(scalar); }
 
+enum class SquareKind { kNone, kSquare, kNegated };
+
+// Of `x * x`, which is never negative, and `-x * x`.
+SquareKind SquareKindOf(const CheckedBinary& binary) {
+  if (binary.op != BinaryOperator::kMultiply || binary.left->type.scalar != Scalar::kReal)
+    return SquareKind::kNone;
+  const auto* unary = std::get_if<CheckedUnary>(&binary.left->node);
+  const CheckedExpression& left = unary != nullptr ? *unary->operand : *binary.left;
+  if (!IsSameRead(left, *binary.right)) return SquareKind::kNone;
+  return unary != nullptr ? SquareKind::kNegated : SquareKind::kSquare;
+}
+
+Interval Squared(SquareKind kind, const Interval& x) {
+  return kind == SquareKind::kNegated ? Negate(Square(x)) : Square(x);
+}
+
 }  // namespace
 
 Interval ExpressionBounds::Of(const CheckedExpression& expression) {
@@ -26,10 +42,8 @@ Interval ExpressionBounds::Of(const CheckedExpression& expression) {
   if (const auto* constant = std::get_if<Constant>(&expression.node))
     return Exactly(constant->value);
   if (const auto* binary = std::get_if<CheckedBinary>(&expression.node)) {
-    const bool is_square = binary->op == BinaryOperator::kMultiply &&
-                           expression.type.scalar == Scalar::kReal &&
-                           IsSameRead(*binary->left, *binary->right);
-    if (is_square) return Square(Of(*binary->left));
+    const SquareKind square = SquareKindOf(*binary);
+    if (square != SquareKind::kNone) return Squared(square, Of(*binary->right));
     return compiler::Calculate(binary->op, Of(*binary->left), Of(*binary->right),
                                binary->left->type.scalar);
   }
@@ -75,6 +89,12 @@ Box ExpressionBounds::AllOf(const CheckedExpression& expression) {
 }
 
 Box ExpressionBounds::Calculate(const CheckedBinary& binary) {
+  const SquareKind square = SquareKindOf(binary);
+  if (square != SquareKind::kNone) {
+    std::vector<Interval> elements = AllOf(*binary.right).elements();
+    for (Interval& x : elements) x = Squared(square, x);
+    return Box(std::move(elements));
+  }
   const Box left = AllOf(*binary.left);
   const Box right = AllOf(*binary.right);
   std::vector<Interval> elements(std::max(left.size(), right.size()));

@@ -37,6 +37,14 @@ TEST(Bounds, OfATermComeFromTheSensors) {
   ExpectEnds(RateOf("gain * x", "param gain: real = 2 in 1 .. 5"), -5, 5);
 }
 
+TEST(Bounds, OfSquaresAreNeverNegative) {
+  ExpectEnds(RateOf("exp(-x * x)"), std::exp(-1), 1);
+  ExpectEnds(RateOf("exp(-(free * free))"), 0, 1);
+  ExpectEnds(RateOf("sum(v * v)", "sensor v: vec3 in -2 .. 1"), 0, 12);
+  ExpectEnds(RateOf("max(-a * a)", "sensor a: real[4] in -2 .. 1"), -4, 0);
+  ExpectEnds(RateOf("-y * x"), -1, 1);
+}
+
 TEST(Bounds, OfChoicesAndVectorsAreThoseOfTheirParts) {
   ExpectEnds(RateOf("select(x > y, 2 * x, -3.0)"), -3, 2);
   ExpectEnds(RateOf("select(true, 2 * x, -3.0)"), -2, 2);
