@@ -1,0 +1,34 @@
+// The rewards that the tasks say they pay, written anew from where they were published: the
+// language and its compiler have no part in this.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+
+#include "tests/compiler/emit/compiled_task.h"
+#include "tests/examples/robot_state.h"
+
+namespace examples {
+
+inline constexpr double kTimeStep = 0.005;  // of this robot [s]
+
+// What each term pays in one time step; a term that pays nothing may be left out.
+using Payments = std::map<std::string, double>;
+
+// One task's rewards; knows what it needs of the past.
+class Published {
+ public:
+  virtual ~Published() = default;
+  virtual void Start(const RobotState& state) { (void)state; }
+  // `instance` is asked for goals only.
+  virtual Payments Step(const RobotState& state, const compiler::Instance& instance) = 0;
+};
+
+std::unique_ptr<Published> DmControlStand();
+std::unique_ptr<Published> DmControlWalk();
+std::unique_ptr<Published> PlaygroundGetUp();
+std::unique_ptr<Published> IsaacLabTargets();
+std::unique_ptr<Published> IsaacLabVelocity();
+
+}  // namespace examples
