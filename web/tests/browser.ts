@@ -155,6 +155,14 @@ const showsChangesAndShadows: Check = async (page) => {
   assert.match(await textOf(page, "#curve-readout"), /careful /);
 };
 
+const showsWhatTheRobotWasTold: Check = async (page) => {
+  assert.equal(await page.locator("#goals canvas").count(), 2);
+  assert.match(await textOf(page, "#goals article:first-child h3"), /^heading\.x$/);
+  assert.equal(await textOf(page, "#told"), "heading 0.6, 0.8");
+  await page.locator("#scrub").fill("3");
+  await page.locator("#told", { hasText: "heading 1, 0" }).waitFor();
+};
+
 const cutsNoTable: Check = async (page) => {
   const hidden = await page
     .locator("#history .scroll, #evaluations .scroll")
@@ -310,7 +318,13 @@ await inBrowser(kSoftwareGl, async (browser) => {
   await checkFullPage(browser);
   await onPage(browser, firstPage, {}, saysThatNothingIsRecorded);
   await onPage(browser, tunedPage, {}, async (page) => {
-    for (const check of [showsChangesAndShadows, showsWhatRemains, cutsNoTable]) await check(page);
+    const checks = [
+      showsWhatTheRobotWasTold,
+      showsChangesAndShadows,
+      showsWhatRemains,
+      cutsNoTable,
+    ];
+    for (const check of checks) await check(page);
     await cutsNoNumberOnAnAxis(page);
     await page.locator("#curve .change").nth(2).hover();
     await screenshot("tuned")(page);

@@ -27,6 +27,7 @@ test("series and poses of a report are decoded", () => {
       terms: [curve],
       metrics: [],
       logs: [curve],
+      goals: [curve],
       learner: [{ name: "temperature", unit: "", doc: "", values: one }],
       shadows: [{ module: "careful", tasks: [1], values: one }],
       recordings: [recording],
@@ -35,6 +36,7 @@ test("series and poses of a report are decoded", () => {
   assert.equal(report.run["task"], "crawling");
   assert.deepEqual([...(report.terms[0]?.values ?? [])], [1]);
   assert.deepEqual([...(report.logs[0]?.values ?? [])], [1]);
+  assert.deepEqual([...(report.goals[0]?.values ?? [])], [1]);
   assert.deepEqual([...(report.learner[0]?.values ?? [])], [1]);
   assert.deepEqual([...(report.shadows[0]?.values ?? [])], [1]);
   assert.deepEqual([...(report.recordings[0]?.poses ?? [])], [1]);

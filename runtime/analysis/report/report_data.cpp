@@ -9,6 +9,7 @@
 
 #include "runtime/analysis/report/agent_modules.h"
 #include "runtime/analysis/report/base64.h"
+#include "runtime/analysis/report/goal_curves.h"
 #include "runtime/analysis/report/learner_curves.h"
 #include "runtime/analysis/report/page.h"
 #include "runtime/analysis/report/report_changes.h"
@@ -129,11 +130,12 @@ json CollectReportData(const std::filesystem::path& run_dir) {
   data["terms"] = TermCurves(run, episodes);
   data["metrics"] = MetricCurves(run, episodes);
   data["logs"] = LogCurves(run, episodes);
+  data["goals"] = GoalCurves(run, episodes);
   data["learner"] = LearnerCurves(database.ReadLearnerCurves(), episodes);
   AddEnds(episodes, data);
   AddTotals(episodes, data);
   AddChanges(run, episodes, database.ReadChanges(), data);
-  AddRecordings(database, run.body, episodes, data);
+  AddRecordings(database, run, episodes, data);
   AddEvaluations(run_dir, data);
   return data;
 }

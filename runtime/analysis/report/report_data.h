@@ -7,7 +7,8 @@
 namespace runtime {
 
 // Keys: run (texts by key), sources, agentText, modules, body, madeAt, episode, returns, endOf,
-// ends, simulatedSeconds, wallSeconds, faults, violations, terms, metrics, logs, recordings, notes.
+// ends, simulatedSeconds, wallSeconds, faults, violations, terms, metrics, logs, goals, recordings,
+// notes.
 // Series and poses are base64 (base64.h); a value that is not a number is NaN there. Throws
 // UserError where there is no run, no episode yet, or the database cannot be read.
 nlohmann::json CollectReportData(const std::filesystem::path& run_dir);

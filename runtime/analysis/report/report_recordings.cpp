@@ -6,6 +6,7 @@
 
 #include "runtime/analysis/report/base64.h"
 #include "runtime/analysis/report/choose_recordings.h"
+#include "runtime/analysis/report/goal_curves.h"
 #include "runtime/base/user_error.h"
 #include "runtime/training/run/recorded_poses.h"
 #include "runtime/training/run/recorder.h"
@@ -51,9 +52,9 @@ std::vector<RecordingEntry> WithSizes(std::vector<RecordingEntry> entries, size_
 
 }  // namespace
 
-void AddRecordings(const RunDatabase& database, const std::string& body,
+void AddRecordings(const RunDatabase& database, const RunRecord& run,
                    const std::vector<EpisodeRecord>& episodes, json& data) {
-  data["body"] = json::parse(body);
+  data["body"] = json::parse(run.body);
   json& notes = data["notes"] = json::array();
   json& recordings = data["recordings"] = json::array();
   const size_t frame_size = data["body"].size() * Recorder::kFloatsPerLink;
@@ -72,6 +73,8 @@ void AddRecordings(const RunDatabase& database, const std::string& body,
       if (!stored) continue;  // deleted since it was listed
       json recording = EncodeRecording(*stored, data["body"].size());
       recording["episode"] = episode;
+      const Evaluation& told = episodes[static_cast<size_t>(episode - 1)].active;
+      recording["goals"] = GoalsTold(TaskWithId(run, told.task), told);
       recording["best"] = index == BestRecording(entries);
       recordings.push_back(std::move(recording));
     } catch (const UserError& error) {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
-#include <string>
 #include <vector>
 
 #include "runtime/training/run/run_database.h"
@@ -10,9 +9,9 @@
 namespace runtime {
 
 // Sets data.body, data.recordings and data.notes: the links' shapes, as many recordings as fit into
-// the page, and in sentences what is missing from it. `body` is the run's JSON text. A recording
-// that is damaged costs itself, never the page.
-void AddRecordings(const RunDatabase& database, const std::string& body,
+// the page, each with what the robot was told meanwhile, and in sentences what is missing from the
+// page. A recording that is damaged costs itself, never the page.
+void AddRecordings(const RunDatabase& database, const RunRecord& run,
                    const std::vector<EpisodeRecord>& episodes, nlohmann::json& data);
 
 }  // namespace runtime

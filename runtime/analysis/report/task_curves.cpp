@@ -9,7 +9,7 @@ namespace runtime {
 namespace {
 
 using nlohmann::json;
-using Records = std::vector<CurveRecord> (*)(const TaskRecord&);
+using Records = std::function<std::vector<CurveRecord>(const TaskRecord&)>;
 
 struct Curve {
   CurveRecord record;
@@ -28,7 +28,7 @@ std::vector<CurveRecord> Logs(const TaskRecord& task) { return task.logs; }
 
 class Curves {
  public:
-  Curves(const RunRecord& run, size_t episode_count, Records records)
+  Curves(const RunRecord& run, size_t episode_count, const Records& records)
       : run_(run), episode_count_(episode_count), records_(records) {}
 
   // What the task with this id said of the episode with this index.
@@ -74,22 +74,29 @@ class Curves {
 
   const RunRecord& run_;
   const size_t episode_count_;
-  const Records records_;
+  const Records& records_;
   std::vector<Curve> curves_;
   std::map<std::pair<std::string, std::string>, size_t> index_;  // by name and unit
   std::map<int64_t, std::vector<size_t>> curves_of_;             // by the id of the task
 };
 
-json CurvesOf(const RunRecord& run, const std::vector<EpisodeRecord>& episodes, Records records,
-              std::vector<double> Evaluation::*values) {
-  Curves curves(run, episodes.size(), records);
-  for (size_t i = 0; i < episodes.size(); ++i) {
-    curves.Add(i, episodes[i].active.task, episodes[i].active.*values);
-  }
-  return curves.Encode();
+json CurvesOf(const RunRecord& run, const std::vector<EpisodeRecord>& episodes,
+              const Records& records, std::vector<double> Evaluation::*values) {
+  return TaskCurves(run, episodes, records,
+                    [&](const EpisodeRecord& episode) { return episode.active.*values; });
 }
 
 }  // namespace
+
+json TaskCurves(const RunRecord& run, const std::vector<EpisodeRecord>& episodes,
+                const Records& curves,
+                const std::function<std::vector<double>(const EpisodeRecord&)>& values) {
+  Curves all(run, episodes.size(), curves);
+  for (size_t i = 0; i < episodes.size(); ++i) {
+    all.Add(i, episodes[i].active.task, values(episodes[i]));
+  }
+  return all.Encode();
+}
 
 json TermCurves(const RunRecord& run, const std::vector<EpisodeRecord>& episodes) {
   return CurvesOf(run, episodes, Terms, &Evaluation::terms);

@@ -1,6 +1,7 @@
 #include "runtime/trainer/results/run_overview.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -36,6 +37,15 @@ std::vector<double> LastMeans(std::span<const EpisodeRecord> episodes, size_t co
     means.push_back(sum / static_cast<double>(values));  // 0 / 0 without a value
   }
   return means;
+}
+
+// Of each goal the last draw.
+std::vector<GoalDraw> LastDraws(const Evaluation& evaluation) {
+  std::map<size_t, const GoalDraw*> last;
+  for (const GoalDraw& draw : evaluation.goals) last[draw.goal] = &draw;
+  std::vector<GoalDraw> draws;
+  for (const auto& [goal, draw] : last) draws.push_back(*draw);
+  return draws;
 }
 
 std::vector<ShadowOverview> Shadows(const RunRecord& run, std::span<const EpisodeRecord> episodes) {
@@ -79,6 +89,14 @@ void AddMeans(const char* name, const std::vector<CurveRecord>& curves,
   }
 }
 
+void AddGoals(const RunOverview& overview, Lines& lines) {
+  for (const GoalDraw& draw : overview.goals) {
+    const GoalRecord& goal = overview.task.goals[draw.goal];
+    lines.Add("goal", "{}: {:.6g}{} at the end of the last episode", goal.name,
+              fmt::join(draw.value, ", "), goal.unit.empty() ? "" : " " + goal.unit);
+  }
+}
+
 // Which task ran when, where there was more than one; shadows; changes.
 void AddHistory(const RunOverview& overview, Lines& lines) {
   if (overview.versions.size() > 1) {
@@ -112,6 +130,14 @@ std::string WhatIsRepeated(const RunOverview& overview) {
 Json MeansByName(const std::vector<CurveRecord>& curves, const std::vector<double>& means) {
   Json json = Json::object();
   for (size_t i = 0; i < curves.size(); ++i) json[curves[i].name] = means[i];
+  return json;
+}
+
+Json GoalsByName(const RunOverview& overview) {
+  Json json = Json::object();
+  for (const GoalDraw& draw : overview.goals) {
+    json[overview.task.goals[draw.goal].name] = draw.value;
+  }
   return json;
 }
 
@@ -175,7 +201,10 @@ RunOverview ReadOverview(const std::filesystem::path& folder) {
   }
   overview.metrics = LastMeans(episodes, overview.task.metrics.size(), &Evaluation::metrics);
   overview.logs = LastMeans(episodes, overview.task.logs.size(), &Evaluation::logs);
-  if (!episodes.empty()) overview.learner = episodes.back().learner;
+  if (!episodes.empty()) {
+    overview.goals = LastDraws(episodes.back().active);
+    overview.learner = episodes.back().learner;
+  }
   overview.versions = ActiveTasks(episodes);
   overview.shadows = Shadows(overview.run, episodes);
   overview.changes = database.ReadChanges();
@@ -205,6 +234,7 @@ std::string OverviewText(const RunOverview& overview) {
     lines.Add("last 20", "{:.6g} on average", overview.returns.mean());
     AddMeans("metric", overview.task.metrics, overview.metrics, lines);
     AddMeans("log", overview.task.logs, overview.logs, lines);
+    AddGoals(overview, lines);
     for (const NamedValue& each : overview.learner) {
       lines.Add("learner", "{}: {:.6g} in the last episode", each.name, each.value);
     }
@@ -254,6 +284,7 @@ Json OverviewJson(const RunOverview& overview) {
                {"mean_of_last_20", overview.returns.mean()},
                {"metrics", MeansByName(overview.task.metrics, overview.metrics)},
                {"logs", MeansByName(overview.task.logs, overview.logs)},
+               {"goals", GoalsByName(overview)},
                {"learner", learner},
                {"ends", ends},
                {"versions", Versions(overview)},

@@ -37,6 +37,7 @@ struct RunOverview {
   TaskRecord task;              // the one that was active last
   std::vector<double> metrics;  // of this task, each one's mean over the last episodes
   std::vector<double> logs;
+  std::vector<GoalDraw> goals;  // what the robot was told last: one for each goal
   std::map<std::pair<std::string, std::string>, int64_t> ends;  // by kind and reason
   std::vector<NamedValue> learner;                              // of the last episode
   std::vector<TaskSpan> versions;

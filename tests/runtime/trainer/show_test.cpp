@@ -63,6 +63,22 @@ TEST_F(ShowTest, TellsWhatTheLearnerShowedLast) {
   EXPECT_EQ(shown["learner"], (nlohmann::json{{"rate", 0.25}}));
 }
 
+TEST_F(ShowTest, TellsWhatTheRobotWasToldLast) {
+  {
+    RunRecord run = SampleRun();
+    run.tasks[0].goals = {{"side", "int", "", ""}, {"place", "vec2", "m", "where to go"}};
+    RunDatabase database = RunDatabase::Create(RunFolder("run"), run);
+    EpisodeRecord episode = SampleEpisode(1);
+    episode.active.goals = {{0, 0, {-1}}, {1, 0, {1, 2}}, {1, 0.5, {0.25, -2}}};
+    database.AddEpisode(episode, {}, {});
+  }
+  EXPECT_THAT(Trainer({"show", RunFolder("run")}).output,
+              AllOf(HasSubstr("goal       side: -1 at the end of the last episode\n"),
+                    HasSubstr("goal       place: 0.25, -2 m at the end of the last episode\n")));
+  const auto shown = nlohmann::json::parse(Trainer({"show", RunFolder("run"), "--json"}).output);
+  EXPECT_EQ(shown["goals"], (nlohmann::json{{"place", {0.25, -2.0}}, {"side", {-1.0}}}));
+}
+
 TEST_F(ShowTest, TellsWhatWasSetAndHowToMakeTheRunAgain) {
   const std::string agent = (folder() / "warm.toml").string();
   std::ofstream(agent) << "[modules.learner]\ntemperature = 3\ntrace_max = 1\n";

@@ -78,12 +78,22 @@ export interface Evaluation {
   ends: Record<string, number>; // how many episodes ended so
 }
 
+/** From a time on, what the robot was told. */
+export interface ToldGoal {
+  time: number; // since the start of the episode [s]
+  name: string;
+  type: string; // "vec2"
+  unit: string;
+  value: number[]; // 0 or 1 for a bool
+}
+
 /** `poses` holds [frame][link][7]: x, y, z [m], then the quaternion w, x, y, z. */
 export interface Recording {
   episode: number;
   best: boolean;
   frames: number;
   interval: number; // between two frames [s]
+  goals: ToldGoal[]; // in the order of time
   poses: Float32Array;
 }
 
@@ -129,6 +139,7 @@ export interface Report {
   terms: Curve[];
   metrics: Curve[];
   logs: Curve[];
+  goals: Curve[]; // of each element the mean over the episode
   learner: LearnerCurve[];
   recordings: Recording[]; // in the order of their episodes
   notes: string[]; // what was left out, in sentences
@@ -148,13 +159,14 @@ interface EncodedRecording extends Omit<Recording, "poses"> {
 }
 interface EncodedReport extends Omit<
   Report,
-  "episode" | "returns" | "terms" | "metrics" | "logs" | "learner" | "shadows" | "recordings"
+  "episode" | "returns" | "terms" | "metrics" | "logs" | "goals" | "learner" | "shadows" | "recordings"
 > {
   episode: string;
   returns: string;
   terms: EncodedCurve[];
   metrics: EncodedCurve[];
   logs: EncodedCurve[];
+  goals: EncodedCurve[];
   learner: EncodedLearnerCurve[];
   shadows: EncodedShadow[];
   recordings: EncodedRecording[];
@@ -177,6 +189,7 @@ export function decodeReport(text: string): Report {
     terms: encoded.terms.map(decodeValues),
     metrics: encoded.metrics.map(decodeValues),
     logs: encoded.logs.map(decodeValues),
+    goals: encoded.goals.map(decodeValues),
     learner: encoded.learner.map(decodeValues),
     shadows: encoded.shadows.map(decodeValues),
     recordings: encoded.recordings.map((recording) => ({

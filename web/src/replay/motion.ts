@@ -7,7 +7,7 @@ export const kPoseSize = 7; // x, y, z, then the quaternion w, x, y, z
 export type Motion = Pick<Recording, "frames" | "interval" | "poses">;
 
 /** A recorded episode, whatever else is known of it. */
-export type Replay = Motion & Pick<Recording, "episode">;
+export type Replay = Motion & Pick<Recording, "episode"> & Partial<Pick<Recording, "goals">>;
 
 /** From the first frame to the last one [s]. */
 export const durationOf = (motion: Motion): number =>

@@ -7,6 +7,7 @@ import { durationOf, type Replay } from "./motion.ts";
 import { Player } from "./player.ts";
 import { Stage } from "./stage.ts";
 import { Strip } from "./strip.ts";
+import { toldAt } from "./told.ts";
 
 const kSettleTime = 250; // after the last move of the camera, before the strip follows [ms]
 
@@ -19,6 +20,7 @@ export class Viewer {
   private readonly slider = byId("scrub", HTMLInputElement);
   private readonly clock = byId("clock", HTMLElement);
   private readonly place = byId("place", HTMLElement);
+  private readonly told = byId("told", HTMLElement);
   private recording: Replay | undefined;
   private lastFrame: number | undefined;
   private isDrawPlanned = false;
@@ -160,6 +162,7 @@ export class Viewer {
     this.stage.draw();
     const [x, y, z] = this.stage.basePosition.map(formatLength);
     this.place.textContent = `x ${x}  y ${y}  z ${z} m`;
+    this.told.textContent = toldAt(this.recording?.goals ?? [], this.player.time);
   }
 
   private onView(): void {

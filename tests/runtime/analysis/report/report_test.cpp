@@ -94,6 +94,41 @@ TEST_F(WriteReportTest, TellsTheValuesOfEachEpisode) {
   EXPECT_EQ(data["violations"], 3);
 }
 
+TEST_F(WriteReportTest, TellsOfEachElementOfAGoalTheMeanOverTheEpisode) {
+  run_.tasks[0].goals = {{"command", "vec2", "m/s", "how fast"}, {"side", "int", "", ""}};
+  RunDatabase database = Create();
+  EpisodeRecord first = Episode(1, 0);  // of 20 s
+  first.active.goals = {{0, 0, {1, 0}}, {1, 0, {-1}}, {0, 5, {0, 2}}};
+  database.AddEpisode(first, std::nullopt, std::nullopt);
+  EpisodeRecord second = Episode(2, 0);
+  second.active.goals = {{0, 0, {0.5, 0.5}}};
+  database.AddEpisode(second, std::nullopt, std::nullopt);
+  const json goals = Data()["goals"];
+  ASSERT_THAT(goals, SizeIs(3));
+  EXPECT_EQ(goals[0]["name"], "command.x");
+  EXPECT_EQ(goals[0]["unit"], "m/s");
+  EXPECT_EQ(goals[0]["doc"], "how fast");
+  EXPECT_THAT(Floats(goals[0]["values"]), ElementsAre(0.25f, 0.5f));
+  EXPECT_EQ(goals[1]["name"], "command.y");
+  EXPECT_THAT(Floats(goals[1]["values"]), ElementsAre(1.5f, 0.5f));
+  EXPECT_EQ(goals[2]["name"], "side");
+  EXPECT_THAT(Floats(goals[2]["values"]), ElementsAre(-1.0f, testing::NanSensitiveFloatEq(kNan)));
+}
+
+TEST_F(WriteReportTest, TellsBesideARecordingWhatTheRobotWasTold) {
+  run_.tasks[0].goals = {{"side", "int", "", ""}};
+  RunDatabase database = Create();
+  EpisodeRecord episode = Episode(1, 0);
+  episode.active.goals = {{0, 0, {-1}}, {0, 2.5, {1}}};
+  database.AddEpisode(episode, TwoLinks(Frames(2)), std::nullopt);
+  const json data = Data();
+  ASSERT_THAT(data["recordings"], SizeIs(1));
+  EXPECT_EQ(
+      data["recordings"][0]["goals"],
+      json::parse(R"([{"time": 0.0, "name": "side", "type": "int", "unit": "", "value": [-1.0]},
+                            {"time": 2.5, "name": "side", "type": "int", "unit": "", "value": [1.0]}])"));
+}
+
 TEST_F(WriteReportTest, TellsWhatTheLearnerHasShown) {
   RunDatabase database = Create();
   database.SetLearnerCurves({{"rate", "", "", "alpha"}, {"loss", "m", "", ""}});

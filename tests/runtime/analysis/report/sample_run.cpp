@@ -145,6 +145,7 @@ TaskRecord CarefulTask(std::string module) {
   task.terms = {{"forward", "speed along the body's heading"}, {"fall", ""}, {"effort", "torque"}};
   task.metrics.push_back({"work", "J", "sum", "of all joints"});
   task.logs.clear();
+  task.goals = {{"heading", "vec2", "", "where to go"}};
   task.sources.resize(1);
   return task;
 }
@@ -157,6 +158,7 @@ Evaluation CarefulEvaluation(int64_t task, const Evaluation& first) {
   careful.episode_return = careful.terms[0] + careful.terms[1] + careful.terms[2];
   careful.metrics.push_back(1e5 * first.terms[1] - 2.5e6);  // so many digits take room
   careful.logs.clear();
+  careful.goals = {{0, 0, {0.6, 0.8}}, {0, 2, {1, 0}}};
   return careful;
 }
 
