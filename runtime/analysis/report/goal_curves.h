@@ -12,8 +12,8 @@ namespace runtime {
 // TermCurves() (task_curves.h): of each episode the mean over its time.
 nlohmann::json GoalCurves(const RunRecord& run, const std::vector<EpisodeRecord>& episodes);
 
-// What the robot was told in an episode, in the order of time: [{time [s], name, type, unit, value}];
-// the value is a list of numbers.
+// What the robot was told in an episode, in the order of time: [{time [s], name, type, unit,
+// value}]; the value is a list of numbers.
 nlohmann::json GoalsTold(const TaskRecord& task, const Evaluation& evaluation);
 
 }  // namespace runtime
