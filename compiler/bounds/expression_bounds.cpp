@@ -6,6 +6,7 @@
 
 #include "base/variant/overloaded.h"
 #include "compiler/bounds/builtin_bounds.h"
+#include "compiler/check/copy_checked.h"
 
 namespace compiler {
 namespace {
@@ -88,7 +89,23 @@ Box ExpressionBounds::AllOf(const CheckedExpression& expression) {
                     expression.node);
 }
 
+namespace {
+
+// Whether this is what `normalize` stands for: a vector by its norm, which at least is not 0.
+bool IsDirection(const CheckedBinary& binary) {
+  const auto* divisor = std::get_if<BuiltinCall>(&binary.right->node);
+  if (binary.op != BinaryOperator::kDivide || divisor == nullptr) return false;
+  if (divisor->function != Builtin::kMax || divisor->arguments.size() != 2) return false;
+  const auto* norm = std::get_if<BuiltinCall>(&divisor->arguments[0]->node);
+  return norm != nullptr && norm->function == Builtin::kNorm &&
+         IsSame(*norm->arguments[0], *binary.left);
+}
+
+}  // namespace
+
 Box ExpressionBounds::Calculate(const CheckedBinary& binary) {
+  if (IsDirection(binary))
+    return Box(std::vector<Interval>(AllOf(*binary.left).size(), Interval{-1, 1}));
   const SquareKind square = SquareKindOf(binary);
   if (square != SquareKind::kNone) {
     std::vector<Interval> elements = AllOf(*binary.right).elements();

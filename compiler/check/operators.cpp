@@ -73,7 +73,8 @@ class BinaryCheck {
     if (!CanCompare()) return std::nullopt;
     if (IsBool(left().type)) return WrongOperands("`within` compares numbers");
     if (!IsScalar(left().type) || !IsScalar(right().type))
-      return WrongOperands("compare one element, or the `norm` of the difference");
+      return WrongOperands(
+          "`within` compares single numbers: one element, or the `norm` of the difference");
     const Unit unit = left().unit;
     const bool is_negative = ValueOf(tolerance.expression).value_or(0) < 0;
     const Span span = Cover(left().span, tolerance.expression.span);

@@ -53,9 +53,11 @@ class Composer {
     total_size_ = source.text().size();
     std::optional<SyntaxTree> tree = Parse(source, diagnostics_);
     if (!tree) return std::nullopt;
-    if (IsLibrary(*tree))
+    if (IsLibrary(*tree)) {
       Report(code::kNotATask, {source.first_offset(), source.first_offset()},
              "this file is a library: it has no task", "begin it with `task NAME`, or import it");
+      tree->lost.has_header = true;  // it may be meant for any robot
+    }
     chain_.push_back({KeyOf(file), {}});
     return Complete(std::move(*tree), file);
   }

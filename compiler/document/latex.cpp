@@ -136,6 +136,17 @@ Formula Infix(std::string_view sign, Binding binding, Binding right, const Binar
           binding};
 }
 
+Formula WithoutMinus(const Formula& negation) {
+  return {negation.text.substr(1), negation.behind_minus};
+}
+
+// The language has no powers: a square is a product with itself.
+Formula ProductOrSquare(const Formula& left, const Formula& right) {
+  if (left.binding == Binding::kNegation) return Minus(ProductOrSquare(WithoutMinus(left), right));
+  const bool is_number = std::isdigit(static_cast<unsigned char>(left.text.front())) != 0;
+  return left.text == right.text && !is_number ? Power(left, "2") : Product(left, right);
+}
+
 Formula ToFormula(const BinaryExpression& node) {
   switch (node.op) {
     case BinaryOperator::kAdd:
@@ -143,7 +154,7 @@ Formula ToFormula(const BinaryExpression& node) {
     case BinaryOperator::kSubtract:
       return Infix("-", Binding::kSum, Binding::kInnerProduct, node);
     case BinaryOperator::kMultiply:
-      return Product(ToFormula(*node.left), ToFormula(*node.right));
+      return ProductOrSquare(ToFormula(*node.left), ToFormula(*node.right));
     case BinaryOperator::kDivide:
       return Quotient(ToFormula(*node.left), ToFormula(*node.right));
     case BinaryOperator::kLess:
@@ -164,10 +175,6 @@ Formula ToFormula(const BinaryExpression& node) {
       return Infix("\\lor", Binding::kOr, Binding::kOr, node);
   }
   return {};
-}
-
-Formula WithoutMinus(const Formula& negation) {
-  return {negation.text.substr(1), negation.behind_minus};
 }
 
 struct LatexWriter {
@@ -244,6 +251,10 @@ Formula Product(const Formula& left, const Formula& right) {
   // Numbers side by side would look like one.
   const bool is_number = std::isdigit(static_cast<unsigned char>(second.front())) != 0;
   return {first + (is_number ? " \\cdot " : "\\,") + second, Binding::kProduct};
+}
+
+Formula Power(const Formula& base, const std::string& exponent) {
+  return {AtLeast(Binding::kAtom, base) + "^{" + exponent + "}", Binding::kPower};
 }
 
 Formula Sum(const std::vector<Formula>& summands) {

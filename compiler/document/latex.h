@@ -43,6 +43,7 @@ Formula ToFormula(const Target& target);
 std::string AtLeast(Binding least, const Formula& formula);
 
 Formula Product(const Formula& left, const Formula& right);
+Formula Power(const Formula& base, const std::string& exponent);
 Formula Sum(const std::vector<Formula>& summands);  // of none: 0
 Formula Quotient(const Formula& above, const Formula& below);
 Formula Minus(const Formula& operand);

@@ -14,10 +14,6 @@ Formula Around(const std::string& before, const Formula& argument, const std::st
   return {before + argument.text + after};
 }
 
-Formula WithExponent(const Formula& base, const std::string& exponent) {
-  return {AtLeast(Binding::kAtom, base) + "^{" + exponent + "}", Binding::kPower};
-}
-
 Formula Between(const std::string& sign, const Arguments& arguments) {
   return {AtLeast(Binding::kPower, arguments[0]) + " " + sign + " " +
               AtLeast(Binding::kPower, arguments[1]),
@@ -68,7 +64,7 @@ struct BuiltinFormula {
       case Builtin::kCross:
         return Between("\\times", arguments);
       case Builtin::kPow:
-        return WithExponent(arguments[0], arguments[1].text);
+        return Power(arguments[0], arguments[1].text);
       case Builtin::kSelect:
         return Selection(arguments);
       case Builtin::kExp:
@@ -111,9 +107,9 @@ struct BuiltinFormula {
   Formula operator()(Composite function) const {
     switch (function) {
       case Composite::kInverse:
-        return WithExponent(arguments[0], "-1");
+        return Power(arguments[0], "-1");
       case Composite::kTranspose:
-        return WithExponent(arguments[0], "\\top");
+        return Power(arguments[0], "\\top");
       case Composite::kMean:
       case Composite::kNormalize:
       case Composite::kRotate:

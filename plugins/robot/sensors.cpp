@@ -101,6 +101,9 @@ constexpr std::array kConstants = {
     ConstantDescription{"joint.high", "real[joint]", "rad", "the upper stop of each hinge"},
     ConstantDescription{"joint.rest", "real[joint]", "rad",
                         "the angle of each hinge in the robot's first pose"},
+    ConstantDescription{"joint.max_torque", "real[joint]", "N m",
+                        "the most that the controller exerts on each hinge"},
+    ConstantDescription{"link.mass", "real[link]", "kg", "the mass of each link"},
 };
 
 }  // namespace
@@ -122,12 +125,19 @@ int ElementCount(const SensorDescription& sensor, const RobotDescription& robot)
 std::span<const ConstantDescription> Constants() { return kConstants; }
 
 std::vector<double> ValuesOf(const ConstantDescription& constant, const RobotDescription& robot) {
-  if (constant.name == "joint.rest") return robot.poses.front().joint_angles;
-  std::vector<double> stops;
-  for (const Joint& joint : robot.joints) {
-    stops.push_back(constant.name == "joint.low" ? joint.low : joint.high);
+  std::vector<double> values;
+  if (constant.name == "joint.low") {
+    for (const Joint& joint : robot.joints) values.push_back(joint.low);
+  } else if (constant.name == "joint.high") {
+    for (const Joint& joint : robot.joints) values.push_back(joint.high);
+  } else if (constant.name == "joint.rest") {
+    values = robot.poses.front().joint_angles;
+  } else if (constant.name == "joint.max_torque") {
+    values.assign(robot.joints.size(), robot.controller.max_torque);
+  } else {
+    for (const Link& link : robot.links) values.push_back(link.mass);
   }
-  return stops;
+  return values;
 }
 
 }  // namespace robot

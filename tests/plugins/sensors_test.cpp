@@ -71,6 +71,9 @@ TEST(Constants, AreThoseOfTheDescription) {
   EXPECT_EQ(values["joint.low"], (std::vector{robot.joints[0].low, robot.joints[1].low}));
   EXPECT_EQ(values["joint.high"], (std::vector{robot.joints[0].high, robot.joints[1].high}));
   EXPECT_EQ(values["joint.rest"], robot.poses[0].joint_angles);
+  EXPECT_EQ(values["joint.max_torque"], std::vector(2, robot.controller.max_torque));
+  EXPECT_EQ(values["link.mass"],
+            (std::vector{robot.links[0].mass, robot.links[1].mass, robot.links[2].mass}));
 }
 
 TEST(Sensors, AreFoundByName) {

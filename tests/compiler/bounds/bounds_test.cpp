@@ -72,6 +72,11 @@ TEST(Bounds, OfArraysOfVectorsAreThoseOfTheirVectors) {
   ExpectEnds(RateOf("max(dot(few, vec3(1, -1, 0)))", sensors), -3, 3);
 }
 
+TEST(Bounds, OfADirectionAreThoseOfItsLength) {
+  ExpectEnds(RateOf("normalize(v).y", "sensor v: vec3"), -1, 1);
+  ExpectEnds(RateOf("max(normalize(many - 1).z)", "sensor many: vec3[3]"), -1, 1);
+}
+
 TEST(Bounds, OfThePastAreThoseOfItsArgument) {
   ExpectEnds(RateOf("smooth(x + 2, 0.1 s)"), 1, 3);
   ExpectEnds(RateOf("previous(x) + delay(x, 3)"), -2, 2);

@@ -50,6 +50,11 @@ TEST(Latex, PutsParenthesesOnlyWhereTheyAreNeeded) {
   EXPECT_EQ(Latex("a + -b"), "a + \\left(-b\\right)");
   EXPECT_EQ(Latex("(a + b) * c"), "\\left(a + b\\right)\\,c");
   EXPECT_EQ(Latex("a * b * c"), "a\\,b\\,c");
+  EXPECT_EQ(Latex("a * a"), "a^{2}");
+  EXPECT_EQ(Latex("-a * a"), "-a^{2}");
+  EXPECT_EQ(Latex("b * (v.x * v.x)"), "b\\,v_{x}^{2}");
+  EXPECT_EQ(Latex("(a + b) * (a + b)"), "\\left(a + b\\right)^{2}");
+  EXPECT_EQ(Latex("3 * 3"), "3 \\cdot 3");
   EXPECT_EQ(Latex("a * (b / c)"), "a\\,\\frac{b}{c}");
   EXPECT_EQ(Latex("(a + b) / (c - d)"), "\\frac{a + b}{c - d}");
   EXPECT_EQ(Latex("not (a and b)"), "\\lnot \\left(a \\land b\\right)");
