@@ -91,7 +91,8 @@ Box ExpressionBounds::AllOf(const CheckedExpression& expression) {
 
 namespace {
 
-// Whether this is what `normalize` stands for: a vector by its norm, which at least is not 0.
+// Whether this is what `normalize` stands for: a vector by its norm, which is at least so large
+// that the square of any element rounds as other numbers do. No element is then larger than it.
 bool IsDirection(const CheckedBinary& binary) {
   const auto* divisor = std::get_if<BuiltinCall>(&binary.right->node);
   if (binary.op != BinaryOperator::kDivide || divisor == nullptr) return false;
@@ -101,11 +102,13 @@ bool IsDirection(const CheckedBinary& binary) {
          IsSame(*norm->arguments[0], *binary.left);
 }
 
+void ShortenToOne(Interval& x) {
+  if (HasNumber(x)) x = {std::max(x.low, -1.0), std::min(x.high, 1.0), false, x.may_be_nan};
+}
+
 }  // namespace
 
 Box ExpressionBounds::Calculate(const CheckedBinary& binary) {
-  if (IsDirection(binary))
-    return Box(std::vector<Interval>(AllOf(*binary.left).size(), Interval{-1, 1}));
   const SquareKind square = SquareKindOf(binary);
   if (square != SquareKind::kNone) {
     std::vector<Interval> elements = AllOf(*binary.right).elements();
@@ -117,6 +120,7 @@ Box ExpressionBounds::Calculate(const CheckedBinary& binary) {
   std::vector<Interval> elements(std::max(left.size(), right.size()));
   for (size_t i = 0; i < elements.size(); ++i)
     elements[i] = compiler::Calculate(binary.op, left[i], right[i], binary.left->type.scalar);
+  if (IsDirection(binary)) std::ranges::for_each(elements, ShortenToOne);
   return Box(std::move(elements));
 }
 

@@ -1,7 +1,6 @@
 #include "compiler/check/composites.h"
 
 #include <cstdlib>
-#include <limits>
 #include <numbers>
 #include <utility>
 
@@ -17,6 +16,10 @@ namespace {
 // An argument may stand several times in an equation, and equations in each other: this keeps the
 // whole small.
 constexpr size_t kLargestArgument = 2000;  // nodes
+
+// `normalize` divides by no less: squares of smaller numbers have lost their digits, and directions
+// would have any length.
+constexpr double kShortestNorm = 1e-150;
 
 const Type kReal{};
 const Type kVec3{.shape = Shape::kVector, .rows = 3};
@@ -58,8 +61,8 @@ class Expansion {
       case Composite::kMean:
         return Mean();
       case Composite::kNormalize:
-        return Divide(Argument(0), Call(Builtin::kMax, kReal, Norm(Argument(0)),
-                                        Number(std::numeric_limits<double>::min())));
+        return Divide(Argument(0),
+                      Call(Builtin::kMax, kReal, Norm(Argument(0)), Number(kShortestNorm)));
       case Composite::kRotate:
         return arguments_[0].type.shape == Shape::kMatrix ? Transformed() : Rotated();
       case Composite::kInverse:

@@ -27,11 +27,11 @@ class DebuggerTest : public TrainerTest {
 TEST_F(DebuggerTest, StopsInALineOfTheTask) {
   // The line with `if not moved and steps > 3`.
   const std::string output = Debug(
-      {"set breakpoint pending on", "break leaning.task:23", "run", "next", "info source", "kill"});
+      {"set breakpoint pending on", "break leaning.task:25", "run", "next", "info source", "kill"});
   EXPECT_THAT(output,
-              AllOf(HasSubstr("end_of_time_step"), HasSubstr("leaning.task:23\n"),
-                    HasSubstr("23\t    if not moved and steps > 3 {"),
-                    HasSubstr("27\t    if any(contact[body, head, hands]) {"),
+              AllOf(HasSubstr("end_of_time_step"), HasSubstr("leaning.task:25\n"),
+                    HasSubstr("25\t    if not moved and steps > 3 {"),
+                    HasSubstr("29\t    if any(contact[body, head, hands]) {"),
                     HasSubstr(fmt::format("Current source file is {}", TaskFile("leaning")))));
 }
 
