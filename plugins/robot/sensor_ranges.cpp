@@ -2,7 +2,6 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
-#include <numbers>
 
 #include "plugins/robot/sensors.h"
 
@@ -21,8 +20,7 @@ constexpr double kGiveOfStops = 0.1;  // [rad]
 std::vector<Range> AngleRanges(const RobotDescription& robot) {
   std::vector<Range> ranges;
   for (const Joint& joint : robot.joints) {
-    ranges.push_back({std::max(joint.low - kGiveOfStops, -std::numbers::pi),
-                      std::min(joint.high + kGiveOfStops, std::numbers::pi)});
+    ranges.push_back({joint.low - kGiveOfStops, joint.high + kGiveOfStops});
   }
   return ranges;
 }

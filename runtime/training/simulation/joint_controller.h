@@ -33,6 +33,7 @@ class JointController {
   // All from the last update.
   std::span<const double> targets() const { return targets_; }  // [rad]; 0 before the first
   std::span<const double> angles() const { return angles_; }    // [rad]
+  std::span<const double> rates() const { return rates_; }      // of the angles [rad/s]
   // [N m]: clip(stiffness * (target - angle) - damping * rate, max_torque).
   std::span<const double> torques() const { return torques_; }
   std::span<const Motor> motors() const { return motors_; }
@@ -42,6 +43,7 @@ class JointController {
   const RobotBody& body_;
   std::vector<double> targets_;
   std::vector<double> angles_;
+  std::vector<double> rates_;
   std::vector<double> torques_;
   std::vector<Motor> motors_;
 };

@@ -1,5 +1,6 @@
 #include "runtime/training/simulation/ode_solver.h"
 
+#include <numbers>
 #include <utility>
 
 namespace runtime {
@@ -25,6 +26,8 @@ OdeSolver::OdeSolver(const robot::RobotDescription& robot, const Profile& profil
       world_(world),
       time_step_(settings.time_step),
       drive_(profile.drive),
+      joints_(robot.joints),
+      turns_(robot.joints.size(), 0.0),
       contacts_(dJointGroupCreate(0)),
       contact_{} {
   contact_.surface = Surface(settings);
@@ -49,6 +52,7 @@ void OdeSolver::AddMotor(const robot::Joint& joint) {
 void OdeSolver::Step(std::span<const Contact> contacts, const JointController& controller,
                      std::span<Vector3> impulses) {
   Drive(controller);
+  MoveStops(controller);
   MakeContacts(contacts, !impulses.empty());
   dWorldStep(world_, time_step_);
   if (!impulses.empty()) AddImpulses(contacts, impulses);
@@ -64,6 +68,20 @@ void OdeSolver::Drive(const JointController& controller) {
       dJointSetAMotorParam(motors_[j].get(), dParamCFM, 1 / motor.damping);
       dJointSetAMotorParam(motors_[j].get(), dParamVel, motor.speed);
     }
+  }
+}
+
+// ODE measures angles from -pi to pi. Where a joint has given way beyond that, ODE has to see the
+// stops where it sees the joint, or it would throw the joint all the way around.
+void OdeSolver::MoveStops(const JointController& controller) {
+  using std::numbers::pi;
+  for (int j = 0; j < body_.joint_count(); ++j) {
+    const double angle = controller.angles()[j];
+    const double turn = angle > pi ? -2 * pi : angle < -pi ? 2 * pi : 0;
+    if (turn == turns_[j]) continue;
+    dJointSetHingeParam(body_.hinge(j), dParamLoStop, joints_[j].low + turn);
+    dJointSetHingeParam(body_.hinge(j), dParamHiStop, joints_[j].high + turn);
+    turns_[j] = turn;
   }
 }
 

@@ -19,6 +19,7 @@ class OdeSolver : public PhysicsSolver {
  private:
   void AddMotor(const robot::Joint& joint);
   void Drive(const JointController& controller);
+  void MoveStops(const JointController& controller);
   void MakeContacts(std::span<const Contact> contacts, bool has_feedback);
   void AddImpulses(std::span<const Contact> contacts, std::span<Vector3> impulses) const;
   dBodyID BodyOf(int link) const;
@@ -27,6 +28,8 @@ class OdeSolver : public PhysicsSolver {
   dWorldID world_;
   double time_step_;
   JointDrive drive_;
+  const std::vector<robot::Joint>& joints_;
+  std::vector<double> turns_;     // by which each joint's stops are moved now [rad]
   std::vector<OdeJoint> motors_;  // for JointDrive::kMotor
   OdeJointGroup contacts_;
   dContact contact_;                      // with the surface that all have

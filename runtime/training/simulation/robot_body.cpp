@@ -82,6 +82,16 @@ void RobotBody::AddHinge(const robot::Joint& joint, dWorldID world) {
   dJointSetHingeParam(hinge.get(), dParamLoStop, joint.low);
   dJointSetHingeParam(hinge.get(), dParamHiStop, joint.high);
   hinges_.push_back(std::move(hinge));
+  middles_.push_back((joint.low + joint.high) / 2);
+}
+
+double RobotBody::JointAngle(int joint) const {
+  using std::numbers::pi;
+  const double angle = dJointGetHingeAngle(hinge(joint));
+  const double middle = middles_[joint];
+  if (angle > middle + pi) return angle - 2 * pi;
+  if (angle < middle - pi) return angle + 2 * pi;
+  return angle;
 }
 
 void RobotBody::MoveTo(const robot::RobotDescription& robot, const robot::Pose& pose) {

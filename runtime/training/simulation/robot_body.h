@@ -22,6 +22,10 @@ class RobotBody {
   dGeomID geom(int link) const { return geoms_[link].get(); }
   dJointID hinge(int joint) const { return hinges_[joint].get(); }
 
+  // [rad]. A hinge with a stop near half a turn may give way beyond that; its angle then goes on,
+  // and is not that of the other side as ODE has it.
+  double JointAngle(int joint) const;
+
   // False if a link is too fast to be the work of the robot's motors, or its speed is not a number.
   bool IsPlausible() const;
 
@@ -33,6 +37,7 @@ class RobotBody {
   std::vector<OdeBody> bodies_;
   std::vector<OdeGeom> geoms_;
   std::vector<OdeJoint> hinges_;
+  std::vector<double> middles_;  // of the hinges' stops [rad]
 };
 
 }  // namespace runtime

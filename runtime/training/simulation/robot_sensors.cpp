@@ -72,7 +72,7 @@ void RobotSensor::Compute() {
       break;
     }
     case robot::SensorId::kJointAngle:
-      for (int j = 0; j < body.joint_count(); ++j) out[j] = dJointGetHingeAngle(body.hinge(j));
+      for (int j = 0; j < body.joint_count(); ++j) out[j] = body.JointAngle(j);
       break;
     case robot::SensorId::kJointVelocity:
       for (int j = 0; j < body.joint_count(); ++j) out[j] = dJointGetHingeAngleRate(body.hinge(j));

@@ -33,6 +33,7 @@ World::World(const robot::RobotDescription& robot, const Profile& profile, const
       body_(robot, pose, world_.get()),
       collision_(robot, body_),
       controller_(robot, body_, physics_time_step()),
+      soundness_(robot, body_, settings_.gravity, physics_time_step()),
       contact_filter_(body_.link_count(), physics_time_step()),
       means_(body_),
       solver_(MakeSolver(robot, profile, settings_, body_, world_.get())) {
@@ -42,6 +43,7 @@ World::World(const robot::RobotDescription& robot, const Profile& profile, const
 
 void World::Step(std::span<const double> targets) {
   controller_.Update(targets);
+  soundness_.Check(controller_);
   collision_.Update();
   try {
     solver_->Step(collision_.contacts(), controller_, means_.impulses());

@@ -12,6 +12,7 @@
 #include "runtime/training/simulation/physics_solver.h"
 #include "runtime/training/simulation/profile.h"
 #include "runtime/training/simulation/robot_body.h"
+#include "runtime/training/simulation/soundness.h"
 #include "runtime/training/simulation/step_means.h"
 
 namespace runtime {
@@ -49,6 +50,7 @@ class World {
   RobotBody body_;
   Collision collision_;
   JointController controller_;
+  Soundness soundness_;
   ContactFilter contact_filter_;
   StepMeans means_;
   std::unique_ptr<PhysicsSolver> solver_;

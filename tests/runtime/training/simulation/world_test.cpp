@@ -188,6 +188,25 @@ TEST_P(WorldTest, ARobotWithoutJointsIsABody) {
   EXPECT_NEAR(dBodyGetPosition(world.body().body(0))[2], 0.1, 1e-3);
 }
 
+// ODE measures angles from -pi to pi, and would throw such a joint all the way around.
+TEST_P(WorldTest, AJointThatGivesWayBeyondHalfATurnComesBack) {
+  robot::RobotDescription rotor = Rotor();
+  rotor.joints[0].low = -0.5;
+  rotor.joints[0].high = 3.14;
+  rotor.poses[0].joint_angles[0] = 3;
+  World world = Make(rotor, rotor.poses[0]);
+  dBodySetAngularVel(world.body().body(1), 0, 0, -30);
+  double largest = 0;
+  for (double time = 0; time < 0.2; time += world.physics_time_step()) {
+    world.Step(std::vector{3.0});
+    const double angle = world.body().JointAngle(0);
+    ASSERT_GT(angle, 2) << time;
+    largest = std::max(largest, angle);
+  }
+  EXPECT_GT(largest, M_PI);
+  EXPECT_LT(largest, 3.5);
+}
+
 TEST_P(WorldTest, AnAbsurdStateIsAFailure) {
   World world = Make(Humanoid(), Humanoid().poses[0]);
   dBodySetLinearVel(world.body().body(3), 1e6, 0, 0);
