@@ -24,11 +24,13 @@ toml::table Parse(const std::string& file) {
 
 Controller ReadController(const TomlValue& root) {
   const TomlValue value = root.At("controller").Called("`controller`");
-  value.AllowKeys({"stiffness", "damping", "max_torque", "time_step"});
+  value.AllowKeys({"stiffness", "damping", "max_torque", "max_speed", "time_step"});
   Controller controller;
   controller.stiffness = value.At("stiffness").PositiveNumber();
   controller.damping = value.At("damping").PositiveNumber();
   controller.max_torque = value.At("max_torque").PositiveNumber();
+  if (const auto max_speed = value.Find("max_speed"))
+    controller.max_speed = max_speed->PositiveNumber();
   controller.time_step = value.At("time_step").PositiveNumber();
   return controller;
 }

@@ -52,11 +52,14 @@ struct Joint {
 };
 
 // Joint-level PD control: torque = clip(stiffness * (target - angle) - damping * rate, max_torque).
+// A motor that turns has less to give, in proportion, and at `max_speed` nothing that would turn it
+// faster: the two numbers of a servo's data sheet, its stall torque and its no-load speed.
 struct Controller {
-  double stiffness = 0;   // N m / rad
-  double damping = 0;     // N m s / rad
-  double max_torque = 0;  // N m
-  double time_step = 0;   // of the tasks and the learner [s]
+  double stiffness = 0;                                        // N m / rad
+  double damping = 0;                                          // N m s / rad
+  double max_torque = 0;                                       // N m
+  double max_speed = std::numeric_limits<double>::infinity();  // rad / s
+  double time_step = 0;                                        // of the tasks and the learner [s]
 };
 
 struct Pose {

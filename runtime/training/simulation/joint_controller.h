@@ -1,5 +1,5 @@
 // The low-level controller of the joints: each is drawn to its target by a spring and a damper,
-// within the limit of its torque.
+// within the limits of its torque and its speed.
 #pragma once
 
 #include <span>
@@ -34,13 +34,19 @@ class JointController {
   std::span<const double> targets() const { return targets_; }  // [rad]; 0 before the first
   std::span<const double> angles() const { return angles_; }    // [rad]
   std::span<const double> rates() const { return rates_; }      // of the angles [rad/s]
-  // [N m]: clip(stiffness * (target - angle) - damping * rate, max_torque).
+  // [N m]: clip(stiffness * (target - angle) - damping * rate, max_torque), and no more than the
+  // motor has at that speed.
   std::span<const double> torques() const { return torques_; }
   std::span<const Motor> motors() const { return motors_; }
 
  private:
+  // The most that a motor has to give in the direction of `drive` at a speed of `rate` [N m].
+  double MostTorque(double drive, double rate) const;
+  Motor MotorFor(double pull, double rate) const;
+
   const robot::Controller& controller_;
   const RobotBody& body_;
+  const double implicit_damping_;  // damping + h stiffness [N m s / rad]
   std::vector<double> targets_;
   std::vector<double> angles_;
   std::vector<double> rates_;

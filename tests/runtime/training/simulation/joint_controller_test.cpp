@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "tests/runtime/training/simulation/robots.h"
@@ -66,6 +67,39 @@ TEST_P(JointControllerTest, TheLimitActs) {
   const double wheel = 0.4 * 0.5 * 0.08 * 0.08;
   const double inertia = hub * wheel / (hub + wheel);
   EXPECT_NEAR(dJointGetHingeAngleRate(world.body().hinge(0)), -0.002 / inertia * 0.1, 1e-6);
+}
+
+// A motor's torque falls with its speed: the wheel's nears the largest speed exponentially.
+TEST_P(JointControllerTest, ASpeedLimitIsThatOfAMotor) {
+  robot::RobotDescription rotor = Rotor();
+  rotor.controller = {
+      .stiffness = 1, .damping = 0.001, .max_torque = 0.002, .max_speed = 2, .time_step = 0.005};
+  World world(rotor, profile(), rotor.poses[0]);
+  const double hub = 0.4 * 1.0 * 0.1 * 0.1;
+  const double wheel = 0.4 * 0.5 * 0.08 * 0.08;
+  const double time_constant = hub * wheel / (hub + wheel) * 2 / 0.002;
+  for (int i = 1; i <= 10; ++i) {
+    StepFor(world, 0.1, {-3});
+    const double speed = dJointGetHingeAngleRate(world.body().hinge(0));
+    EXPECT_NEAR(speed, -2 * (1 - std::exp(-0.1 * i / time_constant)), 2e-3) << i;
+    EXPECT_NEAR(world.controller().torques()[0], -0.002 * (1 + speed / 2), 1e-5) << i;
+  }
+}
+
+TEST_P(JointControllerTest, NoStepDrivesAJointBeyondItsSpeed) {
+  robot::RobotDescription humanoid = Humanoid();
+  humanoid.controller.max_speed = 6;
+  humanoid.poses[0].position[2] = 10;
+  World world(humanoid, profile(), humanoid.poses[0]);
+  std::vector<double> targets = Zeros(humanoid);
+  targets[1] = 2.5;
+  double fastest = 0;
+  for (int step = 0; step < 60; ++step) {
+    world.Step(targets);
+    fastest = std::max(fastest, dJointGetHingeAngleRate(world.body().hinge(1)));
+  }
+  EXPECT_GT(fastest, 5.5);
+  EXPECT_LT(fastest, 6.05);
 }
 
 TEST_P(JointControllerTest, FollowsTheAnalyticDampedOscillation) {
