@@ -41,13 +41,12 @@ void AddTable(const Table& table, std::vector<std::string>& words) {
   for (const auto& word : table) words.emplace_back(word.text);
 }
 
-}  // namespace
-
-std::vector<std::string> TaskTexts() {
+// Without what tests expect of them.
+std::vector<std::string> TextsIn(const std::vector<const char*>& folders, const char* ending) {
   std::vector<fs::path> files;
-  for (const char* folder : {"/tasks", "/tests/compiler", "/tests/runtime/trainer/tasks"}) {
+  for (const char* folder : folders) {
     for (const auto& entry : fs::recursive_directory_iterator(SOURCE_DIR + std::string(folder))) {
-      if (entry.path().extension() == ".task") files.push_back(entry.path());
+      if (entry.path().extension() == ending) files.push_back(entry.path());
     }
   }
   std::ranges::sort(files);
@@ -55,6 +54,14 @@ std::vector<std::string> TaskTexts() {
   for (const fs::path& file : files) texts.push_back(golden::Split(file, ReadFile(file)).input);
   return texts;
 }
+
+}  // namespace
+
+std::vector<std::string> TaskTexts() {
+  return TextsIn({"/tasks", "/tests/compiler", "/tests/runtime/trainer/tasks"}, ".task");
+}
+
+std::vector<std::string> TableTexts() { return TextsIn({"/tests/compiler/check/tables"}, ".csv"); }
 
 std::vector<std::string> TaskWords() {
   std::vector<std::string> words;
@@ -103,6 +110,50 @@ std::vector<std::string> TaskWords() {
           std::string(1, '\0'),
           "\xf0\x9f\x98\x80"},
          words);
+  return words;
+}
+
+std::vector<std::string> TableWords() {
+  std::vector<std::string> words = {",",
+                                    ";",
+                                    "\t",
+                                    " ",
+                                    "\n",
+                                    "\r\n",
+                                    "\"",
+                                    "\xEF\xBB\xBF",
+                                    "[",
+                                    "]",
+                                    "[s]",
+                                    "[m]",
+                                    "[cm]",
+                                    "[rad]",
+                                    "[deg]",
+                                    "[km^90]",
+                                    "[]",
+                                    "0",
+                                    "-1",
+                                    "0.5",
+                                    "1e99",
+                                    "1e101",
+                                    "1e999",
+                                    "1e-400",
+                                    "nan",
+                                    "inf",
+                                    "+1",
+                                    "1,5",
+                                    "time",
+                                    "x",
+                                    "y",
+                                    "z",
+                                    "w",
+                                    "0.x",
+                                    "joint.angle",
+                                    "\xff",
+                                    "left_knee_pitch",
+                                    "right_knee_pitch",
+                                    std::string(1, '\0')};
+  AddAll(compiler::KnownUnits(), words);
   return words;
 }
 

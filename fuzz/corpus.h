@@ -12,4 +12,8 @@ std::vector<std::string> TaskTexts();
 // The words of the language: those of its grammar and of its tables, and some that are none.
 std::vector<std::string> TaskWords();
 
+// Files of tables, right and wrong ones, and what they are made of.
+std::vector<std::string> TableTexts();
+std::vector<std::string> TableWords();
+
 }  // namespace fuzz

@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "compiler/check/check.h"
+#include "compiler/compose/compose.h"
 #include "compiler/emit/emit.h"
 #include "compiler/format/format.h"
 #include "compiler/interpret/evaluator.h"
@@ -17,7 +18,6 @@ namespace {
 using compiler::CheckedTask;
 using compiler::Diagnostics;
 using compiler::Sources;
-using compiler::SyntaxTree;
 
 void Require(bool condition, const char* what) {
   if (condition) return;
@@ -34,7 +34,8 @@ const robot::RobotDescription& Humanoid() {
 void Show(const Sources& sources, const Diagnostics& diagnostics) {
   for (const compiler::Diagnostic& diagnostic : diagnostics.list()) {
     Require(diagnostic.span.begin <= diagnostic.span.end, "a place ends before it begins");
-    Require(diagnostic.span.end <= sources.main().end_offset(), "a place is behind the text");
+    Require(diagnostic.span.end <= sources.files().back().end_offset(),
+            "a place is behind the text");
     Require(!diagnostic.message.empty(), "a diagnostic says nothing");
   }
   Require(Render(sources, diagnostics, false).empty() == diagnostics.list().empty(),
@@ -62,14 +63,46 @@ void Parse(const std::string& text) {
 }
 
 void Check(const std::string& text) {
-  const Sources sources("fuzz.task", text);
+  const auto read = [&](const std::filesystem::path& file) {
+    return file == "fuzz.task" ? std::optional(text) : std::nullopt;
+  };
+  Sources sources;
   Diagnostics diagnostics;
-  const std::optional<SyntaxTree> tree = compiler::Parse(sources.main(), diagnostics);
+  const auto tree = compiler::Compose("fuzz.task", read, sources, diagnostics);
   if (!tree) return;
   const auto task = compiler::Check(*tree, tree->robot ? &Humanoid() : nullptr, diagnostics);
   Require(task.has_value() == !diagnostics.has_errors(), "neither a task nor an error, or both");
   Show(sources, diagnostics);
   if (task) Use(*task, sources);
+}
+
+// A task whose only table is read, of each kind.
+void Table(const std::string& text) {
+  struct Kind {
+    const char* type;
+    const char* value;
+  };
+  constexpr Kind kKinds[] = {{"real [m]", "a(time, loop) / 1 m"},
+                             {"vec3 [m]", "norm(a(time)) / 1 m"},
+                             {"quat", "a(time).w"},
+                             {"real[joint] [rad]", "norm(a(time, loop)) / 1 rad"}};
+  for (const Kind& kind : kKinds) {
+    const std::string task =
+        std::string("task fuzz for humanoid\ntable a: ") + kind.type +
+        " = \"fuzz.csv\"\non end_of_time_step { reward rate b = " + kind.value + " }\n";
+    const auto read = [&](const std::filesystem::path& file) {
+      return file == "fuzz.csv" ? text : task;
+    };
+    Sources sources;
+    Diagnostics diagnostics;
+    const auto tree = compiler::Compose("fuzz.task", read, sources, diagnostics);
+    Require(tree.has_value(), "a table makes its task unreadable");
+    const auto checked = compiler::Check(*tree, &Humanoid(), diagnostics);
+    Require(checked.has_value() == !diagnostics.has_errors(),
+            "neither a task nor an error, or both");
+    Show(sources, diagnostics);
+    if (checked) Use(*checked, sources);
+  }
 }
 
 void Format(const std::string& text) {
@@ -89,6 +122,7 @@ const std::vector<Target>& Targets() {
       {"parse", Parse, TaskTexts, TaskWords},
       {"check", Check, TaskTexts, TaskWords},
       {"format", Format, TaskTexts, TaskWords},
+      {"table", Table, TableTexts, TableWords},
   };
   return targets;
 }

@@ -20,6 +20,8 @@ struct Target {
 void Parse(const std::string& text);
 // A task that is right can be emitted and evaluated.
 void Check(const std::string& text);
+// The file of a table, of each kind of type: as Check.
+void Table(const std::string& text);
 // A formatted text is in its layout already, and no less right than it was.
 void Format(const std::string& text);
 

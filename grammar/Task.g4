@@ -19,15 +19,15 @@ tokens { LINE_END, SET_BEGIN, SET_END }
 // ---- Declarations -------------------------------------------------------------------------------
 
 // The tree builder checks the order: a task has its header first, a library has none, and no
-// declarations but imports, functions, sets and consts.
+// declarations but imports, functions, sets, tables and consts.
 file : (allow | header | declaration)* EOF ;
 
 // task crawling for humanoid, task backward_rolling extends "forward_rolling.task"
 header : TASK name (EXTENDS base=STRING)? (FOR robot=name)? LINE_END? ;
 
 declaration
-    : ( start | afterEnd | sensor | param | memory | goal | metric | constant | namedSet | event
-      | function | imported | test | change ) LINE_END?
+    : ( start | afterEnd | sensor | param | memory | goal | metric | constant | namedSet | table
+      | event | function | imported | test | change ) LINE_END?
     ;
 
 // allow W0706, W0712: above a declaration, a statement or the header
@@ -60,6 +60,9 @@ constant : CONST name ':' type '=' expression ;
 // set supports = {feet, hands}
 namedSet : SET name '=' items ;
 
+// table gait: real[joint] [rad] = "walk.csv"
+table : TABLE name ':' type '=' STRING ;
+
 // on end_of_time_step { ... }
 event : ON name block ;
 
@@ -84,8 +87,8 @@ bodyStatement : ( let | RETURN expression ) LINE_END? ;
 
 change
     : OVERRIDE
-      ( start | afterEnd | newDefault | newConstant | namedSet | newGoal | metric | reward | event
-      | function )
+      ( start | afterEnd | newDefault | newConstant | namedSet | newTable | newGoal | metric | reward
+      | event | function )
     ;
 
 // override param direction = -1
@@ -93,6 +96,9 @@ newDefault : PARAM name '=' expression range? ;
 
 // override const reach = 10 cm
 newConstant : CONST name '=' expression ;
+
+// override table gait = "run.csv"
+newTable : TABLE name '=' STRING ;
 
 // override goal velocity = uniform(0 m/s, 2 m/s)
 newGoal : GOAL name '=' value=expression (PER shortest=expression ('..' longest=expression)?)? ;
@@ -272,6 +278,7 @@ EXPECT : 'expect' ;
 ONCE : 'once' ;
 SET : 'set' ;
 CONST : 'const' ;
+TABLE : 'table' ;
 LOG : 'log' ;
 REQUIRE : 'require' ;
 GOAL : 'goal' ;

@@ -7,6 +7,7 @@
 #include "base/variant/overloaded.h"
 #include "compiler/bounds/builtin_bounds.h"
 #include "compiler/check/copy_checked.h"
+#include "compiler/check/type.h"
 
 namespace compiler {
 namespace {
@@ -82,6 +83,7 @@ Box ExpressionBounds::AllOf(const CheckedExpression& expression) {
                         [&](const BuiltinCall& node) { return Calculate(node, type); },
                         [&](const FunctionCall& node) { return Calculate(node, type); },
                         [&](const Draw& node) { return Calculate(node, type); },
+                        [&](const TableRead& node) { return Calculate(node); },
                         [&](const CheckedWithin&) { return Box(Anything(type.scalar)); },
                         [&](const TestRead&) { return Box(Anything(type.scalar)); },
                         [&](const IntToReal& node) { return AllOf(*node.operand); },
@@ -153,6 +155,24 @@ Box ExpressionBounds::Calculate(const Draw& draw, const Type& type) {
     for (const Box& argument : arguments) element = Join(element, argument[i]);
   }
   return MakeBox(std::move(elements));
+}
+
+// Of each column. Between two rotations lies a third one, whatever the numbers of the rows.
+Box ExpressionBounds::Calculate(const TableRead& read) {
+  const CheckedTable& table = task_.tables[read.table];
+  const size_t size = table.type.size();
+  std::vector<Interval> columns(size, kNothing);
+  for (size_t i = 0; i < table.elements.size(); ++i) {
+    Interval& column = columns[i % size];
+    column.low = std::min(column.low, table.elements[i]);
+    column.high = std::max(column.high, table.elements[i]);
+  }
+  const Interval argument = Of(*read.operand);
+  for (Interval& column : columns) {
+    if (IsOfQuaternions(table.type)) column = {-1, 1};
+    column.may_be_nan = argument.may_be_nan || (read.repeats && argument.may_be_infinite);
+  }
+  return MakeBox(std::move(columns));
 }
 
 Box ExpressionBounds::Calculate(const FunctionCall& call, const Type& type) {

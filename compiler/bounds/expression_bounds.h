@@ -28,6 +28,7 @@ class ExpressionBounds {
   Box Calculate(const Elements& elements);
   Box Calculate(const BuiltinCall& call, const Type& type);
   Box Calculate(const Draw& draw, const Type& type);
+  Box Calculate(const TableRead& read);
   Box Calculate(const FunctionCall& call, const Type& type);
 
   const CheckedTask& task_;

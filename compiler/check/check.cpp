@@ -10,6 +10,7 @@
 #include "compiler/check/named_constants.h"
 #include "compiler/check/sensor_use.h"
 #include "compiler/check/statements.h"
+#include "compiler/check/tables.h"
 #include "compiler/check/task_scope.h"
 #include "compiler/check/test_blocks.h"
 #include "compiler/check/time_functions.h"
@@ -63,6 +64,7 @@ std::optional<CheckedTask> Check(const SyntaxTree& tree, const robot::RobotDescr
   CheckStartPose(tree, robot, scope, task);
   // The names first, wherever they are declared; then what uses them.
   DeclareFunctions(tree, scope);
+  CheckTables(tree, scope);
   CheckConstants(tree, scope);
   CheckSensors(tree, scope);
   for (const std::string& word : tree.lost.words)
@@ -82,6 +84,7 @@ std::optional<CheckedTask> Check(const SyntaxTree& tree, const robot::RobotDescr
 
   task.consts = constants.consts;
   task.sets = constants.sets;
+  task.tables = constants.tables;
   KeepReadSensors(task, diagnostics);
   KeepCalledFunctions(task);
   if (diagnostics.has_errors()) return std::nullopt;

@@ -149,6 +149,12 @@ struct Draw {
   uint32_t site = 0;  // its number among those of the goal
   std::vector<CheckedExpressionPtr> arguments;
 };
+// What a table says for an argument, a real scalar; see table_value.h.
+struct TableRead {
+  uint32_t table = 0;    // index into CheckedTask::tables
+  bool repeats = false;  // after the last row comes the first again; else the ends hold
+  CheckedExpressionPtr operand;
+};
 struct IntToReal {  // inserted by the checker; there are no casts in the language
   CheckedExpressionPtr operand;
 };
@@ -159,7 +165,7 @@ struct CheckedExpression {
   Unit unit;
   std::variant<Constant, ConstRead, SensorRead, ParamRead, MemoryRead, LocalRead, ArgumentRead,
                RewardSoFar, TimeStep, Elements, CheckedUnary, CheckedBinary, CheckedWithin,
-               BuiltinCall, FunctionCall, Draw, TestRead, IntToReal>
+               BuiltinCall, FunctionCall, Draw, TableRead, TestRead, IntToReal>
       node;
 };
 
@@ -250,6 +256,22 @@ struct CheckedSet {
   std::string parts;               // "link" or "joint"; empty: numbers
   std::vector<uint32_t> indices;   // in their order
   std::vector<std::string> names;  // of the links or joints, or the numbers
+};
+// `table NAME: TYPE = "FILE"`
+struct CheckedTable {
+  std::string name;
+  std::string doc;
+  Type type;  // of real elements
+  Unit unit;
+  std::string file;      // as written in the task
+  std::string argument;  // what its column is called
+  Unit argument_unit;
+  // In SI units. Rotations have length 1, each the nearer to that of the row before of the two
+  // quaternions that mean it.
+  std::vector<double> arguments;  // of each row, increasing; at least two
+  std::vector<double> elements;   // of each row, one row after the other
+
+  double duration() const { return arguments.back() - arguments.front(); }
 };
 struct CheckedSensor {
   std::string name;
@@ -422,6 +444,7 @@ struct CheckedTask {
   double longest_time_step = std::numeric_limits<double>::infinity();
   std::vector<CheckedConst> consts;
   std::vector<CheckedSet> sets;
+  std::vector<CheckedTable> tables;
   std::vector<CheckedSensor> sensors;  // those that something reads
   std::vector<CheckedParam> params;
   std::vector<CheckedMemory> memory;

@@ -30,6 +30,7 @@ CheckedWithin CopyOf(const CheckedWithin& node) {
 BuiltinCall CopyOf(const BuiltinCall& node) { return {node.function, CopyOf(node.arguments)}; }
 FunctionCall CopyOf(const FunctionCall& node) { return {node.function, CopyOf(node.arguments)}; }
 Draw CopyOf(const Draw& node) { return {node.distribution, node.site, CopyOf(node.arguments)}; }
+TableRead CopyOf(const TableRead& node) { return {node.table, node.repeats, CopyOf(node.operand)}; }
 IntToReal CopyOf(const IntToReal& node) { return {CopyOf(node.operand)}; }
 // All others are plain values.
 template <typename Node>
@@ -84,6 +85,9 @@ bool IsSameNode(const FunctionCall& a, const FunctionCall& b) {
   return a.function == b.function && IsSamePart(a.arguments, b.arguments);
 }
 bool IsSameNode(const Draw& a, const Draw& b) { return a.site == b.site; }
+bool IsSameNode(const TableRead& a, const TableRead& b) {
+  return a.table == b.table && a.repeats == b.repeats && IsSamePart(a.operand, b.operand);
+}
 bool IsSameNode(const TestRead& a, const TestRead& b) {
   return a.kind == b.kind && a.index == b.index;
 }

@@ -18,6 +18,7 @@
 #include "compiler/check/names.h"
 #include "compiler/check/operators.h"
 #include "compiler/check/report.h"
+#include "compiler/check/tables.h"
 #include "compiler/check/test_read.h"
 #include "compiler/check/time_functions.h"
 #include "compiler/check/type.h"
@@ -109,6 +110,10 @@ class ExpressionChecker {
   Result CheckNode(const CallExpression& call, const Expression& expression) const {
     if (place_.kind == Place::kExpect && IsTestFunction(call.function.text))
       return CheckTestRead(call, expression.span, place_, scope_);
+    if (const Symbol* table = FindTable(call, scope_))
+      return CheckTableCall(call, *table, expression.span, place_, scope_);
+    if (call.function.text == kDuration && scope_.symbols.Find(kDuration) == nullptr)
+      return CheckDuration(call, expression.span, scope_);
     const bool is_draw = place_.kind == Place::kGoal && IsDrawFunction(call.function.text);
     const BuiltinDescription* builtin = FindBuiltin(call.function.text);
     const FunctionSignature* function = nullptr;

@@ -100,9 +100,11 @@ class IndexResolver {
     if (!constant.is_valid) return std::nullopt;
     if (constant.kind == SymbolKind::kSet) return ResolveSet(text, constant, span);
     if (const auto number = NumberOf(constant)) return ResolveNumber(*number, span);
-    Report(scope_.diagnostics, code::kNotAnIndex, span,
-           fmt::format("`{}` is {}, and an index is an `int`", text, WithArticle(constant.type)),
-           {.labels = {{constant.span, "declared here"}}});
+    Report(
+        scope_.diagnostics, code::kNotAnIndex, span,
+        fmt::format("`{}` is {}, and an index is an `int`", text,
+                    constant.kind == SymbolKind::kTable ? "a table" : WithArticle(constant.type)),
+        {.labels = {{constant.span, "declared here"}}});
     return std::nullopt;
   }
 

@@ -217,12 +217,16 @@ void WarnOfUnusedConstants(const SyntaxTree& tree, const NamedConstants& constan
   for (const Declaration& declaration : tree.declarations) {
     const auto* constant = std::get_if<ConstDeclaration>(&declaration.node);
     const auto* set = std::get_if<SetDeclaration>(&declaration.node);
+    const auto* table = std::get_if<TableDeclaration>(&declaration.node);
     if (constant != nullptr && !constants.used.contains(constant->name.text))
       Report(diagnostics, code::kUnusedConst, constant->name.span,
              fmt::format("the const `{}` is never used", constant->name.text));
     if (set != nullptr && !constants.used.contains(set->name.text))
       Report(diagnostics, code::kUnusedSet, set->name.span,
              fmt::format("the set `{}` is never used", set->name.text));
+    if (table != nullptr && !constants.used.contains(table->name.text))
+      Report(diagnostics, code::kUnusedTable, table->name.span,
+             fmt::format("the table `{}` is never used", table->name.text));
   }
 }
 

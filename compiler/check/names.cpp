@@ -78,6 +78,12 @@ std::optional<CheckedExpression> ReadOf(const Symbol& symbol, const Identifier& 
     case SymbolKind::kSet:
       ReportSetAsValue(name, symbol, scope);
       return std::nullopt;
+    case SymbolKind::kTable:
+      Report(scope.diagnostics, code::kMisplacedName, name.span,
+             fmt::format("`{}` is a table", name.text),
+             {.help = fmt::format("read it with an argument: `{}(x)`", name.text),
+              .labels = {{symbol.span, "declared here"}}});
+      return std::nullopt;
     case SymbolKind::kMemory:
     case SymbolKind::kGoal:
       read.node = MemoryRead{symbol.index};
@@ -292,6 +298,8 @@ ReferenceKind ReferenceKindOf(SymbolKind kind) {
       return ReferenceKind::kConst;
     case SymbolKind::kSet:
       return ReferenceKind::kSet;
+    case SymbolKind::kTable:
+      return ReferenceKind::kTable;
     case SymbolKind::kMemory:
       return ReferenceKind::kMemory;
     case SymbolKind::kGoal:
@@ -418,6 +426,8 @@ std::string_view WhatIs(SymbolKind kind) {
       return "a const";
     case SymbolKind::kSet:
       return "a set";
+    case SymbolKind::kTable:
+      return "a table";
     case SymbolKind::kMemory:
       return "a memory";
     case SymbolKind::kGoal:
@@ -454,6 +464,7 @@ const FunctionSignature* ResolveFunction(const Identifier& name, const Place& pl
   std::vector<std::string> functions = BuiltinNames();
   for (const FunctionSignature& function : scope.functions) functions.push_back(function.name.text);
   for (const TimeFunctionDescription& each : kTimeFunctions) functions.emplace_back(each.name);
+  for (const CheckedTable& table : scope.constants.tables) functions.push_back(table.name);
   if (place.kind == Place::kExpect)
     for (const std::string_view of_test : {kTotal, kValue}) functions.emplace_back(of_test);
   if (IsDrawFunction(name.text)) {

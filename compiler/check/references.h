@@ -15,6 +15,7 @@ enum class ReferenceKind {
   kParam,
   kConst,
   kSet,
+  kTable,
   kMemory,
   kGoal,
   kLocal,     // of a `let`

@@ -1,5 +1,5 @@
-// The names that a task declares: params, consts, sets, memory, functions, the local values of its
-// events and functions, and the variables of its loops.
+// The names that a task declares: params, consts, sets, tables, memory, functions, the local values
+// of its events and functions, and the variables of its loops.
 #pragma once
 
 #include <map>
@@ -17,6 +17,7 @@ enum class SymbolKind {
   kParam,
   kConst,
   kSet,
+  kTable,
   kMemory,
   kGoal,
   kLocal,
@@ -30,8 +31,8 @@ struct Symbol {
   SymbolKind kind = SymbolKind::kParam;
   Span span{};           // of the name where it is declared
   bool is_valid = true;  // false: its declaration is wrong, what depends on it is not reported
-  // Among the task's params, consts, sets, memory (of a goal: its value) or functions, the event's
-  // or function's locals, or the function's arguments; or the value of a loop's variable.
+  // Among the task's params, consts, sets, tables, memory (of a goal: its value) or functions, the
+  // event's or function's locals, or the function's arguments; or the value of a loop's variable.
   uint32_t index = 0;
   Type type{};  // of a kLoopPart only `index` counts: "link" or "joint"
   Unit unit{};
@@ -43,7 +44,8 @@ inline bool IsLoopVariable(const Symbol& symbol) {
 }
 
 inline bool IsNamedConstant(const Symbol& symbol) {
-  return symbol.kind == SymbolKind::kConst || symbol.kind == SymbolKind::kSet;
+  return symbol.kind == SymbolKind::kConst || symbol.kind == SymbolKind::kSet ||
+         symbol.kind == SymbolKind::kTable;
 }
 
 // Names are unique among all that are visible at a place: nothing is ever shadowed.

@@ -31,11 +31,12 @@ struct FunctionSignature {
   Unit unit{};
 };
 
-// What consts and sets stand for. Functions know them as well.
+// What consts, sets and tables stand for. Functions know them as well.
 struct NamedConstants {
   std::vector<CheckedConst> consts;
   std::vector<CheckedSet> sets;
-  std::vector<Identifier> names{};  // of both, with those whose declarations are wrong
+  std::vector<CheckedTable> tables;
+  std::vector<Identifier> names{};  // of all, with those whose declarations are wrong
   std::set<std::string, std::less<>> used{};
 };
 

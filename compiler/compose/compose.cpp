@@ -14,6 +14,7 @@
 #include "base/text/nearest_name.h"
 #include "compiler/compose/extend.h"
 #include "compiler/syntax/parse.h"
+#include "compiler/syntax/read_table.h"
 
 namespace compiler {
 namespace {
@@ -32,7 +33,7 @@ struct Reference {
   fs::path file;  // relative to the folder where the compiler runs, or absolute
   std::string written;
   Span span;               // of the path
-  std::string_view reads;  // "imports" or "extends"
+  std::string_view reads;  // "imports", "extends" or "reads"
 };
 
 Reference ReferenceIn(const fs::path& file, const std::string& written, Span span,
@@ -59,7 +60,10 @@ class Composer {
       tree->lost.has_header = true;  // it may be meant for any robot
     }
     chain_.push_back({KeyOf(file), {}});
-    return Complete(std::move(*tree), file);
+    tree = Complete(std::move(*tree), file);
+    for (Declaration& declaration : tree->declarations)
+      if (auto* table = std::get_if<TableDeclaration>(&declaration.node)) AddTable(table->source);
+    return tree;
   }
 
  private:
@@ -135,6 +139,23 @@ class Composer {
     return library;
   }
 
+  // Several tables may be of one file.
+  void AddTable(TableSource& table) {
+    if (table.path.empty()) return;
+    const fs::path folder = sources_.FileOf(table.path_span).path();
+    const Reference reference = ReferenceIn(folder, table.path, table.path_span, "reads");
+    const auto [known, is_new] = tables_.try_emplace(KeyOf(reference.file));
+    if (is_new) {
+      const SourceFile* source = AddSource(reference);
+      if (source != nullptr) {
+        Diagnostics found;
+        known->second = ReadTable(*source, found);
+        AddWithReason(found, reference);
+      }
+    }
+    table.file = known->second;
+  }
+
   // ---- Files ----
 
   std::optional<SyntaxTree> Read(const Reference& reference) {
@@ -142,19 +163,29 @@ class Composer {
       ReportCircle(reference);
       return std::nullopt;
     }
-    if (!IsWithinLimits(reference)) return std::nullopt;
+    const SourceFile* source = AddSource(reference);
+    if (source == nullptr) return std::nullopt;
+    Diagnostics found;
+    std::optional<SyntaxTree> tree = Parse(*source, found);
+    AddWithReason(found, reference);
+    return tree;
+  }
+
+  // Null, after a message, where the file cannot be read or would be too much.
+  const SourceFile* AddSource(const Reference& reference) {
+    if (!IsWithinLimits(reference)) return nullptr;
     std::optional<std::string> text = read_(reference.file);
     if (!text) {
       ReportMissing(reference);
-      return std::nullopt;
+      return nullptr;
     }
     total_size_ += text->size();
     if (total_size_ > kMaxTotalSize) {
       ReportLimit(reference,
                   fmt::format("the files of a task have more than {} bytes", kMaxTotalSize));
-      return std::nullopt;
+      return nullptr;
     }
-    return ParseFile(sources_.Add(reference.file.string(), std::move(*text)), reference);
+    return &sources_.Add(reference.file.string(), std::move(*text));
   }
 
   void ReportMissing(const Reference& reference) {
@@ -168,17 +199,14 @@ class Composer {
            file::Read(reference.file, 0).problem);
   }
 
-  // The first error says why this file is read.
-  std::optional<SyntaxTree> ParseFile(const SourceFile& source, const Reference& reference) {
-    Diagnostics found;
-    std::optional<SyntaxTree> tree = Parse(source, found);
+  // What was found in a file. The first error says why it is read.
+  void AddWithReason(const Diagnostics& found, const Reference& reference) {
     bool is_first = true;
     for (Diagnostic diagnostic : found.list()) {
       if (std::exchange(is_first, false))
         diagnostic.labels.push_back({reference.span, fmt::format("this {} it", reference.reads)});
       diagnostics_.Add(std::move(diagnostic));
     }
-    return tree;
   }
 
   bool IsInChain(const Reference& reference) const {
@@ -220,15 +248,16 @@ class Composer {
            "put the functions that belong together into one file");
   }
 
-  // "did you mean `shaping.task`?", of the tasks in the folder where the file should be.
+  // "did you mean `shaping.task`?", of the files of its kind in the folder where it should be.
   static Help NearestFile(const Reference& reference) {
     std::vector<std::string> names;
+    const std::string_view ending = reference.reads == "reads" ? ".csv" : ".task";
     std::error_code error;
     fs::path folder = reference.file.parent_path();
     if (folder.empty()) folder = ".";
     for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
          entry.increment(error))
-      if (entry->path().extension() == ".task") names.push_back(entry->path().filename());
+      if (entry->path().extension() == ending) names.push_back(entry->path().filename());
     std::ranges::sort(names);
     const auto nearest = text::NearestName(reference.file.filename().string(), names);
     if (!nearest) return "a path is relative to the folder of the file that contains it";
@@ -248,6 +277,7 @@ class Composer {
   Diagnostics& diagnostics_;
   std::vector<Link> chain_;  // the files being read: each imports or extends the next
   std::set<fs::path> imported_;
+  std::map<fs::path, std::optional<TableFile>> tables_;
   size_t total_size_ = 0;
   bool has_reported_limit_ = false;
 };

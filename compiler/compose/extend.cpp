@@ -26,6 +26,8 @@ std::string_view KindOf(const ParamOverride&) { return "param"; }
 std::string_view KindOf(const ConstDeclaration&) { return "const"; }
 std::string_view KindOf(const ConstOverride&) { return "const"; }
 std::string_view KindOf(const SetDeclaration&) { return "set"; }
+std::string_view KindOf(const TableDeclaration&) { return "table"; }
+std::string_view KindOf(const TableOverride&) { return "table"; }
 std::string_view KindOf(const MemoryDeclaration&) { return "memory"; }
 std::string_view KindOf(const GoalDeclaration&) { return "goal"; }
 std::string_view KindOf(const GoalOverride&) { return "goal"; }
@@ -198,6 +200,8 @@ class Extension {
       OverrideParam(*param, std::get<ParamDeclaration>(overridden->node));
     } else if (auto* goal = std::get_if<GoalOverride>(&declaration.node)) {
       std::get<GoalDeclaration>(overridden->node).draw = std::move(goal->draw);
+    } else if (auto* table = std::get_if<TableOverride>(&declaration.node)) {
+      std::get<TableDeclaration>(overridden->node).source = std::move(table->source);
     } else if (auto* constant = std::get_if<ConstOverride>(&declaration.node)) {
       std::get<ConstDeclaration>(overridden->node).value = std::move(constant->value);
     } else {
@@ -303,6 +307,7 @@ class Extension {
     } else if (!std::holds_alternative<ParamOverride>(declaration.node) &&
                !std::holds_alternative<GoalOverride>(declaration.node) &&
                !std::holds_alternative<ConstOverride>(declaration.node) &&
+               !std::holds_alternative<TableOverride>(declaration.node) &&
                !std::holds_alternative<RewardOverride>(declaration.node)) {
       diagnostic.help = {"to add it, leave out `override`", {Without(*declaration.override_span)}};
     }
@@ -377,6 +382,9 @@ class Extension {
     } else if (kind == "param" || kind == "const" || kind == "goal") {
       diagnostic.help =
           fmt::format("to give it another value: `override {} {} = ...`", kind, name.text);
+    } else if (kind == "table") {
+      diagnostic.help =
+          fmt::format("to read another file: `override table {} = \"FILE.csv\"`", name.text);
     } else {
       const uint32_t begin = declaration.span.begin;
       diagnostic.help = {fmt::format("to replace it, write `override {} {}`", kind, name.text),

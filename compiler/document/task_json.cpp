@@ -57,6 +57,20 @@ Json ToJson(const CheckedGoal& goal) {
           {"doc", goal.doc}};
 }
 
+Json ToJson(const CheckedTable& table) {
+  return {{"name", table.name},
+          {"type", ToString(table.type)},
+          {"unit", ToString(table.unit)},
+          {"doc", table.doc},
+          {"file", table.file},
+          {"rows", table.arguments.size()},
+          {"argument",
+           {{"name", table.argument},
+            {"unit", ToString(table.argument_unit)},
+            {"least", table.arguments.front()},
+            {"greatest", table.arguments.back()}}}};
+}
+
 }  // namespace
 
 Json ToJson(const Analysis& analysis) {
@@ -69,11 +83,13 @@ Json ToJson(const Analysis& analysis) {
                {"robot", task.robot.empty() ? Json() : Json(task.robot)},
                {"params", Json::array()},
                {"goals", Json::array()},
+               {"tables", Json::array()},
                {"terms", Json::array()},
                {"metrics", Json::array()}};
   for (size_t i = 0; i < task.params.size(); ++i)
     json["params"].push_back(ToJson(task.params[i], weights.params[i], task));
   for (const CheckedGoal& goal : task.goals) json["goals"].push_back(ToJson(goal));
+  for (const CheckedTable& table : task.tables) json["tables"].push_back(ToJson(table));
   for (size_t i = 0; i < task.terms.size(); ++i)
     json["terms"].push_back(ToJson(task.terms[i], weights.terms[i], task));
   for (const CheckedMetric& metric : task.metrics) json["metrics"].push_back(ToJson(metric));

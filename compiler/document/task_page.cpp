@@ -91,6 +91,7 @@ class PageWriter {
     Params();
     Consts();
     Sets();
+    Tables();
     Goals();
     Memory();
     Logs();
@@ -272,6 +273,20 @@ class PageWriter {
     }
     if (table.rows.empty()) return;
     AddHeading("Sets");
+    AddTable(std::move(table));
+  }
+
+  void Tables() {
+    if (task_.tables.empty()) return;
+    AddHeading("Tables");
+    Table table{{"table", "type", "file", "rows", "argument", "from", "to", "meaning"}, {}};
+    for (const CheckedTable& each : task_.tables) {
+      table.rows.push_back({Code(each.name), Code(TypeText(each)), Code(each.file),
+                            Plain(std::to_string(each.arguments.size())), Code(each.argument),
+                            Plain(WithUnit(ToText(each.arguments.front()), each.argument_unit)),
+                            Plain(WithUnit(ToText(each.arguments.back()), each.argument_unit)),
+                            FromDoc(each.doc)});
+    }
     AddTable(std::move(table));
   }
 

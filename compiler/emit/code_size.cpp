@@ -8,6 +8,9 @@
 namespace compiler {
 namespace {
 
+// Of a table, for the row.
+constexpr uint64_t kSearch = 20;
+
 // Reading costs nothing; all else is done for each element.
 uint64_t OperationsIn(const CheckedExpression& part) {
   return std::visit(
@@ -21,6 +24,7 @@ uint64_t OperationsIn(const CheckedExpression& part) {
             }
             return most;
           },
+          [&](const TableRead&) -> uint64_t { return kSearch + part.type.size(); },
           [](const FunctionCall& call) -> uint64_t { return 1 + call.arguments.size(); },
           [](const auto&) -> uint64_t { return 0; },
       },

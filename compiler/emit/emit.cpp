@@ -4,6 +4,7 @@
 #include <taskc/plugin.h>
 
 #include "compiler/emit/function_emitter.h"
+#include "compiler/emit/lookup_tables.h"
 #include "compiler/emit/table_emitter.h"
 
 namespace compiler {
@@ -56,6 +57,7 @@ EmittedText EmitWithOrigins(const CheckedTask& task, const Sources& sources) {
   writer.Line("namespace {");
   EmitTables(task, sources, names, writer);
   EmitHelpers(helpers, false, writer);
+  EmitLookupTables(task, names, writer);
   EmitFunctions(task, sources, names, writer, helpers);
   EmitEntry(task, sources, writer);
   writer.BlankLine();

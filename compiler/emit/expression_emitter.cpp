@@ -8,7 +8,9 @@
 #include <utility>
 
 #include "base/variant/overloaded.h"
+#include "compiler/check/type.h"
 #include "compiler/emit/chain.h"
+#include "compiler/emit/lookup_tables.h"
 
 namespace compiler {
 namespace {
@@ -33,6 +35,7 @@ std::vector<const CheckedExpression*> Operands(const CheckedExpression& expressi
                           return Result{node.left.get(), node.right.get()};
                         },
                         [](const IntToReal& node) { return Result{node.operand.get()}; },
+                        [](const TableRead& node) { return Result{node.operand.get()}; },
                         [](const BuiltinCall& node) { return PointersTo(node.arguments); },
                         [](const FunctionCall& node) { return PointersTo(node.arguments); },
                         [](const Draw& node) { return PointersTo(node.arguments); },
@@ -104,6 +107,8 @@ void ExpressionEmitter::Prepare(const CheckedExpression& expression, Use use) {
     PrepareCall(expression, *function);
   } else if (const auto* draw = std::get_if<Draw>(&expression.node)) {
     PrepareDraw(expression, *draw);
+  } else if (const auto* table = std::get_if<TableRead>(&expression.node)) {
+    PrepareTable(expression, *table);
   } else if (const auto* elements = std::get_if<Elements>(&expression.node)) {
     Prepare(*elements->operand, HasRepetition(elements->indices) ? Use::kRepeatedly : Use::kOnce);
   } else {
@@ -152,6 +157,24 @@ void ExpressionEmitter::PrepareDraw(const CheckedExpression& expression, const D
     helpers_.Use(Helper::kCos);
   }
   if (draw.distribution == Distribution::kChoice) NameChoice(expression, draw);
+}
+
+// The row is searched for once; rotations are computed as a whole.
+void ExpressionEmitter::PrepareTable(const CheckedExpression& expression, const TableRead& read) {
+  Prepare(*read.operand, Use::kOnce);
+  const std::string place = names_.Add("place");
+  const std::string& table = values_.tables[read.table];
+  parts_.push_back(
+      fmt::format("const TablePlace {} = {};", place,
+                  TablePlaceText(table, read.repeats, Element(*read.operand, {}).text, helpers_)));
+  places_[&expression] = place;
+  helpers_.Use(Helper::kBetween);
+  if (!IsOfQuaternions(expression.type)) return;
+  const std::string name = names_.Add("part");
+  parts_.push_back(Declarator(name, expression.type) + ";");
+  parts_.push_back(
+      fmt::format("{}({}, {}, {});", helpers_.Use(Helper::kReadRotations), table, place, name));
+  named_[&expression] = name;
 }
 
 // Which value is chosen: a number, or one for each element.
@@ -275,6 +298,7 @@ CppText ExpressionEmitter::Element(const CheckedExpression& expression, const In
           [&](const BuiltinCall& node) { return ElementOf(node, expression, index); },
           [&](const FunctionCall& node) { return Call(node); },
           [&](const Draw& node) { return ElementOf(node, expression, index); },
+          [&](const TableRead& node) { return ElementOf(node, expression, index); },
           [&](const IntToReal& node) { return AsReal(*node.operand, index); },
           // Only in tests, which plugins do not hold.
           [](const TestRead&) { return CppText{}; },
@@ -377,6 +401,14 @@ CppText ExpressionEmitter::ElementOf(const Draw& node, const CheckedExpression& 
                    {std::to_string(node.site)},
                    Element(*node.arguments[0], index),
                    Element(*node.arguments[1], index)});
+}
+
+CppText ExpressionEmitter::ElementOf(const TableRead& node, const CheckedExpression& expression,
+                                     const Index& index) {
+  const std::string element =
+      index.variable.empty() ? std::to_string(index.number) : index.variable;
+  return CallText(helpers_.Use(Helper::kReadTable),
+                  {{values_.tables[node.table]}, {places_.at(&expression)}, {element}});
 }
 
 CppText ExpressionEmitter::Chosen(const Draw& node, const CheckedExpression& expression,

@@ -23,6 +23,7 @@ namespace compiler {
 // the lists of the task, of the event, and of the function.
 struct ValueNames {
   std::vector<std::string> consts;
+  std::vector<std::string> tables;
   std::vector<std::string> sensors;
   std::vector<std::string> params;
   std::vector<std::string> memory;  // with the struct: "memory.fallen"
@@ -67,6 +68,7 @@ class ExpressionEmitter {
   void PrepareCall(const CheckedExpression& expression, const BuiltinCall& call);
   void PrepareCall(const CheckedExpression& expression, const FunctionCall& call);
   void PrepareDraw(const CheckedExpression& expression, const Draw& draw);
+  void PrepareTable(const CheckedExpression& expression, const TableRead& read);
   void NameChoice(const CheckedExpression& expression, const Draw& draw);
   void NameValue(const CheckedExpression& expression);
   void NameResult(const CheckedExpression& expression, const FunctionCall& call);
@@ -83,6 +85,7 @@ class ExpressionEmitter {
   CppText ElementOf(const CheckedBinary& node, const Index& index);
   CppText ElementOf(const BuiltinCall& node, const CheckedExpression& expression,
                     const Index& index);
+  CppText ElementOf(const TableRead& node, const CheckedExpression& expression, const Index& index);
   CppText ElementOf(const Draw& node, const CheckedExpression& expression, const Index& index);
   CppText Chosen(const Draw& node, const CheckedExpression& expression, const Index& index,
                  const std::string& element);
@@ -105,6 +108,8 @@ class ExpressionEmitter {
   std::vector<std::string> parts_;
   std::unordered_map<const CheckedExpression*, std::string> named_;  // values that have a name
   std::map<std::vector<uint32_t>, std::string> tables_;  // of Elements::indices, among parts_
+  // Where in its table a value is read: the name of a place.
+  std::unordered_map<const CheckedExpression*, std::string> places_;
   // Which value a draw has chosen: a number, or an array of them.
   struct Choice {
     std::string name;

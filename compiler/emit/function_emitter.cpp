@@ -67,6 +67,10 @@ PluginNames::PluginNames(const CheckedTask& task) {
   for (const CheckedConst& constant : task.consts) {
     consts.push_back(taken.Add("const_" + constant.name));
   }
+  for (const CheckedTable& table : task.tables) {
+    tables.push_back(taken.Add("table_" + table.name));
+    for (const char* part : {"_arguments", "_elements"}) taken.Reserve(tables.back() + part);
+  }
   UniqueNames members;
   for (const CheckedMemory& variable : task.memory) memory.push_back(members.Add(variable.name));
 }

@@ -25,6 +25,7 @@ struct PluginNames {
   std::vector<std::string> functions;  // "fn_shape"
   std::vector<std::string> draws;      // of each goal, the function that draws it: "draw_velocity"
   std::vector<std::string> consts;     // "const_home"
+  std::vector<std::string> tables;     // "table_gait"
   std::vector<std::string> memory;     // members of the struct
 };
 
@@ -52,6 +53,7 @@ class FunctionEmitter {
         : names(&plugin.taken), used(std::move(of_function)) {
       values.functions = plugin.functions;
       values.consts = plugin.consts;
+      values.tables = plugin.tables;
     }
 
     UniqueNames names;

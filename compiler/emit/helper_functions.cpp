@@ -137,6 +137,77 @@ double Approach(double past, double now, double share) {
     {Helper::kLag, "Lag",
      R"(// How many steps back, of those that are remembered.
 long long Lag(double steps, double most) { return (long long)(steps < most ? steps : most); })"},
+    {Helper::kTable, "Table",
+     R"(// Rows of numbers for increasing arguments.
+struct Table {
+  const double* arguments;
+  const double* elements;
+  int rows;
+  int columns;
+};
+// A row and the next one, by their first elements, and how far from one to the other.
+struct TablePlace {
+  int from;
+  int to;
+  double share;
+};)"},
+    {Helper::kInFirstRound, "InFirstRound",
+     R"(// The argument that means the same where a table repeats itself.
+double InFirstRound(const Table& table, double argument) {
+  const double first = table.arguments[0];
+  const double length = table.arguments[table.rows - 1] - first;
+  const double passed = argument - first;
+  return first + (passed - __builtin_floor(passed / length) * length);
+})"},
+    {Helper::kFindPlace, "FindPlace",
+     R"(// Before the first and after the last row these hold. Rows are mostly as far from each other: where
+// the guess is wrong, the range that is left is halved.
+TablePlace FindPlace(const Table& table, double argument) {
+  const double* at = table.arguments;
+  const int last = table.rows - 1;
+  const int columns = table.columns;
+  if (argument >= at[last]) return {last * columns, last * columns, 0};
+  if (!(argument > at[0])) return {0, 0, argument == argument ? 0 : argument};
+  int row = (int)((argument - at[0]) / (at[last] - at[0]) * last);
+  if (row >= last) row = last - 1;
+  if (argument < at[row] || argument >= at[row + 1]) {
+    int end = last;
+    for (row = 0; end - row > 1;) {
+      const int middle = row + (end - row) / 2;
+      if (argument < at[middle]) {
+        end = middle;
+      } else {
+        row = middle;
+      }
+    }
+  }
+  return {row * columns, (row + 1) * columns, (argument - at[row]) / (at[row + 1] - at[row])};
+})"},
+    {Helper::kBetween, "Between",
+     R"(// Never beyond the end, however the sum is rounded.
+double Between(double from, double to, double share) {
+  const double value = from + (to - from) * share;
+  return from < to ? (value > to ? to : value) : (value < to ? to : value);
+})"},
+    {Helper::kReadTable, "ReadTable",
+     R"(double ReadTable(const Table& table, const TablePlace& place, int column) {
+  return Between(table.elements[place.from + column], table.elements[place.to + column],
+                 place.share);
+})"},
+    {Helper::kReadRotations, "ReadRotations",
+     R"(void ReadRotations(const Table& table, const TablePlace& place, double* rotations) {
+  for (int i = 0; i < table.columns; i += 4) {
+    double* rotation = rotations + i;
+    double square = 0;
+    for (int k = 0; k < 4; ++k) {
+      rotation[k] = Between(table.elements[place.from + i + k], table.elements[place.to + i + k],
+                            place.share);
+      square += rotation[k] * rotation[k];
+    }
+    const double length = __builtin_sqrt(square);
+    for (int k = 0; k < 4; ++k) rotation[k] /= length;
+  }
+})"},
 }};
 
 constexpr bool IsInOrder() {

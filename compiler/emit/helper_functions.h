@@ -37,6 +37,12 @@ enum class Helper {
   kChoose,
   kApproach,
   kLag,
+  kTable,
+  kInFirstRound,
+  kFindPlace,
+  kBetween,
+  kReadTable,
+  kReadRotations,
   kCount
 };
 inline constexpr int kHelperCount = static_cast<int>(Helper::kCount);

@@ -192,13 +192,7 @@ std::vector<std::string> IdentityFields(const CheckedTask& task, const Sources& 
 
 // The consts with a shape that the plugin's functions read.
 void EmitConsts(const CheckedTask& task, const PluginNames& names, TextWriter& writer) {
-  UsedValues used;
-  for (const CheckedEvent& event : task.events) used.Add(event.body);
-  for (const CheckedMetric& metric : task.metrics) used.Add(metric.value);
-  for (const CheckedFunction& function : task.functions) {
-    for (const CheckedLet& let : function.lets) used.Add(let.value);
-    used.Add(function.value);
-  }
+  const UsedValues used = UsedBy(task);
   if (!used.consts.empty()) writer.BlankLine();
   for (const uint32_t index : used.consts) {
     const CheckedConst& constant = task.consts[index];

@@ -19,6 +19,7 @@ void UsedValues::Add(const CheckedExpression& expression) {
   ForEachPart(expression, [this](const CheckedExpression& part) {
     std::visit(variant::Overloaded{
                    [&](const ConstRead& node) { consts.insert(node.index); },
+                   [&](const TableRead& node) { tables.insert(node.table); },
                    [&](const SensorRead& node) {
                      sensors.insert(node.sensor);
                      frame = true;
@@ -65,6 +66,21 @@ void UsedValues::AddStatement(const CheckedExpression& value) {
 void UsedValues::AddReset(const CheckedMemory& variable) {
   memory = frame = true;
   AddStatement(variable.initial);
+}
+
+UsedValues UsedBy(const CheckedTask& task) {
+  UsedValues used;
+  for (const CheckedEvent& event : task.events) used.Add(event.body);
+  for (const CheckedMetric& metric : task.metrics) used.Add(metric.value);
+  for (const CheckedGoal& goal : task.goals) {
+    used.Add(goal.value);
+    if (goal.interval) used.Add(goal.interval->length);
+  }
+  for (const CheckedFunction& function : task.functions) {
+    for (const CheckedLet& let : function.lets) used.Add(let.value);
+    used.Add(function.value);
+  }
+  return used;
 }
 
 }  // namespace compiler

@@ -11,6 +11,7 @@ namespace compiler {
 
 struct UsedValues {
   std::set<uint32_t> consts;  // with a shape
+  std::set<uint32_t> tables;
   std::set<uint32_t> sensors;
   std::set<uint32_t> params;
   std::set<uint32_t> locals;
@@ -28,6 +29,9 @@ struct UsedValues {
   // Memory is given its initial value.
   void AddReset(const CheckedMemory& variable);
 };
+
+// What all functions of the plugin refer to.
+UsedValues UsedBy(const CheckedTask& task);
 
 // Whether the value depends on the memory variable.
 bool Reads(const CheckedExpression& expression, uint32_t memory);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "compiler/check/apply.h"
+#include "compiler/check/table_value.h"
 
 namespace compiler {
 
@@ -109,6 +110,10 @@ Value ExpressionEvaluator::Choice(const Draw& node, const Type& type,
     Assign(AssignOperator::kSet, {i}, values[DrawChoice(draw_, i, node.site, values.size())],
            chosen);
   return chosen;
+}
+
+Value ExpressionEvaluator::Of(const TableRead& node, const Type&) const {
+  return ValueAt(task_.tables[node.table], RealOf(Evaluate(*node.operand)), node.repeats);
 }
 
 Value ExpressionEvaluator::Of(const TestRead& node, const Type&) const {

@@ -36,6 +36,7 @@ class ExpressionEvaluator {
   Value Of(const BuiltinCall& node, const Type& type) const;
   Value Of(const FunctionCall& node, const Type& type) const;
   Value Of(const Draw& node, const Type& type) const;
+  Value Of(const TableRead& node, const Type& type) const;
   Value Of(const TestRead& node, const Type& type) const;
   Value Of(const IntToReal& node, const Type& type) const;
 

@@ -8,6 +8,7 @@
 
 #include "compiler/check/builtins.h"
 #include "compiler/check/draws.h"
+#include "compiler/check/tables.h"
 #include "compiler/check/time_functions.h"
 #include "compiler/check/type.h"
 #include "compiler/check/unit.h"
@@ -55,8 +56,8 @@ class Completer {
       case Expected::kBodyStatement:
         return OfferWords(BodyWords());
       case Expected::kOverridden:
-        for (const char* word : {"param", "const", "set", "reward", "metric", "goal", "on", "start",
-                                 "after_end", "fn"}) {
+        for (const char* word : {"param", "const", "set", "table", "reward", "metric", "goal", "on",
+                                 "start", "after_end", "fn"}) {
           Add(word, protocol::kCompleteKeyword, "", std::string(ExplanationOf(word)));
         }
         return;
@@ -66,6 +67,8 @@ class Completer {
         return OfferInherited(NameKind::kConst);
       case Expected::kSetName:
         return OfferInherited(NameKind::kSet);
+      case Expected::kTableName:
+        return OfferInherited(NameKind::kTable);
       case Expected::kGoalName:
         return OfferInherited(NameKind::kGoal);
       case Expected::kMetricName:
@@ -133,7 +136,9 @@ class Completer {
         }
         return;
       case Expected::kFile:
-        return OfferFiles();
+        return OfferFiles(".task");
+      case Expected::kTableFile:
+        return OfferFiles(".csv");
     }
   }
 
@@ -162,6 +167,7 @@ class Completer {
                protocol::kCompleteVariable);
     OfferNames({NameKind::kParam, NameKind::kConst}, protocol::kCompleteConstant);
     OfferNames({NameKind::kFunction}, protocol::kCompleteFunction);
+    OfferTables();
     for (const std::string& name : BuiltinNames()) {
       Add(name, protocol::kCompleteFunction, fmt::format("`{}`", FindBuiltin(name)->usage));
     }
@@ -171,6 +177,16 @@ class Completer {
       Add(word, protocol::kCompleteFunction, "", std::string(ExplanationOf(word)));
     }
     OfferNames({NameKind::kTerm, NameKind::kMetric, NameKind::kLog}, protocol::kCompleteProperty);
+  }
+
+  void OfferTables() {
+    OfferNames({NameKind::kTable}, protocol::kCompleteFunction);
+    const OpenCall call = FindOpenCall(document_.tokens(), place_.word.begin);
+    const auto table = Values().Find(call.function, offset_);
+    if (call.argument == 1 && table && table->kind == NameKind::kTable)
+      Add(std::string(kLoop), protocol::kCompleteKeyword, "", std::string(ExplanationOf(kLoop)));
+    Add(std::string(kDuration), protocol::kCompleteFunction, fmt::format("`{}(table)`", kDuration),
+        std::string(ExplanationOf(kDuration)));
   }
 
   void OfferTimeFunctions() {
@@ -257,13 +273,13 @@ class Completer {
     }
   }
 
-  // Task files beside this one, within the quotes.
-  void OfferFiles() {
+  // Files beside this one, within the quotes.
+  void OfferFiles(std::string_view ending) {
     std::error_code error;
     const std::filesystem::path folder = document_.path().parent_path();
     for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
       const bool is_other = entry.path() != document_.path();
-      if (entry.path().extension() == ".task" && is_other) {
+      if (entry.path().extension() == ending && is_other) {
         Add(entry.path().filename().string(), protocol::kCompleteFile);
       }
     }

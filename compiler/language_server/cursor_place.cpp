@@ -16,19 +16,33 @@ bool IsWordCharacter(char c) {
 // What is expected behind a keyword that begins a statement or declaration.
 const std::map<std::string_view, Expected>& AfterKeyword() {
   static const std::map<std::string_view, Expected> expected = {
-      {"task", Expected::kAnyText},        {"sensor", Expected::kAnyText},
-      {"param", Expected::kAnyText},       {"memory", Expected::kAnyText},
-      {"const", Expected::kAnyText},       {"set", Expected::kAnyText},
-      {"goal", Expected::kAnyText},        {"redraw", Expected::kGoal},
-      {"let", Expected::kAnyText},         {"fn", Expected::kAnyText},
-      {"test", Expected::kAnyText},        {"import", Expected::kAnyText},
-      {"extends", Expected::kAnyText},     {"on", Expected::kEvent},
-      {"start", Expected::kPose},          {"per", Expected::kScope},
-      {"metric", Expected::kReduction},    {"log", Expected::kReduction},
-      {"reward", Expected::kTerm},         {"end_episode", Expected::kOutcome},
-      {"given", Expected::kTarget},        {"fire", Expected::kEvent},
-      {"expect", Expected::kExpectation},  {"allow", Expected::kWarningCode},
-      {"override", Expected::kOverridden}, {"truncate_episode", Expected::kAnyText},
+      {"task", Expected::kAnyText},
+      {"sensor", Expected::kAnyText},
+      {"param", Expected::kAnyText},
+      {"memory", Expected::kAnyText},
+      {"const", Expected::kAnyText},
+      {"set", Expected::kAnyText},
+      {"table", Expected::kAnyText},
+      {"goal", Expected::kAnyText},
+      {"redraw", Expected::kGoal},
+      {"let", Expected::kAnyText},
+      {"fn", Expected::kAnyText},
+      {"test", Expected::kAnyText},
+      {"import", Expected::kAnyText},
+      {"extends", Expected::kAnyText},
+      {"on", Expected::kEvent},
+      {"start", Expected::kPose},
+      {"per", Expected::kScope},
+      {"metric", Expected::kReduction},
+      {"log", Expected::kReduction},
+      {"reward", Expected::kTerm},
+      {"end_episode", Expected::kOutcome},
+      {"given", Expected::kTarget},
+      {"fire", Expected::kEvent},
+      {"expect", Expected::kExpectation},
+      {"allow", Expected::kWarningCode},
+      {"override", Expected::kOverridden},
+      {"truncate_episode", Expected::kAnyText},
       {"after_end", Expected::kAfterEnd}};
   return expected;
 }
@@ -211,11 +225,12 @@ class PlaceFinder {
   Expected InText() {
     const bool is_before = count_ > 0 && tokens_.KindOf(count_ - 1) == LexedKind::kText;
     const size_t text = is_before ? count_ - 1 : count_;
-    if (text == 0 || !(tokens_.Is(text - 1, "import") || tokens_.Is(text - 1, "extends"))) {
-      return Expected::kAnyText;
-    }
+    const bool is_of_table = IsFileOfTable(tokens_, text);
+    const bool is_of_task =
+        text > 0 && (tokens_.Is(text - 1, "import") || tokens_.Is(text - 1, "extends"));
+    if (!is_of_table && !is_of_task) return Expected::kAnyText;
     place_.word.begin = tokens_[text].span.begin + 1;
-    return Expected::kFile;
+    return is_of_table ? Expected::kTableFile : Expected::kFile;
   }
 
   Expected InStatement(bool is_in_parentheses) {
@@ -247,6 +262,7 @@ class PlaceFinder {
     if (what == "param") return Expected::kParamName;
     if (what == "const") return Expected::kConstName;
     if (what == "set") return Expected::kSetName;
+    if (what == "table") return Expected::kTableName;
     if (what == "goal") return Expected::kGoalName;
     if (what == "metric") return Expected::kMetricName;
     if (what == "fn") return Expected::kFunctionName;
@@ -268,6 +284,13 @@ class PlaceFinder {
 };
 
 }  // namespace
+
+bool IsFileOfTable(const TextTokens& tokens, size_t text) {
+  if (text == 0 || !tokens.Is(text - 1, "=")) return false;
+  size_t first = text - 1;
+  while (first > 0 && (!tokens.BeginsLine(first) || tokens.ExpectsMore(first - 1))) --first;
+  return tokens.Is(tokens.Is(first, "override") ? first + 1 : first, "table");
+}
 
 CursorPlace FindCursorPlace(const TextTokens& tokens, uint32_t offset) {
   return PlaceFinder(tokens, offset).Find();

@@ -17,6 +17,7 @@ enum class Expected {
   kParamName,      // of the base, after `override param`
   kConstName,
   kSetName,
+  kTableName,
   kGoalName,
   kMetricName,
   kFunctionName,
@@ -40,7 +41,8 @@ enum class Expected {
   kTarget,       // after `given`
   kExpectation,  // after `expect`
   kWarningCode,
-  kFile  // the name of a task file
+  kFile,  // the name of a task file
+  kTableFile
 };
 
 struct CursorPlace {
@@ -48,6 +50,9 @@ struct CursorPlace {
   std::string path;  // of kMember and kIndex: "base", "joint.angle"
   Span word;         // what has been written of the word already
 };
+
+// Is this text the file of a table: `table gait: real = "walk.csv"`?
+bool IsFileOfTable(const TextTokens& tokens, size_t text);
 
 CursorPlace FindCursorPlace(const TextTokens& tokens, uint32_t offset);
 

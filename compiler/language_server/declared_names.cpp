@@ -12,11 +12,12 @@ struct Keyword {
   NameKind kind;
 };
 // What stands before a name that it declares.
-constexpr std::array<Keyword, 15> kKeywords = {{{"task", NameKind::kTask},
+constexpr std::array<Keyword, 16> kKeywords = {{{"task", NameKind::kTask},
                                                 {"sensor", NameKind::kSensor},
                                                 {"param", NameKind::kParam},
                                                 {"const", NameKind::kConst},
                                                 {"set", NameKind::kSet},
+                                                {"table", NameKind::kTable},
                                                 {"memory", NameKind::kMemory},
                                                 {"goal", NameKind::kGoal},
                                                 {"metric", NameKind::kMetric},
@@ -29,9 +30,9 @@ constexpr std::array<Keyword, 15> kKeywords = {{{"task", NameKind::kTask},
                                                 {"for", NameKind::kLoop}}};
 
 bool IsTopLevel(std::string_view keyword) {
-  constexpr std::array<std::string_view, 15> kTopLevel = {
-      "task", "start",  "after_end", "sensor", "param", "const",  "set",     "memory",
-      "goal", "metric", "on",        "fn",     "test",  "import", "override"};
+  constexpr std::array<std::string_view, 16> kTopLevel = {
+      "task",   "start", "after_end", "sensor", "param", "const", "set",    "table",
+      "memory", "goal",  "metric",    "on",     "fn",    "test",  "import", "override"};
   return std::ranges::find(kTopLevel, keyword) != kTopLevel.end();
 }
 

@@ -15,6 +15,7 @@ enum class NameKind {
   kParam,
   kConst,
   kSet,
+  kTable,
   kMemory,
   kGoal,
   kMetric,

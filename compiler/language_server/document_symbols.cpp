@@ -16,6 +16,7 @@ std::optional<protocol::SymbolKind> SymbolKindOf(NameKind kind) {
       return protocol::kField;
     case NameKind::kParam:
     case NameKind::kConst:
+    case NameKind::kTable:
       return protocol::kConstant;
     case NameKind::kSet:
       return protocol::kEnum;

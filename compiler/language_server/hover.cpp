@@ -101,9 +101,20 @@ class HoverFinder {
       return fmt::format("{:.6g}{}{}", fmt::join(found->elements, ", "), unit.empty() ? "" : " ",
                          unit);
     }
+    if (reference.kind == ReferenceKind::kTable) return TableText(reference, task);
     if (reference.kind != ReferenceKind::kSet) return "";
     const auto found = std::ranges::find(task.sets, reference.name, &CheckedSet::name);
     return found == task.sets.end() ? "" : fmt::format("{}", fmt::join(found->names, ", "));
+  }
+
+  // "51 rows, time from 0 to 1 s"
+  static std::string TableText(const Reference& reference, const CheckedTask& task) {
+    const auto found = std::ranges::find(task.tables, reference.name, &CheckedTable::name);
+    if (found == task.tables.end()) return "";
+    const std::string unit = ToString(found->argument_unit);
+    return fmt::format("{} rows, {} from {:.6g} to {:.6g}{}{}", found->arguments.size(),
+                       found->argument, found->arguments.front(), found->arguments.back(),
+                       unit.empty() ? "" : " ", unit);
   }
 
   // What the text says, where the compiler has not come so far.
@@ -206,10 +217,13 @@ std::string SignatureOf(std::string_view function, const Document& document, Wor
   const auto written = [](std::string_view name, std::string_view type) {
     return fmt::format("{}{}", name, type);
   };
+  const auto of_table = [](std::string_view name, std::string_view type) {
+    return fmt::format("{0}(x) -> {1}\n{0}(x, loop) -> {1}", name, type);
+  };
   for (const DeclaredName& name : document.names()) {
-    if (name.kind == NameKind::kFunction && name.name == function) {
-      return written(name.name, name.type);
-    }
+    if (name.name != function) continue;
+    if (name.kind == NameKind::kFunction) return written(name.name, name.type);
+    if (name.kind == NameKind::kTable && !name.is_override) return of_table(name.name, name.type);
   }
   if (const BuiltinDescription* builtin = FindBuiltin(function)) {
     // "min(x, y)` or `min(values)" is written for messages.
@@ -225,9 +239,9 @@ std::string SignatureOf(std::string_view function, const Document& document, Wor
   if (draw != std::end(kDraws)) return fmt::format("{}\n{}", draw->usage, draw->doc);
   const KnownValues values(document, workspace);
   for (const KnownValue& value : values.inherited()) {
-    if (value.kind == NameKind::kFunction && value.name == function) {
-      return written(value.name, value.type);
-    }
+    if (value.name != function) continue;
+    if (value.kind == NameKind::kFunction) return written(value.name, value.type);
+    if (value.kind == NameKind::kTable) return of_table(value.name, value.type);
   }
   return "";
 }

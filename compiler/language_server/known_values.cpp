@@ -3,10 +3,25 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "plugins/robot/sensors.h"
 
 namespace compiler {
+namespace {
+
+// The numbers in Sources::files() of those that are no tasks.
+std::set<size_t> TableFiles(const Analysis& analysis) {
+  std::set<size_t> files;
+  for (const Declaration& declaration : analysis.tree->declarations) {
+    const auto* table = std::get_if<TableDeclaration>(&declaration.node);
+    if (table != nullptr && table->source.file)
+      files.insert(analysis.sources.IndexOf(table->source.file->columns.front().span));
+  }
+  return files;
+}
+
+}  // namespace
 
 std::string TypeText(const Type& type, const Unit& unit) {
   const std::string text = ToString(unit);
@@ -31,7 +46,9 @@ KnownValues::KnownValues(const Document& document, Workspace& workspace)
 
 void KnownValues::AddInherited(const Findings& findings) {
   const auto& files = findings.analysis.sources.files();
+  const std::set<size_t> tables = TableFiles(findings.analysis);
   for (size_t i = 1; i < files.size(); ++i) {
+    if (tables.contains(i)) continue;
     const TextTokens tokens(files[i].text());
     for (const DeclaredName& name : FindDeclaredNames(tokens)) {
       const bool is_local = name.kind == NameKind::kArgument || name.kind == NameKind::kLet ||

@@ -86,14 +86,16 @@ Json ToJson(const FilePlace& place, const Workspace& workspace) {
   return {{"uri", UriOfPath(place.file)}, {"range", protocol::ToJson(positions, place.span)}};
 }
 
-// The file that is imported or extended by the text at a place.
+// The file that is imported, extended or read by the text at a place.
 Json FileAt(const Document& document, uint32_t offset) {
   const TextTokens& tokens = document.tokens();
   for (size_t i = 1; i < tokens.size(); ++i) {
     const Span span = tokens[i].span;
     const bool is_here = tokens.KindOf(i) == LexedKind::kText && span.begin <= offset &&
                          offset <= span.end && span.end - span.begin >= 2;
-    if (!is_here || !(tokens.Is(i - 1, "import") || tokens.Is(i - 1, "extends"))) continue;
+    const bool is_file =
+        tokens.Is(i - 1, "import") || tokens.Is(i - 1, "extends") || IsFileOfTable(tokens, i);
+    if (!is_here || !is_file) continue;
     const std::string_view name = tokens.TextOf(i).substr(1, span.end - span.begin - 2);
     const std::filesystem::path file = document.path().parent_path() / name;
     std::error_code error;

@@ -16,6 +16,9 @@ constexpr auto kDeclarations = std::to_array<ExplainedWord>({
      "A number that can be set while the trainer runs: `param NAME: TYPE = VALUE in LOW .. HIGH`."},
     {"const", "A value that never changes: `const NAME: TYPE = VALUE`."},
     {"set", "A set of links, joints or numbers, for indices and loops: `set NAME = links - feet`."},
+    {"table",
+     "Numbers of a CSV file, read with an argument between its rows: `table NAME: TYPE [UNIT] = "
+     "\"FILE.csv\"`."},
     {"memory", "A value that is kept between callbacks: `memory NAME: TYPE = VALUE per action`."},
     {"goal",
      "What the robot is told, drawn at random: `goal NAME: TYPE = uniform(LOW, HIGH) per 3 s .. 8 "
@@ -110,6 +113,8 @@ constexpr auto kOthers = std::to_array<ExplainedWord>({
     {"once",
      "Runs the block when the condition first holds: `once per action if CONDITION { ... }`."},
     {"rate", "A term that is paid per second."},
+    {"loop", "Read a table so that its first row follows the last one: `TABLE(x, loop)`."},
+    {"duration", "How long a table is, from its first argument to its last: `duration(TABLE)`."},
     {"bool", "A condition."},
     {"int", "An integer."},
     {"real", "A number, which may have a unit."},

@@ -26,7 +26,7 @@ bool IsLibrary(const std::string& text) {
   for (const DeclaredName& name : FindDeclaredNames(tokens)) {
     if (name.kind == NameKind::kTask) return false;
     has_parts = has_parts || name.kind == NameKind::kFunction || name.kind == NameKind::kConst ||
-                name.kind == NameKind::kSet;
+                name.kind == NameKind::kSet || name.kind == NameKind::kTable;
   }
   return has_parts;
 }

@@ -28,7 +28,7 @@ std::optional<std::string> ReadFromDisk(const std::filesystem::path& file) {
 }
 
 std::string MustReadFromDisk(const std::filesystem::path& file) {
-  file::Reading reading = file::Read(file, SourceFile::kMaxSize + 1);
+  file::Reading reading = file::Read(file, SourceFile::kMaxTableSize + 1);
   if (reading.problem.empty()) return std::move(reading.bytes);
   throw CallError("cannot read `" + file.string() + "`: " + reading.problem + NearbyTask(file));
 }

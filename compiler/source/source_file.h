@@ -1,4 +1,4 @@
-// The text of one `.task` file, and places in it.
+// The text of one file of a task, and places in it.
 #pragma once
 
 #include <cstdint>
@@ -31,8 +31,9 @@ struct Position {
 
 class SourceFile {
  public:
-  // A file that is larger is read no further: the parser refuses it.
-  static constexpr uint32_t kMaxSize = 100'000;  // bytes
+  // Of a `.task` file and of a table, in bytes: their parsers refuse what is larger.
+  static constexpr uint32_t kMaxSize = 100'000;
+  static constexpr uint32_t kMaxTableSize = 1'000'000;
 
   // `first_offset`: that of the first byte.
   SourceFile(std::string path, std::string text, uint32_t first_offset = 0);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "compiler/source/source_file.h"
+#include "compiler/syntax/table_file.h"
 
 namespace compiler {
 
@@ -281,6 +282,20 @@ struct ConstDeclaration {  // `const reach: real [m] = 5 cm`
   Expression value;
 };
 
+// Where the numbers of a table stand.
+struct TableSource {
+  std::string path;  // as written: relative to the folder of the file it stands in
+  Span path_span;
+  std::optional<TableFile> file{};  // nothing: not read, or with errors in it
+};
+struct TableDeclaration {  // `table gait: real[joint] [rad] = "walk.csv"`
+  std::string doc;
+  Identifier name;
+  TypeExpression type;
+  std::optional<UnitExpression> unit;
+  TableSource source;
+};
+
 struct SetDeclaration {  // `set supports = {feet, hands}`
   std::string doc;
   Identifier name;
@@ -343,6 +358,10 @@ struct ConstOverride {  // `override const reach = 10 cm`; type and unit are the
   Identifier name;
   Expression value;
 };
+struct TableOverride {  // `override table gait = "run.csv"`; type and unit are the base's
+  Identifier name;
+  TableSource source;
+};
 struct GoalOverride {  // `override goal velocity = uniform(0 m/s, 2 m/s)`; type and unit stay
   Identifier name;
   GoalDraw draw;
@@ -389,9 +408,10 @@ struct TestDeclaration {  // `test "a fall is paid once" { ... }`
 struct Declaration {
   Span span;
   std::variant<SensorDeclaration, ParamDeclaration, MemoryDeclaration, GoalDeclaration,
-               MetricDeclaration, ConstDeclaration, SetDeclaration, EventDeclaration,
-               StartDeclaration, AfterEndDeclaration, ImportDeclaration, FunctionDeclaration,
-               ParamOverride, ConstOverride, GoalOverride, RewardOverride, TestDeclaration>
+               MetricDeclaration, ConstDeclaration, SetDeclaration, TableDeclaration,
+               EventDeclaration, StartDeclaration, AfterEndDeclaration, ImportDeclaration,
+               FunctionDeclaration, ParamOverride, ConstOverride, TableOverride, GoalOverride,
+               RewardOverride, TestDeclaration>
       node;
   std::optional<Span> override_span{};  // of the word `override`, where it stands before it
 };

@@ -112,14 +112,15 @@ class TreeBuilder {
     Diagnostic diagnostic =
         MakeDiagnostic(code::kNotInLibrary, SpanOf(word),
                        fmt::format("`{}` is not allowed in a library", word.getText()));
-    diagnostic.help = "a file without `task NAME` holds only imports, functions, sets and consts";
+    diagnostic.help =
+        "a file without `task NAME` holds only imports, functions, sets, tables and consts";
     report_.AddUnlessFaulty(std::move(diagnostic));
   }
 
   static bool IsLibraryPart(TaskParser::DeclarationContext& context) {
     const TokenType type = context.getStart()->getType();
     return type == TaskParser::FN || type == TaskParser::IMPORT || type == TaskParser::SET ||
-           type == TaskParser::CONST;
+           type == TaskParser::CONST || type == TaskParser::TABLE;
   }
 
   Span WholeFile() const {
@@ -165,6 +166,7 @@ class TreeBuilder {
     if (auto* metric = context.metric()) return Metric(*metric);
     if (auto* constant = context.constant()) return Const(*constant);
     if (auto* set = context.namedSet()) return Set(*set);
+    if (auto* table = context.table()) return Table(*table);
     if (auto* event = context.event()) return Event(*event);
     if (auto* function = context.function()) return Function(*function);
     if (auto* test = context.test()) return Test(*test);
@@ -178,6 +180,8 @@ class TreeBuilder {
     if (auto* goal = context.newGoal()) return GoalOverride{BuildName(*goal->name()), Draw(*goal)};
     if (auto* constant = context.newConstant()) return NewConstant(*constant);
     if (auto* set = context.namedSet()) return Set(*set);
+    if (auto* table = context.newTable())
+      return TableOverride{BuildName(*table->name()), BuildSource(*table->STRING()->getSymbol())};
     if (auto* metric = context.metric()) return Metric(*metric);
     if (auto* event = context.event()) return Event(*event);
     if (auto* function = context.function()) return Function(*function);
@@ -308,6 +312,17 @@ class TreeBuilder {
     return {doc_, BuildName(*context.name()), expressions_.BuildSet(*context.items()),
             SpanOf(*context.items())};
   }
+
+  TableDeclaration Table(TaskParser::TableContext& context) {
+    TableDeclaration table;
+    table.doc = doc_;
+    table.name = BuildName(*context.name());
+    SetType(*context.type(), table);
+    table.source = BuildSource(*context.STRING()->getSymbol());
+    return table;
+  }
+
+  TableSource BuildSource(antlr4::Token& path) { return {BuildPath(path), SpanOf(path)}; }
 
   EventDeclaration Event(TaskParser::EventContext& context) {
     const Identifier name = BuildName(*context.name());

@@ -42,6 +42,8 @@ Scaling ExpressionScaling::Of(const CheckedExpression& expression, const Scaling
           return reads.arguments[node.argument];
         } else if constexpr (std::is_same_v<Node, RewardSoFar>) {
           return reads.reward_so_far;
+        } else if constexpr (std::is_same_v<Node, TableRead>) {
+          return Opaque(Of(*node.operand, reads));
         } else if constexpr (requires { node.operand; }) {
           // A minus, elements, a conversion; or a `not`, of which nothing is ever paid.
           return Of(*node.operand, reads);

@@ -222,7 +222,7 @@ typedef struct taskc_plugin {
   const char* source_hash;  // SHA-256 of the text, in hexadecimal; of several texts: the SHA-256 of
                             // their hashes, concatenated
 
-  const taskc_source* sources;  // the task's own text first, then those it imports and extends
+  const taskc_source* sources;  // the task's own text first, then those that it refers to
   const taskc_sensor* sensors;
   const taskc_param* params;
   const taskc_memory* memory;

@@ -36,5 +36,21 @@ TEST(ComposeMessages, SuggestAFileOfTheFolder) {
   std::filesystem::remove_all(folder);
 }
 
+TEST(ComposeMessages, SuggestATableOfTheFolder) {
+  const std::filesystem::path folder = testing::TempDir() + "/taskc_table_test";
+  std::filesystem::create_directories(folder / "folder.csv");
+  for (const char* name : {"walk.csv", "walks.task"}) std::ofstream(folder / name) << "";
+  std::ofstream(folder / "main.task")
+      << "task t\ntable a: real = \"walks.csv\"\ntable b: real = \"folder.csv\"\n";
+  Sources sources;
+  Diagnostics diagnostics;
+  Compose(folder / "main.task", ReadFromDisk, sources, diagnostics);
+  ASSERT_EQ(diagnostics.list().size(), 2u);
+  EXPECT_EQ(diagnostics.list()[0].help.text, "did you mean `walk.csv`?");
+  EXPECT_EQ(diagnostics.list()[1].code, code::kMissingFile);
+  EXPECT_EQ(diagnostics.list()[1].help.text, "it is a folder; name a regular file");
+  std::filesystem::remove_all(folder);
+}
+
 }  // namespace
 }  // namespace compiler

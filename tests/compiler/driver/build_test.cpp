@@ -83,13 +83,14 @@ TEST(Build, NoVerbWaitsForANamedPipe) {
   ASSERT_EQ(mkfifo(taskc.path("pipe.task").c_str(), 0600), 0);
   taskc.Write("imports.task", std::string(kGoodTask) + "import \"pipe.task\"\n");
   taskc.Write("extends.task", "task b extends \"pipe.task\"\n");
+  taskc.Write("reads.task", std::string(kGoodTask) + "table t: real = \"pipe.task\"\n");
   for (const std::string verb : {"build", "check", "test", "emit", "doc", "fmt"}) {
     const Outcome outcome = taskc.Run(verb + " pipe.task");
     EXPECT_EQ(outcome.status, 2) << verb;
     EXPECT_THAT(outcome.error,
                 HasSubstr("cannot read `pipe.task`: it is a named pipe; name a regular file"));
     if (verb == "fmt") continue;
-    for (const char* file : {" imports.task", " extends.task"}) {
+    for (const char* file : {" imports.task", " extends.task", " reads.task"}) {
       const Outcome importing = taskc.Run(verb + file);
       EXPECT_EQ(importing.status, 1) << verb << file;
       EXPECT_THAT(importing.error, AllOf(HasSubstr("error[E0630]: `pipe.task` cannot be read"),

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <random>
 #include <sstream>
@@ -205,6 +206,17 @@ TEST(HoverText, TellsWhatConstsAndSetsStandFor) {
               AllOf(HasSubstr("set soles = feet"), HasSubstr("left_foot, right_foot")));
 }
 
+TEST(HoverText, TellsHowManyRowsATableHas) {
+  Editor editor;
+  editor.Write("curve.csv", "time [s], height [cm]\n0, 1\n0.5, 2\n2, 3\n");
+  const std::string task =
+      "task t for humanoid\n/// A curve.\ntable height: real [m] = \"curve.csv\"\n"
+      "metric a = hei|ght(time, loop) / 1 m\n";
+  EXPECT_THAT(editor.HoverAt(task),
+              AllOf(HasSubstr("table height: real [m] = \"curve.csv\""),
+                    HasSubstr("3 rows, time from 0 to 2 s"), HasSubstr("A curve.")));
+}
+
 // ---- Completion ---------------------------------------------------------------------------------
 
 TEST(Completion, OffersSensorsAndElements) {
@@ -279,6 +291,23 @@ TEST(Completion, OffersConstsAndSets) {
   EXPECT_THAT(editor.CompleteAt(own + "override |"), AllOf(Contains("const"), Contains("set")));
   EXPECT_THAT(editor.CompleteAt(own + "override const |"), ElementsAre("reach"));
   EXPECT_THAT(editor.CompleteAt(own + "override set |"), ElementsAre("soles"));
+}
+
+TEST(Completion, OffersTables) {
+  Editor editor;
+  editor.Write("curve.csv", "time [s], height [cm]\n0, 1\n2, 3\n");
+  const std::string table = "table height: real [m] = \"curve.csv\"\n";
+  const std::string task = "task t for humanoid\n" + table;
+  EXPECT_THAT(editor.CompleteAt(task + "metric a = |"),
+              AllOf(Contains("height"), Contains("duration"), Not(Contains("loop"))));
+  EXPECT_THAT(editor.CompleteAt(task + "metric a = height(time, |)"), Contains("loop"));
+  EXPECT_THAT(editor.CompleteAt("task t\ntable a: real = \"cu|\"\n"), ElementsAre("curve.csv"));
+  editor.Write("base.task", task);
+  const std::string own = "task a extends \"base.task\"\n";
+  editor.CompleteAt(own + "|");
+  EXPECT_THAT(editor.CompleteAt(own + "override |"), Contains("table"));
+  EXPECT_THAT(editor.CompleteAt(own + "override table |"), ElementsAre("height"));
+  EXPECT_THAT(editor.CompleteAt(own + "override table height = \"|\""), ElementsAre("curve.csv"));
 }
 
 TEST(Completion, ReplacesTheWord) {
@@ -381,6 +410,29 @@ TEST(Navigation, KnowsConstsAndSets) {
   EXPECT_EQ(symbols.at(1)["name"], "soles");
 }
 
+TEST(Navigation, OpensTheFileOfATable) {
+  Editor editor;
+  editor.Write("curve.csv", "x, y\n0, 1\n2, 3\n");
+  for (const char* blank : {" ", "\n    "}) {
+    const Json place = editor.AskAt(
+        "definition", fmt::format("task t\ntable height: real ={}\"cur|ve.csv\"\n", blank));
+    EXPECT_EQ(place["uri"], editor.UriOf("curve.csv"));
+  }
+}
+
+TEST(Diagnostics, OfATableAreGivenInItsFile) {
+  Editor editor;
+  editor.Write("curve.csv", "x, y\n0, 1\n2, three\n");
+  const std::vector<Json> published =
+      editor.Open("a.task", "task t\ntable height: real = \"curve.csv\"\n");
+  const auto of_table = std::ranges::find_if(published, [&](const Json& each) {
+    return each["params"]["uri"] == editor.UriOf("curve.csv");
+  });
+  ASSERT_NE(of_table, published.end());
+  EXPECT_EQ((*of_table)["params"]["diagnostics"].at(0)["code"], "E0671");
+  EXPECT_EQ(Text((*of_table)["params"]["diagnostics"].at(0)["range"]), "2:3-2:8");
+}
+
 TEST(Navigation, RefusesNamesThatWouldBeWrong) {
   Editor editor;
   const std::string marked = TaskWith("fallen = true", "fal|len = true");
@@ -415,6 +467,15 @@ TEST(Signatures, FollowTheArguments) {
   EXPECT_EQ(help["signatures"].at(0)["parameters"].at(1)["label"], "low");
   EXPECT_EQ(help["activeParameter"], 1);
   EXPECT_TRUE(editor.AskAt("signatureHelp", TaskWith("start", "sta|rt")).is_null());
+}
+
+TEST(Signatures, OfTablesSayHowToRepeatThem) {
+  Editor editor;
+  editor.Write("curve.csv", "x, y\n0, 1\n2, 3\n");
+  const Json help = editor.AskAt(
+      "signatureHelp", "task t\ntable height: real = \"curve.csv\"\nmetric a = height(1, |)\n");
+  EXPECT_EQ(help["signatures"].at(1)["label"], "height(x, loop) -> real");
+  EXPECT_EQ(help["activeSignature"], 1);
 }
 
 TEST(Symbols, MakeAnOutline) {

@@ -26,6 +26,7 @@ class TaskWriter {
     DeclareMemory();
     for (int i = 0; i < 4; ++i) DeclareGoal();
     past_ = readable_.size();
+    DeclareTables();
     for (int i = 0; i < 4; ++i) DeclareFunction();
     DeclareMetrics();
     for (const auto& event : kEventNames) {
@@ -126,6 +127,31 @@ class TaskWriter {
     return ConstantOf(type, unit);
   }
 
+  // Of files in tests/compiler/check/tables. Expressions call them through a function, which with
+  // constant arguments is no constant, and so may be divided by.
+  void DeclareTables() {
+    AddTable("real", "curve.csv", {}, {});
+    AddTable("real[5]", "five.csv", {}, {});
+    AddTable("vec3", "place.csv", {.second = 1}, {.meter = 1});
+    AddTable("quat", "turn.csv", {.second = 1}, {});
+    AddTable("quat[3]", "turns.csv", {}, {});
+  }
+
+  void AddTable(const std::string& type_name, const std::string& file, const Unit& argument,
+                const Unit& unit) {
+    const Type type = TypeOf(type_name);
+    const std::string table = NewName("table");
+    Line(fmt::format("table {}: {} = \"{}\"", table, TypeText(type, unit), file));
+    Callable function{
+        NewName("f"), type, unit, {{NewName("a"), ScalarType(Scalar::kReal), argument}}};
+    const std::string& name = function.arguments.front().name;
+    Line(fmt::format("fn {}({}: {}) -> {} = {}({}{})", function.name, name,
+                     TypeText(ScalarType(Scalar::kReal), argument), TypeText(type, unit), table,
+                     name, random_.OneOf({"", ", loop"})));
+    callable_.push_back(function);
+    tables_.push_back({table, type, argument});
+  }
+
   // Of the type of a memory, so that it can be chosen from that.
   void DeclareGoal() {
     const Readable& model = memory_[random_.Below(memory_.size())];
@@ -218,7 +244,7 @@ class TaskWriter {
   }
 
   void WriteStatement(int depth) {
-    switch (random_.Below(depth > 0 ? 17 : 13)) {
+    switch (random_.Below(depth > 0 ? 18 : 14)) {
       case 0:
       case 1:
         return WriteLet();
@@ -243,8 +269,10 @@ class TaskWriter {
       case 12:
         return WritePast();
       case 13:
-        return WriteFor(depth);
+        return WriteTable();
       case 14:
+        return WriteFor(depth);
+      case 15:
         Line(fmt::format("once per {} if {} {{", random_.OneOf({"action", "episode", "run"}),
                          Condition()));
         WriteBlock(1 + random_.Below(3), depth - 1);
@@ -289,6 +317,25 @@ class TaskWriter {
     else if (form.is_condition)
       number = fmt::format("select({}, 1, 0)", number);
     Line(fmt::format("log {} = {}", NewName("past"), number));
+  }
+
+  // What a table says for a sensor or a constant: directly, and a step ago.
+  void WriteTable() {
+    const Readable& table = random_.OneOf(tables_);
+    const std::string argument = random_.OneOf(
+        {readable_[2].name, std::string("0.7"), fmt::format("3 * {}", readable_[2].name)});
+    const std::string unit = IsPlain(table.unit) ? "" : " * 1" + UnitOfLiteral(table.unit);
+    std::string value =
+        fmt::format("{}({}{}{})", table.name, argument, unit, random_.OneOf({"", ", loop"}));
+    if (IsOfQuaternions(table.type)) {
+      value = IsScalar(table.type) || table.type.shape == Shape::kQuaternion
+                  ? value + ".z"
+                  : fmt::format("sum({}[1, 2].x)", value);
+    } else if (!IsScalar(table.type)) {
+      value = fmt::format("norm({})", value);
+    }
+    Line(fmt::format("log {} = {}", NewName("looked"),
+                     random_.OneIn(3) ? fmt::format("previous({})", value) : value));
   }
 
   void WriteAssignment() {
@@ -407,6 +454,7 @@ class TaskWriter {
   std::vector<Readable> params_;
   std::vector<Readable> memory_;
   std::vector<Readable> goals_;
+  std::vector<Readable> tables_;  // with the units of their arguments
   RandomExpressions expressions_;
   std::string text_;
   size_t past_ = 0;  // as many of `readable_` are declared

@@ -10,8 +10,8 @@ namespace {
 
 const char* const kWords[] = {"fn",        "import", "extends", "override", "allow",
                               "after_end", "test",   "given",   "fire",     "expect",
-                              "once",      "set",    "const",   "log",      "require",
-                              "goal",      "redraw", "return",  "within"};
+                              "once",      "set",    "const",   "table",    "log",
+                              "require",   "goal",   "redraw",  "return",   "within"};
 
 class ContextualWord : public testing::TestWithParam<const char*> {};
 
