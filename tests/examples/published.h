@@ -25,10 +25,12 @@ class Published {
   virtual Payments Step(const RobotState& state, const compiler::Instance& instance) = 0;
 };
 
+std::unique_ptr<Published> DeepMimicTrack();
 std::unique_ptr<Published> DmControlStand();
 std::unique_ptr<Published> DmControlWalk();
 std::unique_ptr<Published> PlaygroundGetUp();
 std::unique_ptr<Published> IsaacLabTargets();
 std::unique_ptr<Published> IsaacLabVelocity();
+std::unique_ptr<Published> SiekmannMarch();
 
 }  // namespace examples

@@ -64,6 +64,25 @@ std::vector<double> RowsOf(const Eigen::Matrix3d& matrix) {
   return ListOf(Eigen::Matrix3d(matrix.transpose()));
 }
 
+// Brings what was drawn around the origin to around where the links are in the first pose, nearer.
+void PlaceAsStanding(OfLinks& places) {
+  const robot::Vector3& base = Humanoid().poses.front().position;
+  for (int i = 0; i < kLinks; ++i) {
+    const robot::Vector3& link = Humanoid().links[static_cast<size_t>(i)].position;
+    for (size_t k = 0; k < 3; ++k) {
+      double& place = places(static_cast<int>(k), i);
+      place = base[k] + link[k] + 0.1 * place;
+    }
+  }
+}
+
+// Less than 1 N is no contact.
+std::vector<double> ContactsOf(const OfLinks& forces) {
+  std::vector<double> contacts;
+  for (int i = 0; i < kLinks; ++i) contacts.push_back(forces.col(i).norm() > 1 ? 1 : 0);
+  return contacts;
+}
+
 }  // namespace
 
 const robot::RobotDescription& Humanoid() {
@@ -86,6 +105,7 @@ RobotState RandomState(std::mt19937_64& random, double time) {
   state.velocity = draw.Vector(0.5);
   state.angular_velocity = draw.Vector(2);
   draw.Fill(state.link_positions, 0.4);
+  if (stands) PlaceAsStanding(state.link_positions);
   draw.Fill(state.link_velocities, 0.7);
   for (int i = 0; i < kLinks; ++i) {
     const bool touches = draw.Is(ContactProbability(Humanoid().links[static_cast<size_t>(i)].name));
@@ -117,6 +137,7 @@ void Sense(const RobotState& state, const taskc_plugin& plugin, compiler::Instan
       {"base.angular_velocity", ListOf(state.angular_velocity)},
       {"link.position", ListOf(state.link_positions)},
       {"link.velocity", ListOf(state.link_velocities)},
+      {"contact", ContactsOf(state.contact_forces)},
       {"contact_force", ListOf(state.contact_forces)},
       {"joint.angle", ListOf(state.angles)},
       {"joint.velocity", ListOf(state.joint_velocities)},

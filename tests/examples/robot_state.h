@@ -39,7 +39,8 @@ int LinkOf(const std::string& name);
 int JointOf(const std::string& name);
 
 // A state in which each condition of the tasks holds now and then: a third of the robots stand
-// nearly upright at full height, and most have nothing but their feet on the ground.
+// nearly upright at full height, with their links about in their places, and most have nothing but
+// their feet on the ground.
 RobotState RandomState(std::mt19937_64& random, double time);
 
 // Sets all sensors that the task reads.

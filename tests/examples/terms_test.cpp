@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <random>
 #include <span>
@@ -18,8 +19,10 @@ namespace {
 
 constexpr int kStates = 1000;
 
+// Subnormal numbers have fewer digits.
 bool AreClose(double a, double b) {
-  return std::abs(a - b) <= 1e-12 * std::max(std::abs(a), std::abs(b));
+  const double larger = std::max(std::abs(a), std::abs(b));
+  return std::abs(a - b) <= 1e-12 * larger || larger < std::numeric_limits<double>::min();
 }
 
 // Counts in `paid` how often each term pays something.
@@ -61,8 +64,10 @@ void Compare(const std::string& name, Published& published) {
 }
 
 TEST(Terms, OfGetUp) { Compare("get_up", *PlaygroundGetUp()); }
+TEST(Terms, OfMarch) { Compare("march", *SiekmannMarch()); }
 TEST(Terms, OfStand) { Compare("stand", *DmControlStand()); }
 TEST(Terms, OfTargets) { Compare("targets", *IsaacLabTargets()); }
+TEST(Terms, OfTrack) { Compare("track", *DeepMimicTrack()); }
 TEST(Terms, OfVelocity) { Compare("velocity", *IsaacLabVelocity()); }
 TEST(Terms, OfWalk) { Compare("walk", *DmControlWalk()); }
 
