@@ -1,7 +1,8 @@
 // What a time step costs with each of the six tasks, besides physics and learning:
 //   Sensing    the sensors that the task reads at the end of every time step, out of the simulation
 //   Callback   the task's end_of_time_step on them
-// and what functions of the past and a goal cost, beside the same written out with memory.
+// and what functions of the past and a goal cost, beside the same written out with memory, and what
+// tables cost, beside the same in C++.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
@@ -13,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/motion_by_hand.h"
 #include "bench/random_motion.h"
 #include "plugins/host/task_frame.h"
 #include "runtime/core/task/plugin.h"
@@ -99,6 +101,27 @@ void Callback(benchmark::State& state, const char* task) {
   }
 }
 
+// On the same sensors; without what a callback does for every task.
+void TableByHand(benchmark::State& state) {
+  const taskc_plugin& plugin = LoadTask("bench/tasks/table").table();
+  Scene scene(plugin);
+  host::TaskFrame frame(plugin);
+  scene.Bind(frame);
+  static const MotionByHand motion(SOURCE_DIR "/examples/tasks/track.csv");
+  const auto sensor = [&](std::string_view name) {
+    for (taskc_uint32 i = 0; i < plugin.sensor_count; ++i)
+      if (plugin.sensors[i].name == name) return static_cast<const double*>(frame.sensor(i));
+    throw std::runtime_error("the task lacks a sensor");
+  };
+  const double* time = sensor("time");
+  const double* angles = sensor("joint.angle");
+  const double* positions = sensor("link.position");
+  for (auto _ : state) {
+    benchmark::ClobberMemory();
+    benchmark::DoNotOptimize(0.005 * motion.Reward(*time, angles, positions));
+  }
+}
+
 #define TASK(name)                                  \
   BENCHMARK_CAPTURE(Sensing, name, "tasks/" #name); \
   BENCHMARK_CAPTURE(Callback, name, "tasks/" #name)
@@ -111,6 +134,8 @@ TASK(turning);
 #undef TASK
 BENCHMARK_CAPTURE(Callback, past, "bench/tasks/past");
 BENCHMARK_CAPTURE(Callback, past_by_hand, "bench/tasks/past_by_hand");
+BENCHMARK_CAPTURE(Callback, table, "bench/tasks/table");
+BENCHMARK(TableByHand);
 
 }  // namespace
 }  // namespace runtime
