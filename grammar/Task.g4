@@ -27,7 +27,7 @@ header : TASK name (EXTENDS base=STRING)? (FOR robot=name)? LINE_END? ;
 
 declaration
     : ( start | afterEnd | sensor | param | memory | goal | metric | constant | namedSet | table
-      | event | function | imported | test | change ) LINE_END?
+      | event | phase | function | imported | test | change ) LINE_END?
     ;
 
 // allow W0706, W0712: above a declaration, a statement or the header
@@ -66,6 +66,11 @@ table : TABLE name ':' type '=' STRING ;
 // on end_of_time_step { ... }
 event : ON name block ;
 
+// phase lift within 3 s else reach { ... }
+phase : PHASE name limit? block ;
+
+limit : WITHIN time=expression ELSE otherwise=name ;
+
 // import "shaping.task"
 imported : IMPORT STRING ;
 
@@ -88,7 +93,7 @@ bodyStatement : ( let | RETURN expression ) LINE_END? ;
 change
     : OVERRIDE
       ( start | afterEnd | newDefault | newConstant | namedSet | newTable | newGoal | metric | reward
-      | event | function )
+      | event | phase | function )
     ;
 
 // override param direction = -1
@@ -133,7 +138,8 @@ type : name ('[' (index=name | length=NUMBER) ']')? ('[' unit ']')? ;
 block : '{' (allow | statement)* '}' ;
 
 statement
-    : ( let | assignment | branches | loop | once | reward | end | log | require | redraw ) LINE_END?
+    : ( let | assignment | branches | loop | once | reward | end | log | require | redraw
+      | transition ) LINE_END?
     ;
 
 // let speed = norm(base.velocity)
@@ -168,6 +174,9 @@ require : REQUIRE expression STRING? ;
 
 // redraw velocity
 redraw : REDRAW name ;
+
+// next lift
+transition : NEXT name ;
 
 // ---- Expressions --------------------------------------------------------------------------------
 
@@ -283,6 +292,8 @@ LOG : 'log' ;
 REQUIRE : 'require' ;
 GOAL : 'goal' ;
 REDRAW : 'redraw' ;
+PHASE : 'phase' ;
+NEXT : 'next' ;
 RETURN : 'return' ;
 
 // A name, but between two operands.

@@ -49,7 +49,7 @@ const std::map<std::string, Folders> kMayInclude = {
       "compiler/syntax", "compiler/toolchain", "plugins/host", "plugins/robot"}},
     {"compiler/document",
      {"compiler/analyze", "compiler/bounds", "compiler/check", "compiler/weights",
-      "compiler/report", "compiler/syntax", "plugins/robot"}},
+      "compiler/report", "compiler/source", "compiler/syntax", "plugins/robot"}},
     {"compiler/driver",
      {"base/command_line", "base/file", "base/seal", "base/text", "base/watch", "compiler/analyze",
       "compiler/bounds", "compiler/document", "compiler/emit", "compiler/format",

@@ -58,6 +58,13 @@ class DependenceSearch {
         Search(branches->otherwise, inside, true);
       } else if (const auto* loop = std::get_if<CheckedFor>(&statement.node)) {
         for (const CheckedPass& pass : loop->passes) Search(pass.body, conditions, is_conditional);
+      } else if (const auto* phases = std::get_if<CheckedPhaseSwitch>(&statement.node)) {
+        MemorySet inside = conditions;
+        inside.insert(task_.phase_memory.present);
+        for (const CheckedBlock& phase : phases->blocks) Search(phase, inside, true);
+      } else if (std::holds_alternative<CheckedNext>(statement.node)) {
+        for (const uint32_t memory : {task_.phase_memory.present, task_.phase_memory.time})
+          AddChange(memory, conditions);
       } else if (const auto* reward = std::get_if<CheckedReward>(&statement.node)) {
         MemorySet memory = ReadBy(reward->value);
         memory.insert(conditions.begin(), conditions.end());
@@ -78,6 +85,13 @@ class DependenceSearch {
     if (!is_sensed) found_.sensed.erase(assign.memory);
     if (!IsSum(assign)) found_.accumulated.erase(assign.memory);
     is_set_.insert(assign.memory);
+  }
+
+  // A phase begins under these conditions.
+  void AddChange(uint32_t memory, const MemorySet& conditions) {
+    found_.sources[memory].insert(conditions.begin(), conditions.end());
+    found_.sensed.erase(memory);
+    found_.accumulated.erase(memory);
   }
 
   MemorySet ReadBy(const CheckedExpression& expression) {

@@ -54,6 +54,9 @@ class CertainEndSearch {
           if (auto end = Find(pass.body)) return end;
       if (const auto* branches = std::get_if<CheckedIf>(&statement.node))
         if (auto end = FindIn(branches->branches.front())) return end;
+      // An episode begins in the first phase.
+      if (const auto* phases = std::get_if<CheckedPhaseSwitch>(&statement.node))
+        if (auto end = Find(phases->blocks.front())) return end;
     }
     return std::nullopt;
   }
@@ -107,6 +110,8 @@ class RepeatedPaymentSearch {
         for (const CheckedPass& pass : loop->passes) Search(pass.body, nullptr);
       if (const auto* branches = std::get_if<CheckedIf>(&statement.node))
         Search(*branches, statement);
+      if (const auto* phases = std::get_if<CheckedPhaseSwitch>(&statement.node))
+        for (const CheckedBlock& phase : phases->blocks) Search(phase, nullptr);
     }
     sets_.resize(outer_sets);
   }

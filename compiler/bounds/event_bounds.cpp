@@ -147,6 +147,30 @@ void EventBounds::Run(const CheckedRedraw& redraw, Reached& values) {
   values->memory[goal.draws] = Box(Interval{0, kInfinity});
 }
 
+// What it changes is looked at where the phases end.
+void EventBounds::Run(const CheckedNext&, Reached&) {}
+
+// Any phase may be the present one, and any the next.
+void EventBounds::Run(const CheckedPhaseSwitch& phases, Reached& values) {
+  const auto [present, time] = task_.phase_memory;
+  Reached after;
+  for (size_t i = 0; i < phases.blocks.size(); ++i) {
+    Reached inside = values;
+    inside->memory[present] = Box(Exactly(static_cast<double>(i)));
+    Run(phases.blocks[i], inside);
+    if (!inside) continue;
+    if (const auto& limit = task_.phases[i].limit) {
+      const Interval longest = ExpressionBounds(task_, *inside).Of(limit->time);
+      inside->memory[time] = Box(Meet(inside->memory[time][0], {0, longest.high}));
+    }
+    after = after ? Join(*after, *inside) : std::move(*inside);
+  }
+  values = std::move(after);
+  if (!values) return;
+  values->memory[present] = Box(Interval{0, static_cast<double>(phases.blocks.size() - 1)});
+  values->memory[time] = Join(values->memory[time], Box(Exactly(0)));
+}
+
 void EventBounds::Run(const CheckedAdvance& advance, Reached& values) {
   const CheckedTimeFunction& function = task_.time_functions[advance.function];
   const Box now = ExpressionBounds(task_, *values).AllOf(advance.value);

@@ -36,6 +36,8 @@ class EventBounds {
   void Run(const CheckedLog& log, Reached& values);
   void Run(const CheckedRequire& require, Reached& values);
   void Run(const CheckedRedraw& redraw, Reached& values);
+  void Run(const CheckedNext& next, Reached& values);
+  void Run(const CheckedPhaseSwitch& phases, Reached& values);
   void Run(const CheckedAdvance& advance, Reached& values);
 
   bool Assume(const CheckedExpression& condition, bool truth, Values& values) const;

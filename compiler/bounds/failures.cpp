@@ -103,6 +103,8 @@ class FailureSearch {
         for (const CheckedPass& pass : loop->passes) Search(pass.body, around, reads);
       if (const auto* branches = std::get_if<CheckedIf>(&statement.node))
         Search(*branches, around, reads);
+      if (const auto* phases = std::get_if<CheckedPhaseSwitch>(&statement.node))
+        for (const CheckedBlock& phase : phases->blocks) Search(phase, around, reads);
     }
   }
 

@@ -43,6 +43,7 @@ bool SetsMemory(const CheckedEvent& event) {
   ForEachStatement(event.body, [&](const CheckedStatement& statement) {
     if (std::holds_alternative<CheckedAssign>(statement.node) ||
         std::holds_alternative<CheckedRedraw>(statement.node) ||
+        std::holds_alternative<CheckedPhaseSwitch>(statement.node) ||
         std::holds_alternative<CheckedAdvance>(statement.node))
       sets = true;
   });

@@ -11,6 +11,7 @@
 #include "compiler/bounds/domains.h"
 #include "compiler/bounds/early_death.h"
 #include "compiler/bounds/end_warnings.h"
+#include "compiler/bounds/phase_warnings.h"
 #include "compiler/check/fold.h"
 #include "compiler/check/report.h"
 #include "compiler/check/traversal.h"
@@ -205,6 +206,7 @@ void WarnOfBounds(const CheckedTask& task, Diagnostics& diagnostics) {
   WarnOfLeftDomains(bounds, diagnostics);
   WarnOfEnds(task, bounds, diagnostics);
   WarnOfEarlyDeath(task, diagnostics);
+  WarnOfPhases(task, bounds, diagnostics);
 }
 
 }  // namespace compiler

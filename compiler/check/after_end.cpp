@@ -1,8 +1,8 @@
 #include "compiler/check/after_end.h"
 
 #include <optional>
-#include <utility>
 
+#include "compiler/check/hidden_memory.h"
 #include "compiler/check/traversal.h"
 #include "compiler/check/type.h"
 
@@ -38,16 +38,8 @@ std::optional<Span> FirstEnd(const CheckedTask& task) {
 void AddMemoryOfEnd(const SyntaxTree& tree, CheckedTask& task) {
   const std::optional<Span> first = FirstEnd(task);
   if (!first || AfterEndOf(tree) == AfterEnd::kContinue) return;
-  const Type type = ScalarType(Scalar::kBool);
-  CheckedMemory memory{.name = "ended#",
-                       .type = type,
-                       .unit = {},
-                       .scope = MemoryScope::kPerEpisode,
-                       .initial = {*first, type, {}, Constant{0}},
-                       .span = *first};
-  memory.is_declared = false;
-  task.ended = static_cast<uint32_t>(task.memory.size());
-  task.memory.push_back(std::move(memory));
+  task.ended = AddHiddenMemory("ended#", ScalarType(Scalar::kBool), {}, MemoryScope::kPerEpisode,
+                               *first, task);
 }
 
 bool CanEnd(const CheckedBlock& block) {

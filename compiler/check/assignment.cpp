@@ -34,6 +34,20 @@ bool ReportEndByFlag(const AssignStatement& assign, const TaskScope& scope) {
   return true;
 }
 
+// `phase = lift`. False: it is no such assignment.
+bool ReportAssignedPhase(const AssignStatement& assign, const TaskScope& scope) {
+  const Symbol* symbol = scope.symbols.Find(assign.target.name.text);
+  if (symbol == nullptr || symbol->kind != SymbolKind::kPhase) return false;
+  const auto* phase = std::get_if<NameExpression>(&assign.value.node);
+  Help help = fmt::format("say which one comes next, in the block of a phase: `next {}`",
+                          phase != nullptr ? phase->name.text : "NAME");
+  if (phase != nullptr)
+    help.fixes = {{Cover(assign.target.span, assign.value.span), "next " + phase->name.text}};
+  Report(scope.diagnostics, code::kNotAssignable, assign.target.span,
+         "`phase` is the present phase and cannot be set by the task", {.help = std::move(help)});
+  return true;
+}
+
 // The memory that is assigned to, or null after a message. A wrong declaration has had its own.
 const Symbol* FindMemory(const Identifier& target, const TaskScope& scope) {
   const Symbol* symbol = FindSymbol(target, scope);
@@ -48,12 +62,13 @@ const Symbol* FindMemory(const Identifier& target, const TaskScope& scope) {
   }
   if (!symbol->is_valid) return nullptr;
   if (symbol->kind == SymbolKind::kMemory) return symbol;
-  const bool is_goal = symbol->kind == SymbolKind::kGoal;
+  std::string help = "declare a `memory` for what changes";
+  if (symbol->kind == SymbolKind::kGoal)
+    help = fmt::format("to draw it anew, write `redraw {}`", target.text);
+  if (symbol->kind == SymbolKind::kPhaseTime) help = "it begins with 0 when a phase does";
   Report(scope.diagnostics, code::kNotAssignable, target.span,
          fmt::format("`{}` is {} and cannot be set by the task", target.text, WhatIs(symbol->kind)),
-         {.help = is_goal ? fmt::format("to draw it anew, write `redraw {}`", target.text)
-                          : "declare a `memory` for what changes",
-          .labels = {{symbol->span, "declared here"}}});
+         {.help = std::move(help), .labels = {{symbol->span, "declared here"}}});
   return nullptr;
 }
 
@@ -103,7 +118,7 @@ BinaryOperator OperatorOf(AssignOperator op) {
 
 std::optional<CheckedAssign> CheckAssignment(const AssignStatement& assign, const Place& place,
                                              const TaskScope& scope) {
-  if (ReportEndByFlag(assign, scope)) return std::nullopt;
+  if (ReportEndByFlag(assign, scope) || ReportAssignedPhase(assign, scope)) return std::nullopt;
   const Symbol* memory = FindMemory(PathOf(assign.target).front(), scope);
   std::optional<CheckedExpression> target;
   if (memory != nullptr)

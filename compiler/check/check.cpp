@@ -7,7 +7,9 @@
 #include "compiler/check/declarations.h"
 #include "compiler/check/functions.h"
 #include "compiler/check/goals.h"
+#include "compiler/check/log_table.h"
 #include "compiler/check/named_constants.h"
+#include "compiler/check/phases.h"
 #include "compiler/check/sensor_use.h"
 #include "compiler/check/statements.h"
 #include "compiler/check/tables.h"
@@ -42,6 +44,7 @@ std::optional<CheckedTask> Check(const SyntaxTree& tree, const robot::RobotDescr
                   .symbols = {},
                   .constants = constants,
                   .functions = {},
+                  .phases = {},
                   .locals = {},
                   .diagnostics = diagnostics,
                   .loop_reads = nullptr,
@@ -69,13 +72,17 @@ std::optional<CheckedTask> Check(const SyntaxTree& tree, const robot::RobotDescr
   CheckSensors(tree, scope);
   for (const std::string& word : tree.lost.words)
     if (!scope.sensors.IsRoot(word)) scope.refused.insert(word);
+  DeclarePhases(tree, scope, task);
   CheckParams(tree, scope, task);
   CheckMemory(tree, scope, task);
   CheckGoals(tree, scope, task);
   CheckFunctions(tree, scope, task);
   CheckMetrics(tree, scope, task);
-  CheckEvents(tree, scope, task);
+  LogTable logs(scope, task);
+  CheckEvents(tree, logs, scope, task);
+  CheckPhases(tree, logs, scope, task);
   time_functions.AddStatements();
+  AddPhaseClock(task);
   AddGoalStatements(task);
   AddMemoryOfEnd(tree, task);
   CheckTests(tree, scope, task);

@@ -224,6 +224,17 @@ struct CheckedRedraw {
   uint32_t goal = 0;
 };
 
+// Only in a phase: the phase from the next time step on, unless the step has reached such a
+// statement before.
+struct CheckedNext {
+  uint32_t phase = 0;
+};
+// The blocks of all phases, of which that of the present one runs; then the phase changes, if a
+// CheckedNext says so, and its time is 0 again.
+struct CheckedPhaseSwitch {
+  std::vector<CheckedBlock> blocks;
+};
+
 // Brings a time function up to date, with the value that its argument has now; at the start of an
 // episode with its first one, where the function does not merely count time.
 struct CheckedAdvance {
@@ -237,7 +248,8 @@ struct CheckedAdvance {
 struct CheckedStatement {
   Span span;
   std::variant<CheckedLet, CheckedAssign, CheckedIf, CheckedFor, CheckedReward, CheckedEnd,
-               CheckedLog, CheckedRequire, CheckedRedraw, CheckedAdvance>
+               CheckedLog, CheckedRequire, CheckedRedraw, CheckedNext, CheckedPhaseSwitch,
+               CheckedAdvance>
       node;
 };
 
@@ -307,7 +319,7 @@ struct CheckedMemory {
   CheckedExpression initial;  // a constant or a param, as a scalar: the value of every element
   Span span;
   std::string doc{};
-  bool is_declared = true;  // false: made for a `once`, or CheckedTask::ended
+  bool is_declared = true;  // false: see hidden_memory.h
 };
 // A goal lives in memory: its value, whether the host holds it, how often it was drawn in this
 // episode, and the time that is left until it is drawn again. It is drawn when memory is
@@ -328,6 +340,25 @@ struct CheckedGoal {
   };
   std::optional<Interval> interval;  // nothing: once per episode
   Span span{};
+};
+// A phase of a task; its block is in the task's one CheckedPhaseSwitch, which ends the block of
+// `end_of_time_step`.
+struct CheckedPhase {
+  std::string name;
+  std::string doc;
+  Span span{};  // of its name
+  // How long it may last; the statements for it end its block.
+  struct Limit {
+    CheckedExpression time;  // a real [s]: a constant or a param
+    uint32_t otherwise = 0;  // the phase that comes then
+    Span span{};
+  };
+  std::optional<Limit> limit{};
+};
+// What a task with phases remembers of them, both per episode.
+struct PhaseMemory {
+  uint32_t present = 0;  // memory, an int: the index of the present phase
+  uint32_t time = 0;     // memory, a real [s]: how long that has been the present one
 };
 // A value that follows from another one and its past. It lives in memory, is computed once at the
 // end of each time step, before the blocks, and keeps its value until the next: what reads it is a
@@ -452,6 +483,8 @@ struct CheckedTask {
   // it ends none, or its callbacks run on. See after_end.h.
   std::optional<uint32_t> ended{};
   std::vector<CheckedGoal> goals;
+  std::vector<CheckedPhase> phases;                 // an episode begins in the first
+  PhaseMemory phase_memory{};                       // where there are phases
   std::vector<CheckedTimeFunction> time_functions;  // each after those that its argument reads
   std::vector<CheckedTerm> terms;
   std::vector<CheckedMetric> metrics;

@@ -17,6 +17,7 @@
 #include "compiler/check/method_call.h"
 #include "compiler/check/names.h"
 #include "compiler/check/operators.h"
+#include "compiler/check/phase_names.h"
 #include "compiler/check/report.h"
 #include "compiler/check/tables.h"
 #include "compiler/check/test_read.h"
@@ -148,6 +149,8 @@ class ExpressionChecker {
   }
 
   Result CheckNode(const BinaryExpression& binary, const Expression& expression) const {
+    if (ComparesPhase(binary, scope_))
+      return CheckPhaseComparison(binary, expression.span, place_, scope_);
     auto left = Check(*binary.left);
     auto right = Check(*binary.right);
     if (binary.tolerance != nullptr) {

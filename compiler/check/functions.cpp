@@ -65,6 +65,7 @@ TaskScope ScopeInside(const TaskScope& task) {
                    .symbols = {},
                    .constants = task.constants,
                    .functions = task.functions,
+                   .phases = {},
                    .locals = {},
                    .diagnostics = task.diagnostics,
                    .refused = task.refused,

@@ -11,6 +11,7 @@
 #include "compiler/check/draws.h"
 #include "compiler/check/expressions.h"
 #include "compiler/check/fold.h"
+#include "compiler/check/hidden_memory.h"
 #include "compiler/check/names.h"
 #include "compiler/check/report.h"
 #include "compiler/check/type.h"
@@ -26,19 +27,6 @@ uint32_t HashOf(std::string_view text) {
   uint32_t hash = 0x811C9DC5;
   for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x01000193;
   return hash;
-}
-
-uint32_t AddMemory(std::string name, Type type, Unit unit, MemoryScope scope, Span span,
-                   CheckedTask& task) {
-  CheckedMemory memory{.name = std::move(name),
-                       .type = type,
-                       .unit = unit,
-                       .scope = scope,
-                       .initial = {span, ScalarType(type.scalar), unit, Constant{0}},
-                       .span = span};
-  memory.is_declared = false;
-  task.memory.push_back(std::move(memory));
-  return static_cast<uint32_t>(task.memory.size() - 1);
 }
 
 // One goal.
@@ -142,14 +130,15 @@ class GoalCheck {
                      .interval = {},
                      .span = span};
     // No reset takes away what a host has set.
-    goal.memory = AddMemory(name, declared.type, declared.unit, MemoryScope::kPerRun, span, task_);
-    goal.held =
-        AddMemory(name + "#held", ScalarType(Scalar::kBool), {}, MemoryScope::kPerRun, span, task_);
-    goal.draws = AddMemory(name + "#draws", ScalarType(Scalar::kInt), {}, MemoryScope::kPerEpisode,
-                           span, task_);
+    goal.memory =
+        AddHiddenMemory(name, declared.type, declared.unit, MemoryScope::kPerRun, span, task_);
+    goal.held = AddHiddenMemory(name + "#held", ScalarType(Scalar::kBool), {}, MemoryScope::kPerRun,
+                                span, task_);
+    goal.draws = AddHiddenMemory(name + "#draws", ScalarType(Scalar::kInt), {},
+                                 MemoryScope::kPerEpisode, span, task_);
     if (interval) {
       const uint32_t left =
-          AddMemory(name + "#left", kReal, kSeconds, MemoryScope::kPerEpisode, span, task_);
+          AddHiddenMemory(name + "#left", kReal, kSeconds, MemoryScope::kPerEpisode, span, task_);
       goal.interval = {left, std::move(*interval)};
     }
     task_.goals.push_back(std::move(goal));

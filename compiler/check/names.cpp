@@ -6,6 +6,7 @@
 
 #include "compiler/check/builtins.h"
 #include "compiler/check/draws.h"
+#include "compiler/check/phase_names.h"
 #include "compiler/check/report.h"
 #include "compiler/check/time_functions.h"
 #include "compiler/check/type.h"
@@ -86,8 +87,12 @@ std::optional<CheckedExpression> ReadOf(const Symbol& symbol, const Identifier& 
       return std::nullopt;
     case SymbolKind::kMemory:
     case SymbolKind::kGoal:
+    case SymbolKind::kPhaseTime:
       read.node = MemoryRead{symbol.index};
       break;
+    case SymbolKind::kPhase:
+      ReportPhaseAsValue(name.span, scope);
+      return std::nullopt;
     case SymbolKind::kLocal:
       read.node = LocalRead{symbol.index};
       break;
@@ -304,6 +309,9 @@ ReferenceKind ReferenceKindOf(SymbolKind kind) {
       return ReferenceKind::kMemory;
     case SymbolKind::kGoal:
       return ReferenceKind::kGoal;
+    case SymbolKind::kPhase:
+    case SymbolKind::kPhaseTime:
+      return ReferenceKind::kPhase;
     case SymbolKind::kLocal:
       return ReferenceKind::kLocal;
     case SymbolKind::kLoopPart:
@@ -408,7 +416,7 @@ std::optional<ResolvedPath> ResolvePath(const std::vector<Identifier>& path, con
     return ResolvedPath{{span, sensor.type, sensor.unit, SensorRead{index}}, length};
   }
   if (!scope.knows_names || scope.sensors.IsInvalidRoot(root.text)) return std::nullopt;
-  if (ReportForeignPath(path, scope)) return std::nullopt;
+  if (ReportMissingPhases(root, scope) || ReportForeignPath(path, scope)) return std::nullopt;
   if (ReportSensorOfRobot(path, scope) || ReportMisspelledSensor(path, scope)) return std::nullopt;
   if (scope.sensors.IsRoot(root.text)) {
     ReportUnknownSensor(path, scope);
@@ -432,6 +440,10 @@ std::string_view WhatIs(SymbolKind kind) {
       return "a memory";
     case SymbolKind::kGoal:
       return "a goal";
+    case SymbolKind::kPhase:
+      return "the present phase";
+    case SymbolKind::kPhaseTime:
+      return "the time in the present phase";
     case SymbolKind::kLocal:
       return "the result of a `let`";
     case SymbolKind::kLoopPart:
@@ -510,14 +522,20 @@ bool DeclareSymbol(const Identifier& name, Symbol symbol, TaskScope& scope) {
     NoteReference(name, symbol, scope);
     return true;
   }
+  const Symbol& first = *scope.symbols.Find(name.text);
+  if (ComesWithPhases(first.kind)) {
+    ReportNameOfPhases(name, first, scope);
+    return false;
+  }
   Report(scope.diagnostics, code::kRepeatedName, name.span,
          fmt::format("there is already a `{}`", name.text),
-         {.labels = {{scope.symbols.Find(name.text)->span, "first declared here"}}});
+         {.labels = {{first.span, "first declared here"}}});
   return false;
 }
 
 void NoteReference(const Identifier& name, const Symbol& symbol, const TaskScope& scope) {
-  if (scope.references == nullptr) return;
+  // What comes with the phases has no name that could be shown or changed.
+  if (scope.references == nullptr || ComesWithPhases(symbol.kind)) return;
   scope.references->Add(
       {ReferenceKindOf(symbol.kind), name.text, name.span, symbol.span, symbol.type, symbol.unit});
 }

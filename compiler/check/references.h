@@ -22,6 +22,7 @@ enum class ReferenceKind {
   kLoop,      // the variable of a `for`
   kArgument,  // of a function
   kFunction,
+  kPhase,
   kTerm,
   kMetric,
   kLog

@@ -9,10 +9,11 @@
 #include "compiler/check/expressions.h"
 #include "compiler/check/fold.h"
 #include "compiler/check/goals.h"
-#include "compiler/check/log_table.h"
+#include "compiler/check/hidden_memory.h"
 #include "compiler/check/loop.h"
 #include "compiler/check/names.h"
 #include "compiler/check/operators.h"
+#include "compiler/check/phase_names.h"
 #include "compiler/check/report.h"
 #include "compiler/check/traversal.h"
 #include "compiler/check/type.h"
@@ -59,12 +60,15 @@ class EventChecker {
  public:
   EventChecker(const EventDeclaration& declaration, LogTable& logs, TaskScope& scope,
                CheckedTask& task)
-      : place_{Place::kEvent, declaration.event},
-        event_name_(declaration.name.text),
-        logs_(logs),
-        scope_(scope),
-        task_(task),
-        event_(task.events[static_cast<size_t>(declaration.event)]) {}
+      : EventChecker(declaration.event, declaration.name.text, logs, scope, task) {
+    may_be_phase_ = !declaration.is_known;
+  }
+  // Of a phase, in each time step.
+  EventChecker(const PhaseDeclaration& declaration, LogTable& logs, TaskScope& scope,
+               CheckedTask& task)
+      : EventChecker(EventKind::kEndOfTimeStep, declaration.name.text, logs, scope, task) {
+    may_be_phase_ = true;
+  }
 
   CheckedBlock Check(const Block& block) {
     scope_.symbols.OpenBlock();
@@ -79,6 +83,15 @@ class EventChecker {
   }
 
  private:
+  EventChecker(EventKind event, const std::string& name, LogTable& logs, TaskScope& scope,
+               CheckedTask& task)
+      : place_{Place::kEvent, event},
+        event_name_(name),
+        logs_(logs),
+        scope_(scope),
+        task_(task),
+        event_(task.events[static_cast<size_t>(event)]) {}
+
   // Each adds the checked statement to `block`, or reports why not.
   void CheckNode(const LetStatement& let, Span span, CheckedBlock& block) {
     Symbol symbol{.kind = SymbolKind::kLocal, .is_valid = false};
@@ -227,7 +240,7 @@ class EventChecker {
   // `if not once#1 and condition { once#1 = true ... }`, with a memory of its own.
   void CheckNode(const OnceStatement& once, Span span, CheckedBlock& block) {
     auto condition = CheckCondition(once.condition, place_, scope_);
-    const uint32_t memory = AddHiddenMemory(once.scope, span);
+    const uint32_t memory = AddFlag(once.scope, span);
     const auto boolean = [&](auto node) {
       return CheckedExpression{once.condition.span, ScalarType(Scalar::kBool), {}, std::move(node)};
     };
@@ -246,19 +259,11 @@ class EventChecker {
     block.push_back({span, std::move(checked)});
   }
 
-  uint32_t AddHiddenMemory(MemoryScope scope, Span span) {
-    const Type type = ScalarType(Scalar::kBool);
+  uint32_t AddFlag(MemoryScope scope, Span span) {
     const auto is_hidden = [](const CheckedMemory& memory) { return !memory.is_declared; };
     const auto number = std::ranges::count_if(task_.memory, is_hidden) + 1;
-    CheckedMemory memory{.name = fmt::format("once#{}", number),
-                         .type = type,
-                         .unit = {},
-                         .scope = scope,
-                         .initial = {span, type, {}, Constant{0}},
-                         .span = span};
-    memory.is_declared = false;
-    task_.memory.push_back(std::move(memory));
-    return static_cast<uint32_t>(task_.memory.size() - 1);
+    return AddHiddenMemory(fmt::format("once#{}", number), ScalarType(Scalar::kBool), {}, scope,
+                           span, task_);
   }
 
   void CheckNode(const LogStatement& log, Span span, CheckedBlock& block) {
@@ -288,6 +293,16 @@ class EventChecker {
       block.push_back({span, CheckedRedraw{*goal}});
   }
 
+  void CheckNode(const NextStatement& next, Span span, CheckedBlock& block) {
+    const auto phase = FindPhase(next.phase, scope_);
+    if (!may_be_phase_ && !scope_.phases.empty())
+      Report(scope_.diagnostics, code::kMisplacedNext, span,
+             "only the block of a phase says what comes next",
+             {.help = "move it to `phase NAME { ... }`; what holds in several phases stands in "
+                      "each of them"});
+    if (phase) block.push_back({span, CheckedNext{*phase}});
+  }
+
   void CheckNode(const EndStatement& end, Span span, CheckedBlock& block) {
     const uint32_t index = IndexOf(task_.ends, span, {end.kind, end.reason, span});
     if (place_.event == EventKind::kEndOfEpisode) {
@@ -313,13 +328,13 @@ class EventChecker {
   TaskScope& scope_;
   CheckedTask& task_;
   CheckedEvent& event_;
+  bool may_be_phase_ = false;
   const ForStatement* outermost_ = nullptr;  // of the loops that are being checked
 };
 
 }  // namespace
 
-void CheckEvents(const SyntaxTree& tree, TaskScope& scope, CheckedTask& task) {
-  LogTable logs(scope, task);
+void CheckEvents(const SyntaxTree& tree, LogTable& logs, TaskScope& scope, CheckedTask& task) {
   for (const Declaration& declaration : tree.declarations) {
     const auto* block = std::get_if<EventDeclaration>(&declaration.node);
     if (block == nullptr) continue;
@@ -342,6 +357,13 @@ void CheckEvents(const SyntaxTree& tree, TaskScope& scope, CheckedTask& task) {
     event.span = block->name.span;
     event.body = std::move(body);
   }
+}
+
+CheckedBlock CheckPhaseBlock(const PhaseDeclaration& phase, LogTable& logs, TaskScope& scope,
+                             CheckedTask& task) {
+  scope.locals.clear();
+  CollectLocals(phase.body, scope);
+  return EventChecker(phase, logs, scope, task).Check(phase.body);
 }
 
 }  // namespace compiler

@@ -20,6 +20,8 @@ enum class SymbolKind {
   kTable,
   kMemory,
   kGoal,
+  kPhase,      // the present one, `phase`
+  kPhaseTime,  // `phase_time`
   kLocal,
   kLoopPart,    // of a loop over links or joints: one of them
   kLoopNumber,  // of a loop over numbers: an `int` constant
@@ -31,8 +33,9 @@ struct Symbol {
   SymbolKind kind = SymbolKind::kParam;
   Span span{};           // of the name where it is declared
   bool is_valid = true;  // false: its declaration is wrong, what depends on it is not reported
-  // Among the task's params, consts, sets, tables, memory (of a goal: its value) or functions, the
-  // event's or function's locals, or the function's arguments; or the value of a loop's variable.
+  // Among the task's params, consts, sets, tables, memory (of a goal: its value; of phases) or
+  // functions, the event's or function's locals, or the function's arguments; or the value of a
+  // loop's variable.
   uint32_t index = 0;
   Type type{};  // of a kLoopPart only `index` counts: "link" or "joint"
   Unit unit{};

@@ -53,6 +53,7 @@ struct TaskScope {
   SymbolTable symbols;
   NamedConstants& constants;
   std::vector<FunctionSignature> functions;
+  std::vector<std::string> phases;
   // The names of the current event's values, visible or not.
   std::multimap<std::string, LocalName, std::less<>> locals;
   // Where it is passed on to: a loop looks at the messages of each iteration before they count.

@@ -8,6 +8,7 @@
 #include "compiler/check/expressions.h"
 #include "compiler/check/given_orientation.h"
 #include "compiler/check/names.h"
+#include "compiler/check/phase_names.h"
 #include "compiler/check/report.h"
 #include "compiler/check/target.h"
 #include "compiler/check/type.h"
@@ -34,6 +35,7 @@ class TestChecker {
   using Whole = std::optional<ResolvedPath>;
 
   void CheckNode(const GivenStatement& given, Span span) {
+    if (IsPhase(given.target)) return CheckGivenPhase(given, span);
     auto whole = ResolveGiven(given.target);
     std::optional<CheckedExpression> target;
     CheckedGiven checked;
@@ -53,6 +55,34 @@ class TestChecker {
     checked.value = std::move(*value);
     Add(span, std::move(checked));
     for (CheckedGiven& further : implied) Add(span, std::move(further));
+  }
+
+  bool IsPhase(const Target& target) const {
+    const Symbol* symbol = scope_.symbols.Find(PathOf(target).front().text);
+    return symbol != nullptr && symbol->kind == SymbolKind::kPhase;
+  }
+
+  // `given phase = lift`: it begins now.
+  void CheckGivenPhase(const GivenStatement& given, Span span) {
+    const auto* name = std::get_if<NameExpression>(&given.value.node);
+    if (name == nullptr || given.target.name.span.end < given.target.span.end)
+      return Report(scope_.diagnostics, code::kPhaseAsValue,
+                    name == nullptr ? given.value.span : given.target.span,
+                    "a phase is given by its name",
+                    {.help = fmt::format("write `given phase = {}`", scope_.phases.back())});
+    const auto phase = FindPhase(name->name, scope_);
+    if (!phase) return;
+    const auto give = [&](uint32_t memory, double value) {
+      const CheckedMemory& variable = task_.memory[memory];
+      CheckedGiven checked{
+          .target = CheckedGiven::kMemory,
+          .index = memory,
+          .elements = {},
+          .value = {given.value.span, variable.type, variable.unit, Constant{value}}};
+      Add(span, std::move(checked));
+    };
+    give(task_.phase_memory.present, *phase);
+    give(task_.phase_memory.time, 0);
   }
 
   Whole ResolveGiven(const Target& target) {
@@ -75,7 +105,7 @@ class TestChecker {
   Whole CannotBeGiven(const Identifier& name) {
     Report(scope_.diagnostics, code::kNotGivable, name.span,
            fmt::format("`{}` cannot be given", name.text),
-           {.help = "a test gives sensors, params, memory, goals and `time_step`"});
+           {.help = "a test gives sensors, params, memory, goals, `phase` and `time_step`"});
     return std::nullopt;
   }
 

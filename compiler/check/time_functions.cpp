@@ -11,6 +11,7 @@
 #include "compiler/check/copy_checked.h"
 #include "compiler/check/expressions.h"
 #include "compiler/check/fold.h"
+#include "compiler/check/hidden_memory.h"
 #include "compiler/check/report.h"
 #include "compiler/check/type.h"
 
@@ -259,16 +260,8 @@ uint32_t TimeFunctionTable::Add(const TimeFunctionDescription& description,
   return index;
 }
 
-uint32_t TimeFunctionTable::AddMemory(std::string name, Type type, Unit unit, Span span) {
-  CheckedMemory memory{.name = std::move(name),
-                       .type = type,
-                       .unit = unit,
-                       .scope = MemoryScope::kPerEpisode,
-                       .initial = {span, ScalarType(type.scalar), unit, Constant{0}},
-                       .span = span};
-  memory.is_declared = false;
-  task_.memory.push_back(std::move(memory));
-  return static_cast<uint32_t>(task_.memory.size() - 1);
+uint32_t TimeFunctionTable::AddMemory(std::string name, const Type& type, Unit unit, Span span) {
+  return AddHiddenMemory(std::move(name), type, unit, MemoryScope::kPerEpisode, span, task_);
 }
 
 void TimeFunctionTable::AddStatements() {

@@ -62,7 +62,7 @@ class TimeFunctionTable {
  private:
   uint32_t Add(const TimeFunctionDescription& description, CheckedExpression argument,
                std::optional<CheckedExpression> duration, uint32_t steps, Span span);
-  uint32_t AddMemory(std::string name, Type type, Unit unit, Span span);
+  uint32_t AddMemory(std::string name, const Type& type, Unit unit, Span span);
   std::optional<uint32_t> FindSame(TimeFunction function, const CheckedExpression& argument,
                                    const std::optional<CheckedExpression>& duration) const;
 

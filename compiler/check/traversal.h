@@ -45,6 +45,8 @@ void ForEachStatement(BlockType& block, const Visit& visit) {
     }
     if (auto* loop = std::get_if<CheckedFor>(&statement.node))
       for (auto& pass : loop->passes) ForEachStatement(pass.body, visit);
+    if (auto* phases = std::get_if<CheckedPhaseSwitch>(&statement.node))
+      for (auto& inner : phases->blocks) ForEachStatement(inner, visit);
   }
 }
 

@@ -178,13 +178,15 @@ void WarnOfConstantConditions(const CheckedEvent& event, Diagnostics& diagnostic
   places.Warn(code::kConstantCondition, diagnostics);
 }
 
-// Calls `visit` for the statements of a block that always run, also in its loops.
+// Calls `visit` for the statements of a block that always run, also in its loops and phases.
 template <typename Visit>
 void ForEachUnconditional(const CheckedBlock& block, const Visit& visit) {
   for (const CheckedStatement& statement : block) {
     visit(statement);
     if (const auto* loop = std::get_if<CheckedFor>(&statement.node))
       for (const CheckedPass& pass : loop->passes) ForEachUnconditional(pass.body, visit);
+    if (const auto* phases = std::get_if<CheckedPhaseSwitch>(&statement.node))
+      for (const CheckedBlock& phase : phases->blocks) ForEachUnconditional(phase, visit);
   }
 }
 

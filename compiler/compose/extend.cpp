@@ -34,6 +34,7 @@ std::string_view KindOf(const GoalOverride&) { return "goal"; }
 std::string_view KindOf(const MetricDeclaration&) { return "metric"; }
 std::string_view KindOf(const RewardOverride&) { return "reward"; }
 std::string_view KindOf(const EventDeclaration&) { return "on"; }
+std::string_view KindOf(const PhaseDeclaration&) { return "phase"; }
 std::string_view KindOf(const FunctionDeclaration&) { return "fn"; }
 std::string_view KindOf(const ImportDeclaration&) { return "import"; }
 std::string_view KindOf(const TestDeclaration&) { return "test"; }
@@ -101,6 +102,8 @@ void ForEachReward(Block& block, const Visitor& visit) {
 template <typename Visitor>
 void ForEachReward(SyntaxTree& tree, const Visitor& visit) {
   for (Declaration& declaration : tree.declarations) {
+    if (auto* phase = std::get_if<PhaseDeclaration>(&declaration.node))
+      ForEachReward(phase->body, visit);
     auto* event = std::get_if<EventDeclaration>(&declaration.node);
     if (event == nullptr) continue;
     ForEachReward(event->body, visit);

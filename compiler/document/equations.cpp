@@ -187,6 +187,8 @@ void AddStatement(const Statement& statement, const Conditions& conditions,
     equations.ends.push_back({end->kind, end->reason, condition});
   } else if (const auto* redraw = std::get_if<RedrawStatement>(&statement.node)) {
     equations.redraws.push_back({redraw->goal.text, condition});
+  } else if (const auto* next = std::get_if<NextStatement>(&statement.node)) {
+    equations.next.push_back({next->phase.text, condition});
   } else if (const auto* assign = std::get_if<AssignStatement>(&statement.node);
              assign != nullptr && !PaymentOf(statement)) {
     equations.memory.push_back(
@@ -194,22 +196,8 @@ void AddStatement(const Statement& statement, const Conditions& conditions,
   }
 }
 
-}  // namespace
-
-EventEquations EquationsOf(const EventDeclaration& event) {
-  EventEquations equations{.event = event.event,
-                           .event_name = event.name.text,
-                           .doc = event.doc,
-                           .terms = {},
-                           .total = {},
-                           .locals = {},
-                           .memory = {},
-                           .logs = {},
-                           .requirements = {},
-                           .ends = {},
-                           .redraws = {}};
-  std::vector<const Block*> blocks = {&event.body};
-  for (const Block& appended : event.appended) blocks.push_back(&appended);
+// The statements of an event or a phase, in one block or several.
+EventEquations EquationsOf(const std::vector<const Block*>& blocks, EventEquations equations) {
   std::vector<std::string> terms;
   for (const Block* block : blocks) {
     Visit(*block, {}, [&](const Statement& statement, const Conditions& conditions) {
@@ -231,6 +219,24 @@ EventEquations EquationsOf(const EventDeclaration& event) {
   }
   equations.total = Sum(names);
   return equations;
+}
+
+}  // namespace
+
+EventEquations EquationsOf(const EventDeclaration& event) {
+  std::vector<const Block*> blocks = {&event.body};
+  for (const Block& appended : event.appended) blocks.push_back(&appended);
+  EventEquations equations;
+  equations.name = event.name.text;
+  equations.doc = event.doc;
+  return EquationsOf(blocks, std::move(equations));
+}
+
+EventEquations EquationsOf(const PhaseDeclaration& phase) {
+  EventEquations equations;
+  equations.name = phase.name.text;
+  equations.doc = phase.doc;
+  return EquationsOf({&phase.body}, std::move(equations));
 }
 
 std::vector<Equation> EquationsOf(const FunctionDeclaration& function) {

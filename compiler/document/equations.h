@@ -34,9 +34,15 @@ struct ConditionalRedraw {
   std::string condition;  // empty: always
 };
 
+// A phase that comes next.
+struct ConditionalNext {
+  std::string phase;      // its name
+  std::string condition;  // empty: always
+};
+
+// Of a block: what an event does, or a phase in each time step.
 struct EventEquations {
-  EventKind event;
-  std::string event_name;
+  std::string name;  // of the event, or of the phase
   std::string doc;
   std::vector<Equation> terms;  // of the rewards, in the order of their first statements
   Formula total;                // the sum of all terms
@@ -46,9 +52,11 @@ struct EventEquations {
   std::vector<ConditionalEquation> requirements;  // left: the reason; right: the condition
   std::vector<ConditionalEnd> ends;
   std::vector<ConditionalRedraw> redraws;
+  std::vector<ConditionalNext> next;
 };
 
 EventEquations EquationsOf(const EventDeclaration& event);
+EventEquations EquationsOf(const PhaseDeclaration& phase);
 
 // Its lets are listed after its value.
 std::vector<Equation> EquationsOf(const FunctionDeclaration& function);

@@ -1,32 +1,10 @@
 #include <string_view>
 
+#include "compiler/document/automaton.h"
 #include "compiler/document/page.h"
 
 namespace compiler {
 namespace {
-
-std::string EscapedHtml(std::string_view text) {
-  std::string escaped;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '>':
-        escaped += "&gt;";
-        break;
-      case '"':
-        escaped += "&quot;";
-        break;
-      default:
-        escaped += c;
-    }
-  }
-  return escaped;
-}
 
 std::string Element(const std::string& name, const std::string& content) {
   return "<" + name + ">" + content + "</" + name.substr(0, name.find(' ')) + ">";
@@ -79,6 +57,9 @@ struct HtmlWriter {
     for (const Text& item : list.items) items += "\n" + Element("li", ToHtml(item));
     return Element("ul", items + "\n");
   }
+  std::string operator()(const Automaton& automaton) const {
+    return Element("div class=\"scroll\"", ToSvg(automaton));
+  }
 };
 
 void Replace(std::string& text, std::string_view mark, std::string_view with) {
@@ -87,6 +68,29 @@ void Replace(std::string& text, std::string_view mark, std::string_view with) {
 }
 
 }  // namespace
+
+std::string EscapedHtml(std::string_view text) {
+  std::string escaped;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        escaped += "&amp;";
+        break;
+      case '<':
+        escaped += "&lt;";
+        break;
+      case '>':
+        escaped += "&gt;";
+        break;
+      case '"':
+        escaped += "&quot;";
+        break;
+      default:
+        escaped += c;
+    }
+  }
+  return escaped;
+}
 
 std::string ToHtml(const Page& page, const std::string& page_template) {
   std::string content = Element("h1", EscapedHtml(page.title)) + "\n";

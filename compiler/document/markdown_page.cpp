@@ -70,6 +70,9 @@ struct MarkdownWriter {
     for (const Text& item : list.items) markdown += "* " + ToMarkdown(item) + "\n";
     return markdown;
   }
+  std::string operator()(const Automaton& automaton) const {
+    return "```mermaid\n" + ToMermaid(automaton) + "```\n";
+  }
 };
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include <variant>
 #include <vector>
 
+#include "compiler/document/automaton.h"
+
 namespace compiler {
 
 // A stretch of text in one face.
@@ -45,7 +47,7 @@ struct List {
   std::vector<Text> items;
 };
 
-using PageBlock = std::variant<Heading, Paragraph, Formulas, Table, List>;
+using PageBlock = std::variant<Heading, Paragraph, Formulas, Table, List, Automaton>;
 
 struct Page {
   std::string title;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "compiler/document/automaton.h"
 #include "compiler/syntax/words.h"
 #include "compiler/weights/weights.h"
 
@@ -50,6 +51,20 @@ Json ToJson(const CheckedMetric& metric) {
           {"doc", metric.doc}};
 }
 
+// A phase with the ways out of it.
+Json ToJson(uint32_t index, const std::vector<Transition>& transitions, const Analysis& analysis) {
+  const CheckedPhase& phase = analysis.task->phases[index];
+  Json json = {{"name", phase.name}, {"doc", phase.doc}, {"next", Json::array()}};
+  for (const Transition& each : transitions) {
+    if (each.from != index) continue;
+    json["next"].push_back({{"phase", analysis.task->phases[each.to].name},
+                            {"when", ConditionText(each, analysis)},
+                            {"file", analysis.sources.FileOf(each.span).path()},
+                            {"line", analysis.sources.LineOf(each.span)}});
+  }
+  return json;
+}
+
 Json ToJson(const CheckedGoal& goal) {
   return {{"name", goal.name},
           {"type", ToString(goal.type)},
@@ -84,12 +99,16 @@ Json ToJson(const Analysis& analysis) {
                {"params", Json::array()},
                {"goals", Json::array()},
                {"tables", Json::array()},
+               {"phases", Json::array()},
                {"terms", Json::array()},
                {"metrics", Json::array()}};
   for (size_t i = 0; i < task.params.size(); ++i)
     json["params"].push_back(ToJson(task.params[i], weights.params[i], task));
   for (const CheckedGoal& goal : task.goals) json["goals"].push_back(ToJson(goal));
   for (const CheckedTable& table : task.tables) json["tables"].push_back(ToJson(table));
+  const std::vector<Transition> transitions = TransitionsOf(task);
+  for (uint32_t i = 0; i < task.phases.size(); ++i)
+    json["phases"].push_back(ToJson(i, transitions, analysis));
   for (size_t i = 0; i < task.terms.size(); ++i)
     json["terms"].push_back(ToJson(task.terms[i], weights.terms[i], task));
   for (const CheckedMetric& metric : task.metrics) json["metrics"].push_back(ToJson(metric));

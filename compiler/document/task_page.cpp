@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <sstream>
 
 #include "compiler/bounds/bounds.h"
+#include "compiler/document/automaton.h"
 #include "compiler/document/equations.h"
 #include "compiler/syntax/words.h"
 #include "compiler/weights/weights.h"
@@ -78,12 +80,20 @@ class PageWriter {
       : analysis_(analysis),
         task_(*analysis.task),
         tree_(*analysis.tree),
-        weights_(FindWeights(task_)) {}
+        weights_(FindWeights(task_)) {
+    for (const EventDeclaration* event : All<EventDeclaration>(tree_))
+      statements_.push_back(
+          {EquationsOf(*event), event->name.text, "at " + InWords(event->name.text)});
+    for (const PhaseDeclaration* phase : All<PhaseDeclaration>(tree_))
+      statements_.push_back(
+          {EquationsOf(*phase), "phase " + phase->name.text, "in the phase " + phase->name.text});
+  }
 
   Page Write() {
     page_.title = task_.name;
     Introduction();
-    for (const EventDeclaration* event : All<EventDeclaration>(tree_)) Rewards(EquationsOf(*event));
+    Phases();
+    for (const Statements& each : statements_) Rewards(each);
     Bounds();
     Ends();
     Requirements();
@@ -102,6 +112,13 @@ class PageWriter {
   }
 
  private:
+  // What an event or a phase does.
+  struct Statements {
+    EventEquations equations;
+    std::string place;  // "end_of_time_step", "phase lift"
+    std::string when;   // "at the end of a time step", "in the phase lift"
+  };
+
   void Introduction() {
     std::istringstream lines(task_.doc);
     std::string paragraph;
@@ -131,15 +148,40 @@ class PageWriter {
     page_.blocks.push_back(Paragraph{facts});
   }
 
-  void Rewards(const EventEquations& event) {
-    const std::string when = InWords(event.event_name);
+  void Phases() {
+    if (task_.phases.empty()) return;
+    AddHeading("Phases");
+    page_.blocks.push_back(AutomatonOf(analysis_));
+    Table table{{"phase", "next", "when", "meaning"}, {}};
+    for (const PhaseDeclaration* phase : All<PhaseDeclaration>(tree_)) {
+      std::vector<std::vector<Text>> rows;
+      for (const ConditionalNext& next : EquationsOf(*phase).next)
+        rows.push_back({{},
+                        Code(next.phase),
+                        next.condition.empty() ? Plain("always") : Math(next.condition),
+                        {}});
+      if (phase->limit) {
+        Text when = Plain("after ");
+        when.push_back({Piece::kMath, ToFormula(phase->limit->time).text});
+        rows.push_back({{}, Code(phase->limit->otherwise.text), std::move(when), {}});
+      }
+      if (rows.empty()) rows.push_back({{}, {}, {}, {}});
+      rows.front().front() = Code(phase->name.text);
+      rows.front().back() = FromDoc(phase->doc);
+      std::ranges::move(rows, std::back_inserter(table.rows));
+    }
+    AddTable(std::move(table));
+  }
+
+  void Rewards(const Statements& statements) {
+    const EventEquations& event = statements.equations;
     if (!event.terms.empty()) {
-      AddHeading("Reward at " + when);
+      AddHeading("Reward " + statements.when);
       if (!event.doc.empty()) page_.blocks.push_back(Paragraph{FromDoc(event.doc)});
       page_.blocks.push_back(RewardFormulas(event));
     }
     if (!event.locals.empty()) {
-      if (event.terms.empty()) AddHeading("Values at " + when);
+      if (event.terms.empty()) AddHeading("Values " + statements.when);
       page_.blocks.push_back(Paragraph{Plain("where")});
       AddFormulas(event.locals);
     }
@@ -192,11 +234,11 @@ class PageWriter {
 
   void Ends() {
     Table table{{"end", "why", "when", "event"}, {}};
-    for (const EventDeclaration* event : All<EventDeclaration>(tree_)) {
-      for (const ConditionalEnd& end : EquationsOf(*event).ends) {
+    for (const Statements& each : statements_) {
+      for (const ConditionalEnd& end : each.equations.ends) {
         table.rows.push_back({Plain(NameOf(end.kind)), Plain(end.reason),
                               end.condition.empty() ? Plain("always") : Math(end.condition),
-                              Code(event->name.text)});
+                              Code(each.place)});
       }
     }
     if (table.rows.empty()) return;
@@ -209,8 +251,8 @@ class PageWriter {
 
   void Requirements() {
     Table table{{"must hold", "reason", "where"}, {}};
-    for (const EventDeclaration* event : All<EventDeclaration>(tree_)) {
-      for (const ConditionalEquation& requirement : EquationsOf(*event).requirements) {
+    for (const Statements& each : statements_) {
+      for (const ConditionalEquation& requirement : each.equations.requirements) {
         table.rows.push_back({Math(requirement.equation.right), Plain(requirement.equation.left),
                               MathOrNothing(requirement.condition)});
       }
@@ -311,11 +353,11 @@ class PageWriter {
     AddHeading("Goals");
     AddTable(std::move(table));
     Table redraws{{"drawn anew", "when", "event"}, {}};
-    for (const EventDeclaration* event : All<EventDeclaration>(tree_)) {
-      for (const ConditionalRedraw& redraw : EquationsOf(*event).redraws) {
+    for (const Statements& each : statements_) {
+      for (const ConditionalRedraw& redraw : each.equations.redraws) {
         redraws.rows.push_back({Code(redraw.goal),
                                 redraw.condition.empty() ? Plain("always") : Math(redraw.condition),
-                                Code(event->name.text)});
+                                Code(each.place)});
       }
     }
     if (!redraws.rows.empty()) AddTable(std::move(redraws));
@@ -343,12 +385,12 @@ class PageWriter {
     AddHeading("Memory");
     AddTable(std::move(table));
     Table changes{{"becomes", "when", "event"}, {}};
-    for (const EventDeclaration* event : All<EventDeclaration>(tree_)) {
-      for (const ConditionalEquation& change : EquationsOf(*event).memory) {
+    for (const Statements& each : statements_) {
+      for (const ConditionalEquation& change : each.equations.memory) {
         changes.rows.push_back(
             {Math(change.equation.left + " \\leftarrow " + change.equation.right),
              change.condition.empty() ? Plain("always") : Math(change.condition),
-             Code(event->name.text)});
+             Code(each.place)});
       }
     }
     if (!changes.rows.empty()) AddTable(std::move(changes));
@@ -368,8 +410,8 @@ class PageWriter {
 
   void Logs() {
     Table table{{"log", "reduction", "value", "when"}, {}};
-    for (const EventDeclaration* event : All<EventDeclaration>(tree_)) {
-      for (const ConditionalEquation& log : EquationsOf(*event).logs) {
+    for (const Statements& each : statements_) {
+      for (const ConditionalEquation& log : each.equations.logs) {
         table.rows.push_back({Math(log.equation.left), Plain(ReductionOf(log.equation.left)),
                               Math(log.equation.right), MathOrNothing(log.condition)});
       }
@@ -467,6 +509,7 @@ class PageWriter {
   const CheckedTask& task_;
   const SyntaxTree& tree_;
   const Weights weights_;
+  std::vector<Statements> statements_;
   Page page_;
 };
 

@@ -59,7 +59,7 @@ EmittedText EmitWithOrigins(const CheckedTask& task, const Sources& sources) {
   EmitHelpers(helpers, false, writer);
   EmitLookupTables(task, names, writer);
   EmitFunctions(task, sources, names, writer, helpers);
-  EmitEntry(task, sources, writer);
+  EmitEntry(task, sources, names, writer);
   writer.BlankLine();
   writer.Line("}  // namespace");
   writer.BlankLine();

@@ -400,6 +400,37 @@ void FunctionEmitter::Emit(const CheckedRedraw& redraw, SourceLine line) {
   writer_.Line(fmt::format("{}(frame);", names_.draws[redraw.goal]), line);
 }
 
+void FunctionEmitter::Emit(const CheckedNext& next, SourceLine line) {
+  writer_.Line(fmt::format("if ({0} < 0) {0} = {1};", function_.next_phase, next.phase), line);
+}
+
+void FunctionEmitter::Emit(const CheckedPhaseSwitch& phases, SourceLine line) {
+  const std::string& present = function_.values.memory[task_.phase_memory.present];
+  const std::string& next = function_.next_phase = function_.names.Add("next");
+  writer_.Line(fmt::format("{} {} = -1;", CppType(Scalar::kInt), next), line);
+  writer_.Line(fmt::format("switch ({}) {{", present), line);
+  writer_.Indent();
+  for (size_t i = 0; i < phases.blocks.size(); ++i) {
+    const SourceLine name = LineOf(task_.phases[i].span);
+    writer_.Line(fmt::format("case {}: {{  // {}", i, task_.phases[i].name), name);
+    writer_.Indent();
+    const size_t outer = function_.names.Mark();
+    EmitBlock(phases.blocks[i]);
+    function_.names.GiveBackTo(outer);
+    writer_.Line("break;", name);
+    writer_.Outdent();
+    writer_.Line("}");
+  }
+  writer_.Outdent();
+  writer_.Line("}");
+  writer_.Line(fmt::format("if ({} >= 0) {{", next), line);
+  writer_.Indent();
+  writer_.Line(fmt::format("{} = {};", present, next), line);
+  writer_.Line(fmt::format("{} = 0;", function_.values.memory[task_.phase_memory.time]), line);
+  writer_.Outdent();
+  writer_.Line("}");
+}
+
 void FunctionEmitter::Emit(const CheckedAdvance& advance, SourceLine line) {
   const CheckedTimeFunction& function = task_.time_functions[advance.function];
   const Type& type = advance.value.type;

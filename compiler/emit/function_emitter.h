@@ -60,6 +60,7 @@ class FunctionEmitter {
     ValueNames values;
     UsedValues used;
     const std::vector<Local>* locals = nullptr;
+    std::string next_phase{};  // the variable that holds it
   };
 
   // Opens a function of the plugin that the host calls.
@@ -83,6 +84,8 @@ class FunctionEmitter {
   void Emit(const CheckedLog& log, SourceLine line);
   void Emit(const CheckedRequire& require, SourceLine line);
   void Emit(const CheckedRedraw& redraw, SourceLine line);
+  void Emit(const CheckedNext& next, SourceLine line);
+  void Emit(const CheckedPhaseSwitch& phases, SourceLine line);
   void Emit(const CheckedAdvance& advance, SourceLine line);
   void EmitReset(const CheckedMemory& memory, uint32_t index);
   // Sets all elements of a variable, or those with these indices.

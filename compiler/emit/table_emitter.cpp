@@ -89,6 +89,11 @@ std::string Row(const CheckedTerm& term, const Sources& sources) {
                      PlaceText(term.span, sources));
 }
 
+std::string Row(const CheckedPhase& phase, const Sources& sources) {
+  return fmt::format("{}, {}, {}", StringLiteral(phase.name), StringLiteral(phase.doc),
+                     PlaceText(phase.span, sources));
+}
+
 std::string Row(const CheckedMetric& metric) {
   return fmt::format("{}, {}, {}, {}", StringLiteral(metric.name), StringLiteral(metric.doc),
                      StringLiteral(ToString(metric.value.unit)),
@@ -170,6 +175,7 @@ std::vector<std::string> TableFields(const CheckedTask& task, const Sources& sou
   EmitTableFields("params", task.params.size(), pointers, counts);
   EmitTableFields("memory", task.memory.size(), pointers, counts);
   EmitTableFields("goals", task.goals.size(), pointers, counts);
+  EmitTableFields("phases", task.phases.size(), pointers, counts);
   EmitTableFields("terms", task.terms.size(), pointers, counts);
   EmitTableFields("metrics", task.metrics.size(), pointers, counts);
   EmitTableFields("logs", task.logs.size(), pointers, counts);
@@ -188,6 +194,17 @@ std::vector<std::string> IdentityFields(const CheckedTask& task, const Sources& 
           ".robot = " + StringLiteral(task.robot),
           ".start_pose = " + StringLiteral(task.start_pose),
           ".source_hash = " + StringLiteral(sources.Hash())};
+}
+
+// Where the phases lie.
+std::vector<std::string> PhaseFields(const CheckedTask& task, const PluginNames& names) {
+  const auto offset = [&](uint32_t memory) {
+    return task.phases.empty()
+               ? "0"
+               : fmt::format("__builtin_offsetof(Memory, {})", names.memory[memory]);
+  };
+  return {".phase_offset = " + offset(task.phase_memory.present),
+          ".phase_time_offset = " + offset(task.phase_memory.time)};
 }
 
 // The consts with a shape that the plugin's functions read.
@@ -236,6 +253,7 @@ void EmitTables(const CheckedTask& task, const Sources& sources, const PluginNam
                        offset(goal.memory), offset(goal.held), offset(goal.draws));
   };
   EmitTable("taskc_goal", "goals_table", task.goals, goal_row, writer);
+  EmitTable("taskc_phase", "phases_table", task.phases, row, writer);
   EmitTable("taskc_reward_term", "terms_table", task.terms, row, writer);
   EmitTable("taskc_metric", "metrics_table", task.metrics, kRow, writer);
   EmitTable("taskc_log", "logs_table", task.logs, row, writer);
@@ -243,10 +261,12 @@ void EmitTables(const CheckedTask& task, const Sources& sources, const PluginNam
   EmitTable("taskc_requirement", "requirements_table", task.requirements, row, writer);
 }
 
-void EmitEntry(const CheckedTask& task, const Sources& sources, TextWriter& writer) {
+void EmitEntry(const CheckedTask& task, const Sources& sources, const PluginNames& names,
+               TextWriter& writer) {
   std::vector<std::string> fields = IdentityFields(task, sources);
   for (std::string& field : TableFields(task, sources)) fields.push_back(std::move(field));
   fields.push_back(task.memory.empty() ? ".memory_size = 0" : ".memory_size = sizeof(Memory)");
+  for (std::string& field : PhaseFields(task, names)) fields.push_back(std::move(field));
   fields.emplace_back(".initialize = initialize");
   std::vector<std::string_view> functions;
   for (size_t event = 0; event < kEventCount; ++event) {

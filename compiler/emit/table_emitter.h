@@ -14,6 +14,7 @@ void EmitTables(const CheckedTask& task, const Sources& sources, const PluginNam
                 TextWriter& writer);
 
 // The description of the whole plugin and the function that returns it.
-void EmitEntry(const CheckedTask& task, const Sources& sources, TextWriter& writer);
+void EmitEntry(const CheckedTask& task, const Sources& sources, const PluginNames& names,
+               TextWriter& writer);
 
 }  // namespace compiler

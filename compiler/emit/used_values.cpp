@@ -43,17 +43,18 @@ void UsedValues::Add(const CheckedExpression& expression) {
 void UsedValues::Add(const CheckedBlock& block) {
   ForEachStatement(block, [this](const CheckedStatement& statement) {
     size.AddStatement();
-    std::visit(variant::Overloaded{
-                   [](const CheckedLet&) {},
-                   [](const CheckedIf&) {},
-                   [](const CheckedFor&) {},
-                   [this](const variant::OneOf<CheckedAssign, CheckedAdvance> auto&) {
-                     memory = frame = true;
-                   },
-                   [this](const CheckedReward&) { reward = frame = true; },
-                   [this](const auto&) { frame = true; },
-               },
-               statement.node);
+    std::visit(
+        variant::Overloaded{
+            [](const CheckedLet&) {},
+            [](const CheckedIf&) {},
+            [](const CheckedFor&) {},
+            [this](const variant::OneOf<CheckedAssign, CheckedAdvance, CheckedPhaseSwitch> auto&) {
+              memory = frame = true;
+            },
+            [this](const CheckedReward&) { reward = frame = true; },
+            [this](const auto&) { frame = true; },
+        },
+        statement.node);
     ForEachExpression(statement, [this](const CheckedExpression& value) { Add(value); });
   });
 }

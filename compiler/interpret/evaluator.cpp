@@ -140,6 +140,19 @@ void Evaluator::Run(const CheckedRedraw& redraw) {
   ++draws;
 }
 
+void Evaluator::Run(const CheckedNext& next) { SetOnce(next_phase_, next.phase); }
+
+void Evaluator::Run(const CheckedPhaseSwitch& phases) {
+  const auto present = [&]() -> int64_t& {
+    return std::get<Integers>(frame_.memory[task_.phase_memory.present]).front();
+  };
+  next_phase_ = -1;
+  Run(phases.blocks[static_cast<size_t>(present())]);
+  if (next_phase_ < 0) return;
+  present() = next_phase_;
+  frame_.memory[task_.phase_memory.time] = Reals{0};
+}
+
 void Evaluator::Run(const CheckedAdvance& advance) {
   const CheckedTimeFunction& function = task_.time_functions[advance.function];
   const Value now = EvaluateHere(advance.value);

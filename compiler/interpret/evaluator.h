@@ -42,12 +42,15 @@ class Evaluator {
   void Run(const CheckedLog& log);
   void Run(const CheckedRequire& require);
   void Run(const CheckedRedraw& redraw);
+  void Run(const CheckedNext& next);
+  void Run(const CheckedPhaseSwitch& phases);
   void Run(const CheckedAdvance& advance);
   Value EvaluateHere(const CheckedExpression& expression) const;
 
   const CheckedTask& task_;
   Frame frame_;
   std::vector<Value> locals_;  // of the event that runs
+  int32_t next_phase_ = -1;    // what a phase that runs has said; -1: nothing
 };
 
 }  // namespace compiler

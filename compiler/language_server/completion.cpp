@@ -57,7 +57,7 @@ class Completer {
         return OfferWords(BodyWords());
       case Expected::kOverridden:
         for (const char* word : {"param", "const", "set", "table", "reward", "metric", "goal", "on",
-                                 "start", "after_end", "fn"}) {
+                                 "phase", "start", "after_end", "fn"}) {
           Add(word, protocol::kCompleteKeyword, "", std::string(ExplanationOf(word)));
         }
         return;
@@ -71,6 +71,8 @@ class Completer {
         return OfferInherited(NameKind::kTable);
       case Expected::kGoalName:
         return OfferInherited(NameKind::kGoal);
+      case Expected::kPhaseName:
+        return OfferInherited(NameKind::kPhase);
       case Expected::kMetricName:
         return OfferInherited(NameKind::kMetric);
       case Expected::kFunctionName:
@@ -84,6 +86,8 @@ class Completer {
         return OfferValues();
       case Expected::kGoal:
         return OfferNames({NameKind::kGoal}, protocol::kCompleteVariable);
+      case Expected::kPhase:
+        return OfferNames({NameKind::kPhase}, protocol::kCompleteEnumMember);
       case Expected::kOperator:
         return OfferWords(OperatorWords());
       case Expected::kMember:
@@ -123,6 +127,7 @@ class Completer {
       case Expected::kTarget:
         OfferNames({NameKind::kSensor, NameKind::kParam, NameKind::kMemory, NameKind::kGoal},
                    protocol::kCompleteVariable);
+        OfferReadsOfPhases();
         return Add("time_step", protocol::kCompleteConstant);
       case Expected::kExpectation:
         Add("end_episode", protocol::kCompleteKeyword);
@@ -172,6 +177,7 @@ class Completer {
       Add(name, protocol::kCompleteFunction, fmt::format("`{}`", FindBuiltin(name)->usage));
     }
     OfferWords(ValueWords());
+    OfferReadsOfPhases();
     if (!IsInTest()) return OfferTimeFunctions();
     for (const char* word : {"total", "value", "ended"}) {
       Add(word, protocol::kCompleteFunction, "", std::string(ExplanationOf(word)));
@@ -187,6 +193,14 @@ class Completer {
       Add(std::string(kLoop), protocol::kCompleteKeyword, "", std::string(ExplanationOf(kLoop)));
     Add(std::string(kDuration), protocol::kCompleteFunction, fmt::format("`{}(table)`", kDuration),
         std::string(ExplanationOf(kDuration)));
+  }
+
+  // Where there are phases.
+  void OfferReadsOfPhases() {
+    const auto visible = Values().VisibleAt(offset_);
+    if (std::ranges::find(visible, NameKind::kPhase, &KnownValue::kind) == visible.end()) return;
+    for (const char* word : {"phase", "phase_time"})
+      Add(word, protocol::kCompleteVariable, "", std::string(ExplanationOf(word)));
   }
 
   void OfferTimeFunctions() {

@@ -25,6 +25,8 @@ const std::map<std::string_view, Expected>& AfterKeyword() {
       {"table", Expected::kAnyText},
       {"goal", Expected::kAnyText},
       {"redraw", Expected::kGoal},
+      {"phase", Expected::kAnyText},
+      {"next", Expected::kPhase},
       {"let", Expected::kAnyText},
       {"fn", Expected::kAnyText},
       {"test", Expected::kAnyText},
@@ -250,6 +252,7 @@ class PlaceFinder {
     if (first == "fire")
       return tokens_.ExpectsMore(count_ - 1) ? Expected::kEvent : Expected::kOperator;
     if (first == "allow" && last == ",") return Expected::kWarningCode;
+    if (NamesPhase(begin)) return Expected::kPhase;
     const bool is_set =
         first == "for" || first == "set" || (first == "override" && tokens_.Is(begin + 1, "set"));
     if (is_set && (tokens_.ExpectsMore(count_ - 1) || last == "{")) return Expected::kIndex;
@@ -258,12 +261,23 @@ class PlaceFinder {
     return is_goal ? Expected::kGoalValue : Expected::kValue;
   }
 
+  // Behind `phase ==`, `given phase =` and `phase lift within 3 s else`.
+  bool NamesPhase(size_t begin) const {
+    const bool is_compared = tokens_.Is(count_ - 1, "==") || tokens_.Is(count_ - 1, "!=");
+    const bool is_given = tokens_.Is(count_ - 1, "=") && tokens_.Is(begin, "given");
+    if (is_compared || is_given) return count_ > 1 && tokens_.Is(count_ - 2, "phase");
+    const bool is_head = tokens_.Is(begin, "phase") ||
+                         (tokens_.Is(begin, "override") && tokens_.Is(begin + 1, "phase"));
+    return is_head && tokens_.Is(count_ - 1, "else");
+  }
+
   static Expected AfterOverride(std::string_view what) {
     if (what == "param") return Expected::kParamName;
     if (what == "const") return Expected::kConstName;
     if (what == "set") return Expected::kSetName;
     if (what == "table") return Expected::kTableName;
     if (what == "goal") return Expected::kGoalName;
+    if (what == "phase") return Expected::kPhaseName;
     if (what == "metric") return Expected::kMetricName;
     if (what == "fn") return Expected::kFunctionName;
     const auto found = AfterKeyword().find(what);

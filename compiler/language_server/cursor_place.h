@@ -19,6 +19,7 @@ enum class Expected {
   kSetName,
   kTableName,
   kGoalName,
+  kPhaseName,
   kMetricName,
   kFunctionName,
   kValue,
@@ -38,6 +39,7 @@ enum class Expected {
   kAfterEnd,     // after `after_end`
   kTerm,         // after `reward`
   kGoal,         // after `redraw`
+  kPhase,        // after `next`, `phase ==`
   kTarget,       // after `given`
   kExpectation,  // after `expect`
   kWarningCode,

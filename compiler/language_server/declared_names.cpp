@@ -12,7 +12,7 @@ struct Keyword {
   NameKind kind;
 };
 // What stands before a name that it declares.
-constexpr std::array<Keyword, 16> kKeywords = {{{"task", NameKind::kTask},
+constexpr std::array<Keyword, 17> kKeywords = {{{"task", NameKind::kTask},
                                                 {"sensor", NameKind::kSensor},
                                                 {"param", NameKind::kParam},
                                                 {"const", NameKind::kConst},
@@ -20,6 +20,7 @@ constexpr std::array<Keyword, 16> kKeywords = {{{"task", NameKind::kTask},
                                                 {"table", NameKind::kTable},
                                                 {"memory", NameKind::kMemory},
                                                 {"goal", NameKind::kGoal},
+                                                {"phase", NameKind::kPhase},
                                                 {"metric", NameKind::kMetric},
                                                 {"log", NameKind::kLog},
                                                 {"reward", NameKind::kTerm},
@@ -30,9 +31,9 @@ constexpr std::array<Keyword, 16> kKeywords = {{{"task", NameKind::kTask},
                                                 {"for", NameKind::kLoop}}};
 
 bool IsTopLevel(std::string_view keyword) {
-  constexpr std::array<std::string_view, 16> kTopLevel = {
-      "task",   "start", "after_end", "sensor", "param", "const", "set",    "table",
-      "memory", "goal",  "metric",    "on",     "fn",    "test",  "import", "override"};
+  constexpr std::array<std::string_view, 17> kTopLevel = {
+      "task", "start", "after_end", "sensor", "param", "const", "set",    "table",   "memory",
+      "goal", "phase", "metric",    "on",     "fn",    "test",  "import", "override"};
   return std::ranges::find(kTopLevel, keyword) != kTopLevel.end();
 }
 

@@ -18,6 +18,7 @@ enum class NameKind {
   kTable,
   kMemory,
   kGoal,
+  kPhase,
   kMetric,
   kLog,
   kTerm,

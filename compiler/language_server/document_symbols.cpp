@@ -28,6 +28,7 @@ std::optional<protocol::SymbolKind> SymbolKindOf(NameKind kind) {
     case NameKind::kLog:
       return protocol::kKey;
     case NameKind::kEvent:
+    case NameKind::kPhase:
       return protocol::kEvent;
     case NameKind::kTest:
       return protocol::kMethod;
@@ -55,7 +56,7 @@ Json DocumentSymbols(const Document& document) {
                 {"range", protocol::ToJson(document.positions(), name.whole)},
                 {"selectionRange", protocol::ToJson(document.positions(), name.span)}};
     if (!name.type.empty()) symbol["detail"] = name.type;
-    // Terms and logs belong to the event in which they stand first.
+    // Terms and logs belong to the event or phase in which they stand first.
     const bool has_event = !symbols.empty() && symbols.back()["kind"] == protocol::kEvent;
     if (IsPartOfEvent(name.kind) && has_event) {
       Json& children = symbols.back()["children"];

@@ -6,9 +6,9 @@
 namespace compiler {
 namespace {
 
-constexpr std::array<std::string_view, 26> kExpectMore = {
-    "+",  "-",  "*",   "/",  "=",   "+=", "-=", "*=", "/=", "<",      "<=",      ">",  ">=",
-    "==", "!=", "and", "or", "not", ",",  "..", "(",  "[",  "return", "require", "if", "in"};
+constexpr std::array<std::string_view, 27> kExpectMore = {
+    "+",  "-",   "*",  "/",   "=", "+=", "-=", "*=", "/=",     "<",       "<=", ">",  ">=",    "==",
+    "!=", "and", "or", "not", ",", "..", "(",  "[",  "return", "require", "if", "in", "within"};
 
 }  // namespace
 

@@ -25,6 +25,9 @@ constexpr auto kDeclarations = std::to_array<ExplainedWord>({
      "s`."},
     {"metric", "What success means, as opposed to the reward: `metric REDUCTION NAME = VALUE`."},
     {"on", "What is done at an event: `on EVENT { ... }`."},
+    {"phase",
+     "A stretch of an episode with rewards and rules of its own: `phase NAME within 3 s else OTHER "
+     "{ ... }`. As a value the present one: `phase == NAME`."},
     {"fn", "A function: `fn NAME(ARGUMENT: TYPE) -> TYPE = VALUE`."},
     {"import", "Imports the functions of another file."},
     {"test", "A test without a simulator: `test \"name\" { given ... fire ... expect ... }`."},
@@ -49,6 +52,7 @@ constexpr auto kStatements = std::to_array<ExplainedWord>({
     {"log", "A curve of any number: `log REDUCTION NAME = VALUE`."},
     {"require", "What must always hold: `require CONDITION \"why\"`."},
     {"redraw", "Draws a goal anew: `redraw NAME`."},
+    {"next", "The phase from the next time step on: `next NAME`."},
     {"allow", "Silences the warnings with these codes for what follows."},
 });
 constexpr auto kTests = std::to_array<ExplainedWord>({
@@ -71,7 +75,9 @@ constexpr auto kValues = std::to_array<ExplainedWord>({
 constexpr auto kOperators = std::to_array<ExplainedWord>({
     {"and", "Whether both conditions hold."},
     {"or", "Whether one of two conditions holds."},
-    {"within", "How far the sides may differ, in a test: `expect total(TERM) == 1 within 1e-9`."},
+    {"within",
+     "How far the sides may differ, in a test: `expect total(TERM) == 1 within 1e-9`; how long a "
+     "phase may last: `phase NAME within 3 s else OTHER { ... }`."},
     {"in", "The range of a param or a sensor: `in LOW .. HIGH`; or the set of a loop."},
     {"per",
      "When a memory is reset to its initial value: `per action`; when a goal is drawn: `per 3 s .. "
@@ -129,6 +135,7 @@ constexpr auto kOthers = std::to_array<ExplainedWord>({
     {"value",
      "A metric or a log, as it would be recorded if the episode ended now: `value(NAME)`."},
     {"ended", "Whether the episode has ended since the test began."},
+    {"phase_time", "How long the present phase has lasted, `real [s]`."},
 });
 
 }  // namespace

@@ -133,16 +133,15 @@ Description BadOverride(const Failure& failure) {
     return WithHelp(MakeDiagnostic(code::kBadOverride, SpanOf(failure.found),
                                    fmt::format("`{}` cannot be overridden", word)),
                     "only `start`, `after_end`, `param`, `const`, `set`, `goal`, `metric`, "
-                    "`reward`, `on` and `fn` "
-                    "can");
+                    "`reward`, `on`, `phase` and `fn` can");
   }
   Diagnostic diagnostic =
       Expected(failure,
                "`start`, `after_end`, `param`, `const`, `set`, `goal`, `metric`, "
-               "`reward`, `on` or `fn`");
+               "`reward`, `on`, `phase` or `fn`");
   if (failure.type() != TaskParser::NAME) return diagnostic;
   diagnostic.help = Nearest(failure.found, {"start", "after_end", "param", "const", "set", "goal",
-                                            "metric", "reward", "on", "fn"});
+                                            "metric", "reward", "on", "phase", "fn"});
   if (failure.next_type() == TaskParser::ASSIGN) {
     diagnostic.help = {fmt::format("say what it is: `override param {} = ...`", word),
                        {{SpanOf(failure.found), "param " + word}}};
@@ -185,6 +184,26 @@ Description BadPath(const Failure& failure) {
   const bool is_whole = failure.next_type() != TaskParser::DOT;
   if (is_name && is_whole) diagnostic.help.fixes = {{SpanOf(failure.found), file}};
   return diagnostic;
+}
+
+// `phase lift until 3 s`, `phase lift within 3 s {`, `next`
+Description BadPhase(const Failure& failure) {
+  const bool is_part =
+      failure.rule == TaskParser::RuleName ||
+      (failure.rule == TaskParser::RuleBlock && failure.expects(TaskParser::LEFT_BRACE));
+  const size_t rule = is_part ? failure.parent_rule : failure.rule;
+  const bool is_name = failure.expects(TaskParser::NAME);
+  if (rule == TaskParser::RuleTransition)
+    return WithHelp(Expected(failure, "the name of a phase"), "for example `next lift`");
+  if (rule == TaskParser::RuleLimit)
+    return WithHelp(Expected(failure, is_name ? "the name of a phase" : "`else` and a phase"),
+                    "say what comes when the time is over: `phase lift within 3 s else reach`");
+  if (rule != TaskParser::RulePhase) return std::nullopt;
+  if (is_name) return WithHelp(Expected(failure, "a name"), "for example `phase lift { ... }`");
+  const bool is_behind_name =
+      failure.before_last != nullptr && failure.before_last->getType() == TaskParser::PHASE;
+  return WithHelp(Expected(failure, is_behind_name ? "`within` or `{`" : "`{`"),
+                  "write `phase lift { ... }`, or `phase lift within 3 s else reach { ... }`");
 }
 
 Description BadAllow(const Failure& failure) {

@@ -52,6 +52,7 @@ Description BadOverride(const Failure& failure);
 Description BadPath(const Failure& failure);
 Description BadValue(const Failure& failure);
 Description BadAllow(const Failure& failure);
+Description BadPhase(const Failure& failure);
 Description BadDeclaration(const Failure& failure);
 
 // "did you mean `x`?", or nothing.

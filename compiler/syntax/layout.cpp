@@ -46,7 +46,8 @@ bool ContinuesStatement(TokenType type) {
 
 bool AnnouncesBlock(TokenType type) {
   return type == TaskParser::IF || type == TaskParser::ELSE || type == TaskParser::ON ||
-         type == TaskParser::FOR || type == TaskParser::ONCE || type == TaskParser::TEST;
+         type == TaskParser::FOR || type == TaskParser::ONCE || type == TaskParser::TEST ||
+         type == TaskParser::PHASE;
 }
 
 bool IsBlockContent(TokenType type) {
@@ -171,12 +172,18 @@ bool Layout::CanBeginStatement(const antlr4::CommonToken& token) const {
   const TokenType last = last_->getType();
   const bool is_first_in_line = token.getLine() != last_->getLine();
   if (EndsOperand(last)) return is_first_in_line || !IsInBrackets();
-  if (BeginsStatementBehind(last)) return true;
+  if (BeginsStatementBehind(last)) return !ContinuesPhase(last);
   return is_first_in_line && !IsInBrackets() && !ExpectsOperand(last);
+}
+
+bool Layout::ContinuesPhase(TokenType type) const {
+  return block_head_ == TaskParser::PHASE &&
+         (type == TaskParser::WITHIN || type == TaskParser::ELSE);
 }
 
 bool Layout::ExpectBlock(const antlr4::CommonToken& token, bool ends_line) {
   const TokenType type = token.getType();
+  if (ContinuesPhase(type)) return true;
   const bool begins_statement = last_ == nullptr || token.getLine() != last_->getLine() ||
                                 BeginsStatementBehind(last_->getType());
   if (AnnouncesBlock(type) && begins_statement) {
@@ -247,7 +254,8 @@ void Layout::BeginLine(const antlr4::CommonToken& next) {
     if (!is_keyword) report_.MarkFaulty(SpanOf(next));  // perhaps the rest of the expression
   }
   const bool is_headed = EndsOperand(last_->getType()) || last_->getType() == TaskParser::ELSE;
-  if (block_head_ != 0 && is_headed && type != TaskParser::LEFT_BRACE) OpenMissingBlock();
+  const bool continues_head = type == TaskParser::LEFT_BRACE || ContinuesPhase(type);
+  if (block_head_ != 0 && is_headed && !continues_head) OpenMissingBlock();
   // An `allow` may stand above a declaration as well as above a statement.
   const bool begins_declaration = IsDeclarationKeyword(type) && type != TaskParser::ALLOW;
   const bool ends_block = is_end || (begins_declaration && !open_.empty() &&

@@ -55,6 +55,8 @@ class Layout {
   void BeginLine(const antlr4::CommonToken& next);
   // Notes where a block must follow. Returns false if the token is to be left out: `if a:`.
   bool ExpectBlock(const antlr4::CommonToken& token, bool ends_line);
+  // `within 3 s else reach`, between the name of a phase and its block.
+  bool ContinuesPhase(TokenType type) const;
   void RejectForeignLoop(const antlr4::CommonToken& token);
   // Where `if`, `for`, `on` ... has no brace by the end of its line.
   void OpenMissingBlock();

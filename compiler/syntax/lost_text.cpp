@@ -48,6 +48,7 @@ bool DeclaresName(TokenType type) {
     case TaskParser::PARAM:
     case TaskParser::MEMORY:
     case TaskParser::GOAL:
+    case TaskParser::PHASE:
     case TaskParser::TABLE:
     case TaskParser::METRIC:
     case TaskParser::FN:

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "compiler/source/in_one_line.h"
 #include "compiler/syntax/lost_text.h"
 #include "compiler/syntax/token_classes.h"
 #include "compiler/syntax/unit_builder.h"
@@ -34,19 +35,6 @@ AssignOperator AssignOperatorOf(TokenType type) {
 // `.xy`
 bool IsSwizzle(std::string_view member) {
   return !member.empty() && member.find_first_not_of("xyzw") == std::string_view::npos;
-}
-
-// An expression as written, without comments, and with single spaces for line breaks.
-std::string InOneLine(std::string_view source) {
-  std::string line;
-  for (size_t i = 0; i < source.size(); ++i) {
-    if (source.substr(i).starts_with("//")) i = std::min(source.find('\n', i), source.size() - 1);
-    const bool is_space =
-        source[i] == ' ' || source[i] == '\t' || source[i] == '\r' || source[i] == '\n';
-    if (!is_space) line += source[i];
-    if (is_space && !line.ends_with(' ')) line += ' ';
-  }
-  return line;
 }
 
 }  // namespace
@@ -99,6 +87,8 @@ Statement StatementBuilder::BuildStatement(TaskParser::StatementContext& context
     statement.node = Require(*require);
   } else if (auto* redraw = context.redraw()) {
     statement.node = RedrawStatement{BuildName(*redraw->name())};
+  } else if (auto* transition = context.transition()) {
+    statement.node = NextStatement{BuildName(*transition->name())};
   } else {
     statement.node = End(*context.end());
   }

@@ -204,10 +204,15 @@ struct RedrawStatement {  // `redraw velocity`
   Identifier goal;
 };
 
+struct NextStatement {  // `next lift`: only in a phase
+  Identifier phase;
+};
+
 struct Statement {
   Span span;
   std::variant<LetStatement, AssignStatement, IfStatement, ForStatement, OnceStatement,
-               RewardStatement, EndStatement, LogStatement, RequireStatement, RedrawStatement>
+               RewardStatement, EndStatement, LogStatement, RequireStatement, RedrawStatement,
+               NextStatement>
       node;
 };
 
@@ -314,6 +319,18 @@ struct EventDeclaration {  // `on end_of_time_step { ... }`
   bool is_known = true;  // false: which event this is was written wrongly, and that reported
 };
 
+// How long a phase may last, and what comes then.
+struct PhaseLimit {  // `within 3 s else reach`
+  Expression time;
+  Identifier otherwise;
+};
+struct PhaseDeclaration {  // `phase lift within 3 s else reach { ... }`
+  std::string doc;
+  Identifier name;
+  std::optional<PhaseLimit> limit;
+  Block body;
+};
+
 struct StartDeclaration {  // `start standing`
   Identifier pose;
 };
@@ -409,9 +426,9 @@ struct Declaration {
   Span span;
   std::variant<SensorDeclaration, ParamDeclaration, MemoryDeclaration, GoalDeclaration,
                MetricDeclaration, ConstDeclaration, SetDeclaration, TableDeclaration,
-               EventDeclaration, StartDeclaration, AfterEndDeclaration, ImportDeclaration,
-               FunctionDeclaration, ParamOverride, ConstOverride, TableOverride, GoalOverride,
-               RewardOverride, TestDeclaration>
+               EventDeclaration, PhaseDeclaration, StartDeclaration, AfterEndDeclaration,
+               ImportDeclaration, FunctionDeclaration, ParamOverride, ConstOverride, TableOverride,
+               GoalOverride, RewardOverride, TestDeclaration>
       node;
   std::optional<Span> override_span{};  // of the word `override`, where it stands before it
 };

@@ -103,7 +103,7 @@ bool IsStatementKeyword(TokenType type) {
       type, {TaskParser::LET, TaskParser::IF, TaskParser::ELSE, TaskParser::FOR, TaskParser::ONCE,
              TaskParser::END_EPISODE, TaskParser::TRUNCATE_EPISODE, TaskParser::LOG,
              TaskParser::REQUIRE, TaskParser::GIVEN, TaskParser::FIRE, TaskParser::EXPECT,
-             TaskParser::RETURN, TaskParser::REDRAW, TaskParser::ALLOW});
+             TaskParser::RETURN, TaskParser::REDRAW, TaskParser::NEXT, TaskParser::ALLOW});
 }
 
 bool IsContextualKeyword(TokenType type) {

@@ -168,6 +168,7 @@ class TreeBuilder {
     if (auto* set = context.namedSet()) return Set(*set);
     if (auto* table = context.table()) return Table(*table);
     if (auto* event = context.event()) return Event(*event);
+    if (auto* phase = context.phase()) return Phase(*phase);
     if (auto* function = context.function()) return Function(*function);
     if (auto* test = context.test()) return Test(*test);
     return Import(*context.imported());
@@ -184,6 +185,7 @@ class TreeBuilder {
       return TableOverride{BuildName(*table->name()), BuildSource(*table->STRING()->getSymbol())};
     if (auto* metric = context.metric()) return Metric(*metric);
     if (auto* event = context.event()) return Event(*event);
+    if (auto* phase = context.phase()) return Phase(*phase);
     if (auto* function = context.function()) return Function(*function);
     RewardStatement reward = statements_.Reward(*context.reward());
     reward.doc = doc_;
@@ -332,6 +334,16 @@ class TreeBuilder {
     Block body = statements_.Build(*context.block());
     if (!is_known) return UnknownEvent(name, std::move(body));
     return {doc_, kind, name, std::move(body)};
+  }
+
+  PhaseDeclaration Phase(TaskParser::PhaseContext& context) {
+    PhaseDeclaration phase;
+    phase.doc = doc_;
+    phase.name = BuildName(*context.name());
+    if (TaskParser::LimitContext* limit = context.limit())
+      phase.limit = PhaseLimit{expressions_.Build(*limit->time), BuildName(*limit->otherwise)};
+    phase.body = statements_.Build(*context.block());
+    return phase;
   }
 
   ImportDeclaration Import(TaskParser::ImportedContext& context) {

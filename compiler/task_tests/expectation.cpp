@@ -33,8 +33,8 @@ bool HasName(std::string_view text) {
 
 class Explainer {
  public:
-  Explainer(const Evaluator& evaluator, const Sources& sources)
-      : evaluator_(evaluator), sources_(sources) {}
+  Explainer(const CheckedTask& task, const Evaluator& evaluator, const Sources& sources)
+      : task_(task), evaluator_(evaluator), sources_(sources) {}
 
   std::vector<SeenValue> Explain(const CheckedExpression& condition) {
     AddReasons(condition);
@@ -48,13 +48,25 @@ class Explainer {
       return AddDifference(*within, condition.span);
     const auto* binary = std::get_if<CheckedBinary>(&condition.node);
     if (binary == nullptr) return;
-    if (IsComparison(binary->op)) {
+    if (IsPresentPhase(*binary->left)) {
+      AddPhase(*binary->left);
+    } else if (IsComparison(binary->op)) {
       AddValue(*binary->left);
       AddValue(*binary->right);
     } else {
       AddReasons(*binary->left);
       AddReasons(*binary->right);
     }
+  }
+
+  bool IsPresentPhase(const CheckedExpression& part) const {
+    const auto* read = std::get_if<MemoryRead>(&part.node);
+    return read != nullptr && !task_.phases.empty() && read->memory == task_.phase_memory.present;
+  }
+
+  void AddPhase(const CheckedExpression& present) {
+    const auto phase = static_cast<size_t>(RealOf(evaluator_.Evaluate(present)));
+    seen_.push_back({present.span, task_.phases[phase].name});
   }
 
   void AddDifference(const CheckedWithin& within, Span span) {
@@ -76,6 +88,7 @@ class Explainer {
     seen_.push_back({part.span, ToString(evaluator_.Evaluate(part), part.type, part.unit)});
   }
 
+  const CheckedTask& task_;
   const Evaluator& evaluator_;
   const Sources& sources_;
   std::vector<SeenValue> seen_;
@@ -83,9 +96,9 @@ class Explainer {
 
 }  // namespace
 
-std::vector<SeenValue> Explain(const CheckedExpression& condition, const Evaluator& evaluator,
-                               const Sources& sources) {
-  return Explainer(evaluator, sources).Explain(condition);
+std::vector<SeenValue> Explain(const CheckedExpression& condition, const CheckedTask& task,
+                               const Evaluator& evaluator, const Sources& sources) {
+  return Explainer(task, evaluator, sources).Explain(condition);
 }
 
 }  // namespace compiler

@@ -19,8 +19,8 @@ struct SeenValue {
 
 // The values that tell why `condition`, a false one, is false: both sides of a comparison, and
 // with `within` their difference; of an `and`, those of the sides that are false. Numbers that
-// stand there tell nothing; consts are in `sources` by their names.
-std::vector<SeenValue> Explain(const CheckedExpression& condition, const Evaluator& evaluator,
-                               const Sources& sources);
+// stand there tell nothing; consts are in `sources` by their names. Of a phase it is the name.
+std::vector<SeenValue> Explain(const CheckedExpression& condition, const CheckedTask& task,
+                               const Evaluator& evaluator, const Sources& sources);
 
 }  // namespace compiler

@@ -62,7 +62,7 @@ class TestRun {
   void Run(const CheckedExpect& expect, Span span) {
     both_.Record();
     if (IsTrue(both_.evaluator().Evaluate(expect.condition))) return;
-    failures_.push_back({span, "", Explain(expect.condition, both_.evaluator(), sources_)});
+    failures_.push_back({span, "", Explain(expect.condition, task_, both_.evaluator(), sources_)});
   }
 
   void Run(const CheckedExpectEnd& expect, Span span) {

@@ -94,6 +94,17 @@ class ParamSearch {
     if (is_decided || !IsIndependent(Of(goal.value))) Change(goal.memory);
   }
 
+  void Search(const CheckedNext&, bool is_decided) {
+    if (!is_decided) return;
+    Change(task_.phase_memory.present);
+    Change(task_.phase_memory.time);
+  }
+
+  void Search(const CheckedPhaseSwitch& phases, bool is_decided) {
+    is_decided |= !IsIndependent(reads_.memory[task_.phase_memory.present]);
+    for (const CheckedBlock& phase : phases.blocks) Search(phase, is_decided);
+  }
+
   void Search(const CheckedAdvance& advance, bool is_decided) {
     const bool is_independent = IsIndependent(Of(advance.value)) &&
                                 (!advance.duration || IsIndependent(Of(*advance.duration)));

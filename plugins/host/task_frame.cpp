@@ -29,6 +29,20 @@ taskc_int64 TaskFrame::DrawCount(const taskc_goal& goal) const {
   return count;
 }
 
+taskc_int64 TaskFrame::PresentPhase() const {
+  taskc_int64 phase = 0;
+  std::memcpy(&phase, memory_.data() + plugin_.phase_offset, sizeof phase);
+  return phase;
+}
+
+void TaskFrame::SetPhase(taskc_int64 phase) {
+  std::memcpy(memory_.data() + plugin_.phase_offset, &phase, sizeof phase);
+}
+
+void TaskFrame::SetPhaseTime(double time) {
+  std::memcpy(memory_.data() + plugin_.phase_time_offset, &time, sizeof time);
+}
+
 void TaskFrame::Clear() {
   std::ranges::fill(terms_, 0.0);
   std::ranges::fill(logs_, taskc_log_state());

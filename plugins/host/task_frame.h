@@ -109,6 +109,11 @@ class TaskFrame {
   // Decides what is drawn; another one for each episode. At first 0.
   void SetSeed(taskc_uint64 seed) { frame_.seed = seed; }
 
+  // Of a plugin with phases: the number of the present one, and how long it has been that [s].
+  taskc_int64 PresentPhase() const;
+  void SetPhase(taskc_int64 phase);
+  void SetPhaseTime(double time);
+
   // What was paid for each reward term and what was logged, since Clear(); what Measure() gave.
   std::span<double> terms() { return terms_; }
   std::span<const double> terms() const { return terms_; }

@@ -135,6 +135,13 @@ typedef struct taskc_place {
   taskc_uint32 line;    // from 1
 } taskc_place;
 
+// A phase of a task: a stretch of an episode with rewards and rules of its own.
+typedef struct taskc_phase {
+  const char* name;
+  const char* doc;
+  taskc_place place;
+} taskc_phase;
+
 // A named part of the reward.
 typedef struct taskc_reward_term {
   const char* name;
@@ -227,6 +234,7 @@ typedef struct taskc_plugin {
   const taskc_param* params;
   const taskc_memory* memory;
   const taskc_goal* goals;
+  const taskc_phase* phases;  // an episode begins in the first
   const taskc_reward_term* terms;
   const taskc_metric* metrics;
   const taskc_log* logs;
@@ -237,12 +245,16 @@ typedef struct taskc_plugin {
   taskc_uint32 param_count;
   taskc_uint32 memory_count;
   taskc_uint32 goal_count;
+  taskc_uint32 phase_count;
   taskc_uint32 term_count;
   taskc_uint32 metric_count;
   taskc_uint32 log_count;
   taskc_uint32 end_count;
   taskc_uint32 requirement_count;
   taskc_uint32 memory_size;  // bytes; 0 where the task remembers nothing
+  // Where in the memory block the phases lie; 0 where there are none.
+  taskc_uint32 phase_offset;       // of an int: the number of the present one, from 0
+  taskc_uint32 phase_time_offset;  // of a real: how long it has been the present one [s]
 
   taskc_event_function initialize;  // gives all memory its initial value, draws the goals
   taskc_event_function events[TASKC_EVENT_COUNT];  // null where there is nothing to do or reset

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "compiler/analyze/analyze.h"
+#include "tests/compiler/check/analysis_codes.h"
 #include "tests/golden.h"
 
 namespace compiler {
@@ -36,7 +37,7 @@ std::vector<std::string> CodesOf(const std::string& example) {
 TEST(DiagnosticsPage, ExamplesProvokeTheWarningsThatTheyExplain) {
   const std::string page = golden::ReadFile(SOURCE_DIR "/docs/diagnostics.md");
   for (const DiagnosticKind& kind : kDiagnosticTable) {
-    if (kind.code < code::kUselessAllow || kind.code > code::kCertainEnd) continue;
+    if (!IsOfAnalysis(kind.code)) continue;
     const auto examples = ExamplesOf(page, kind.code);
     ASSERT_EQ(examples.size(), 2u) << kind.code;
     EXPECT_THAT(CodesOf(examples[0]), testing::ElementsAre(std::string(kind.code))) << examples[0];

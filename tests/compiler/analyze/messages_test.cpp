@@ -6,6 +6,7 @@
 #include <set>
 
 #include "compiler/analyze/analyze.h"
+#include "tests/compiler/check/analysis_codes.h"
 #include "tests/compiler/compose/file_set.h"
 #include "tests/golden.h"
 
@@ -52,7 +53,7 @@ TEST(WarningMessages, ProvokeEveryWarningOfBoundsAndAllowances) {
       provoked.insert(diagnostic.code);
   }
   for (const DiagnosticKind& kind : kDiagnosticTable)
-    if (kind.code >= code::kUselessAllow && kind.code <= code::kCertainEnd) {
+    if (IsOfAnalysis(kind.code)) {
       EXPECT_TRUE(provoked.contains(kind.code)) << kind.code;
     }
 }

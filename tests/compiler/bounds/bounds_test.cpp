@@ -86,6 +86,20 @@ TEST(Bounds, OfThePastAreThoseOfItsArgument) {
   ExpectEnds(RateOf("1 / smooth(x + 3, 0.1 s)"), 0.25, 0.5);
 }
 
+TEST(Bounds, OfTheTimeInAPhaseEndAtItsLimit) {
+  const auto bounds = [](const std::string& limit) {
+    return *BoundsOf(
+                "on start_of_time_step { reward a = phase_time / 1 s }\n"
+                "phase reach within 3 s else lift { }\nphase lift " +
+                    limit + "{ if down { next reach } }\n",
+                "")
+                .terms[0]
+                .payment;
+  };
+  ExpectEnds(bounds("within 5 s else reach "), 0, 5);
+  ExpectEnds(bounds(""), 0, kInfinity);
+}
+
 TEST(Bounds, OfATermCoverAllItsStatements) {
   const TaskBounds bounds =
       BoundsOf("", "if down { reward rate a = x } else { reward rate a = 3 }\nreward a = -2 + y");

@@ -9,6 +9,7 @@
 
 #include "compiler/source/diagnostic_table.h"
 #include "plugins/robot/sensors.h"
+#include "tests/compiler/check/analysis_codes.h"
 #include "tests/compiler/check/checked_source.h"
 #include "tests/golden.h"
 
@@ -45,7 +46,7 @@ std::string AsTask(const std::string& example) {
   if (HasLineWith(example, "task ")) return example;
   if (HasLineWith(example, "sensor ")) return "task example\n" + example;
   for (const char* word : {"start ", "after_end ", "param ", "const ", "set ", "table ", "memory ",
-                           "goal ", "metric ", "fn ", "test ", "on "})
+                           "goal ", "phase ", "metric ", "fn ", "test ", "on "})
     if (HasLineWith(example, word)) return "task example for humanoid\n" + example;
   return TaskText("", example);
 }
@@ -62,8 +63,7 @@ TEST(DiagnosticsPage, ExamplesProvokeWhatTheyExplain) {
   const std::string page = golden::ReadFile(SOURCE_DIR "/docs/diagnostics.md");
   for (const DiagnosticKind& kind : kDiagnosticTable) {
     if (kind.code.starts_with("E01") || kind.code == code::kUnknownRobot) continue;
-    // Not of the checker: see tests/compiler/analyze.
-    if (kind.code >= code::kUselessAllow && kind.code <= code::kCertainEnd) continue;
+    if (IsOfAnalysis(kind.code)) continue;  // see tests/compiler/analyze
     const auto examples = ExamplesOf(SectionOf(page, kind.code));
     if (examples.empty()) continue;  // too long to print
     ASSERT_EQ(examples.size(), 2u) << kind.code;

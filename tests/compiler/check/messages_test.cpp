@@ -4,6 +4,7 @@
 #include <set>
 
 #include "compiler/source/diagnostic_table.h"
+#include "tests/compiler/check/analysis_codes.h"
 #include "tests/compiler/check/checked_source.h"
 #include "tests/golden.h"
 
@@ -63,10 +64,8 @@ TEST(Messages, ProvokeEveryDiagnosticOfTheChecker) {
     const bool is_syntax = kind.code.starts_with("E01");
     // The files of a task are merged, and the robot is looked for, before a task is checked.
     const bool is_of_files = kind.code.starts_with("E063") || kind.code == code::kOtherKindOfReward;
-    // What bounds and allowances say, tests/compiler/analyze provokes.
-    const bool is_of_bounds = kind.code >= code::kUselessAllow && kind.code <= code::kCertainEnd;
     const bool is_of_checker =
-        !is_syntax && !is_of_files && !is_of_bounds && kind.code != code::kUnknownRobot;
+        !is_syntax && !is_of_files && !IsOfAnalysis(kind.code) && kind.code != code::kUnknownRobot;
     if (is_of_checker) {
       EXPECT_TRUE(provoked.contains(std::string(kind.code))) << kind.code;
     }

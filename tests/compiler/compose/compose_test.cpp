@@ -230,6 +230,28 @@ TEST(Extension, OverridesTheBlockOfAnEvent) {
   EXPECT_THAT(events[1]->appended, IsEmpty());
 }
 
+TEST(Extension, ReplacesPhasesAndAddsThem) {
+  const FileSet files = {{"main.task",
+                          "task b extends \"base.task\"\n"
+                          "override phase lift { reward up = 2 next rest }\n"
+                          "override reward near = 3\n"
+                          "phase rest { reward still = 1 next reach }\n"},
+                         {"base.task",
+                          "task base\nsensor x: real\n"
+                          "phase reach { if x > 0 { reward near = 1 next lift } }\n"
+                          "/// Up.\nphase lift within 3 s else reach { reward up = x }\n"}};
+  const SyntaxTree tree = Merged(files);
+  const auto phases = All<PhaseDeclaration>(tree);
+  ASSERT_EQ(phases.size(), 3u);
+  EXPECT_EQ(phases[1]->name.text, "lift");
+  EXPECT_EQ(phases[1]->doc, "Up.");
+  EXPECT_FALSE(phases[1]->limit);
+  EXPECT_EQ(phases[2]->name.text, "rest");
+  const Block& block = std::get<IfStatement>(phases[0]->body[0].node).branches[0].body;
+  EXPECT_EQ(ValueOf(std::get<RewardStatement>(block[0].node).value), 3);
+  EXPECT_EQ(Checked(files).phases.size(), 3u);
+}
+
 TEST(Extension, ChainsFromBaseToBase) {
   const SyntaxTree tree = Merged({{"main.task",
                                    "task c extends \"b.task\"\noverride param gain = 3\n"

@@ -15,6 +15,8 @@ std::string JsonOf(const Analysis& analysis) {
   Json json = ToJson(analysis);
   json.erase("file");
   json.erase("hash");
+  for (Json& phase : json["phases"])
+    for (Json& next : phase["next"]) next.erase("file");
   return ToText(json);
 }
 
@@ -33,6 +35,13 @@ TEST(TaskPage, OfThePapersTasksIsAsReviewed) {
 
 TEST(TaskPage, OfATaskWithAllPartsIsAsReviewed) {
   for (const auto& file : golden::FilesIn(kGolden, "", ".task")) ExpectAsReviewed(file);
+}
+
+TEST(TaskPage, DrawsThePhases) {
+  const Analysis analysis =
+      Analyze(std::string(kGolden) + "/phases.task", ReadFromDisk, SOURCE_DIR "/plugins");
+  ASSERT_TRUE(analysis.task);
+  golden::Expect(std::string(kGolden) + "/phases.svg.expected", ToSvg(AutomatonOf(analysis)));
 }
 
 }  // namespace

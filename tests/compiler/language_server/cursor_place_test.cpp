@@ -44,6 +44,12 @@ TEST(CursorPlace, KnowsDeclarations) {
   EXPECT_EQ(ExpectedIn("task t\nset a = |"), Expected::kIndex);
   EXPECT_EQ(ExpectedIn("task t\nset a = {|"), Expected::kIndex);
   EXPECT_EQ(ExpectedIn("task t\noverride set a = feet - |"), Expected::kIndex);
+  EXPECT_EQ(ExpectedIn("task t\nphase |"), Expected::kAnyText);
+  EXPECT_EQ(ExpectedIn("task t\nphase a |"), Expected::kOperator);
+  EXPECT_EQ(ExpectedIn("task t\nphase a within |"), Expected::kValue);
+  EXPECT_EQ(ExpectedIn("task t\nphase a within 3 s else |"), Expected::kPhase);
+  EXPECT_EQ(ExpectedIn("task t\noverride phase |"), Expected::kPhaseName);
+  EXPECT_EQ(ExpectedIn("task t\nphase a within 3 s else b { |"), Expected::kStatement);
   EXPECT_EQ(ExpectedIn("allow W07|"), Expected::kWarningCode);
   EXPECT_EQ(ExpectedIn("import \"sh|"), Expected::kFile);
 }
@@ -57,6 +63,10 @@ TEST(CursorPlace, KnowsStatements) {
   EXPECT_EQ(ExpectedInBlock("let a = |"), Expected::kValue);
   EXPECT_EQ(ExpectedInBlock("let a = b +\n|"), Expected::kValue);
   EXPECT_EQ(ExpectedInBlock("let a = b |"), Expected::kOperator);
+  EXPECT_EQ(ExpectedInBlock("next |"), Expected::kPhase);
+  EXPECT_EQ(ExpectedInBlock("if a { next l|"), Expected::kPhase);
+  EXPECT_EQ(ExpectedInBlock("if phase == |"), Expected::kPhase);
+  EXPECT_EQ(ExpectedInBlock("let a = b and phase != |"), Expected::kPhase);
   EXPECT_EQ(ExpectedInBlock("if |"), Expected::kValue);
   EXPECT_EQ(ExpectedInBlock("reward |"), Expected::kTerm);
   EXPECT_EQ(ExpectedInBlock("end_episode |"), Expected::kOutcome);

@@ -310,6 +310,21 @@ TEST(Completion, OffersTables) {
   EXPECT_THAT(editor.CompleteAt(own + "override table height = \"|\""), ElementsAre("curve.csv"));
 }
 
+TEST(Completion, OffersPhases) {
+  Editor editor;
+  const std::string task =
+      "task t for humanoid\nphase reach { if contact[head] { next lift } }\n"
+      "phase lift within 3 s else reach { if contact[head] { next reach } }\n";
+  const std::string block = task + "on end_of_time_step { if ";
+  EXPECT_THAT(editor.CompleteAt(block + "|"),
+              AllOf(Contains("phase"), Contains("phase_time"), Not(Contains("lift"))));
+  EXPECT_THAT(editor.CompleteAt(block + "phase == |"), UnorderedElementsAre("reach", "lift"));
+  EXPECT_THAT(editor.CompleteAt(task + "phase hold { next |"),
+              UnorderedElementsAre("reach", "lift", "hold"));
+  EXPECT_THAT(editor.CompleteAt("task t for humanoid\non end_of_time_step { if |"),
+              Not(Contains("phase_time")));
+}
+
 TEST(Completion, ReplacesTheWord) {
   Editor editor;
   const Json list = editor.AskAt("completion", TaskWith("-fall_penalty", "-fall_|"));
@@ -431,6 +446,21 @@ TEST(Diagnostics, OfATableAreGivenInItsFile) {
   ASSERT_NE(of_table, published.end());
   EXPECT_EQ((*of_table)["params"]["diagnostics"].at(0)["code"], "E0671");
   EXPECT_EQ(Text((*of_table)["params"]["diagnostics"].at(0)["range"]), "2:3-2:8");
+}
+
+TEST(Navigation, KnowsPhases) {
+  Editor editor;
+  const std::string marked =
+      "task t for humanoid\nphase reach { if contact[head] { next li|ft } }\n"
+      "/// High.\nphase lift within 3 s else lift { if contact[body] { next reach } }\n"
+      "metric a = select(phase == lift, 1, 0)\n";
+  EXPECT_EQ(Text(editor.AskAt("definition", marked)["range"]), "3:6-3:10");
+  EXPECT_EQ(editor.AskAt("references", marked).size(), 4u);
+  EXPECT_THAT(editor.HoverAt(marked),
+              AllOf(HasSubstr("phase lift within 3 s else lift"), HasSubstr("High.")));
+  const Json edit = editor.AskAt("rename", marked, {{"newName", "raise"}});
+  EXPECT_THAT(Ranges(edit.at("changes").at(editor.UriOf("asked.task"))),
+              UnorderedElementsAre("1:38-1:42", "3:6-3:10", "3:27-3:31", "4:27-4:31"));
 }
 
 TEST(Navigation, RefusesNamesThatWouldBeWrong) {

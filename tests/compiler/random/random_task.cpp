@@ -25,6 +25,7 @@ class TaskWriter {
     DeclareParams();
     DeclareMemory();
     for (int i = 0; i < 4; ++i) DeclareGoal();
+    if (random_.OneIn(2)) NamePhases();
     past_ = readable_.size();
     DeclareTables();
     for (int i = 0; i < 4; ++i) DeclareFunction();
@@ -32,6 +33,7 @@ class TaskWriter {
     for (const auto& event : kEventNames) {
       if (random_.OneIn(2)) WriteEvent(event.text, event.meaning);
     }
+    for (const std::string& phase : phases_) WritePhase(phase);
     return text_;
   }
 
@@ -173,6 +175,17 @@ class TaskWriter {
     readable_.push_back(goals_.back());
   }
 
+  // Their names, which may be read before the phases are written.
+  void NamePhases() {
+    const uint32_t count = 1 + random_.Below(4);
+    for (uint32_t i = 0; i < count; ++i) {
+      phases_.push_back(NewName("phase"));
+      readable_.push_back(
+          {fmt::format("(phase == {})", phases_.back()), ScalarType(Scalar::kBool), {}});
+    }
+    readable_.push_back({"phase_time", ScalarType(Scalar::kReal), {.second = 1}});
+  }
+
   // A function reads nothing but its arguments and consts; it may call those before it.
   void DeclareFunction() {
     std::vector<Readable> inside;
@@ -224,12 +237,26 @@ class TaskWriter {
     }
   }
 
+  void WritePhase(const std::string& name) {
+    const std::string limit =
+        random_.OneIn(2) ? fmt::format(" within {} else {}", random_.OneOf({"7 ms", "20 ms"}),
+                                       random_.OneOf(phases_))
+                         : "";
+    is_in_phase_ = true;
+    WriteTopBlock(fmt::format("phase {}{}", name, limit), EventKind::kEndOfTimeStep);
+    is_in_phase_ = false;
+  }
+
   void WriteEvent(std::string_view name, EventKind event) {
+    WriteTopBlock(fmt::format("on {}", name), event);
+  }
+
+  void WriteTopBlock(const std::string& head, EventKind event) {
     event_ = event;
     const size_t outside = readable_.size();
     readable_.push_back({"reward", ScalarType(Scalar::kReal), {}});
     if (IsStep()) readable_.push_back({"time_step", ScalarType(Scalar::kReal), {.second = 1}});
-    Line(fmt::format("on {} {{", name));
+    Line(head + " {");
     WriteBlock(4 + random_.Below(8), 2);
     Line("}");
     readable_.resize(outside);
@@ -244,6 +271,8 @@ class TaskWriter {
   }
 
   void WriteStatement(int depth) {
+    if (is_in_phase_ && random_.OneIn(6))
+      return Line(fmt::format("next {}", random_.OneOf(phases_)));
     switch (random_.Below(depth > 0 ? 18 : 14)) {
       case 0:
       case 1:
@@ -455,12 +484,14 @@ class TaskWriter {
   std::vector<Readable> memory_;
   std::vector<Readable> goals_;
   std::vector<Readable> tables_;  // with the units of their arguments
+  std::vector<std::string> phases_;
   RandomExpressions expressions_;
   std::string text_;
   size_t past_ = 0;  // as many of `readable_` are declared
   size_t indent_ = 0;
   int names_ = 0;
   EventKind event_{};
+  bool is_in_phase_ = false;
 };
 
 }  // namespace

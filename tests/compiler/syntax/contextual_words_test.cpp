@@ -8,10 +8,10 @@
 namespace compiler {
 namespace {
 
-const char* const kWords[] = {"fn",        "import", "extends", "override", "allow",
-                              "after_end", "test",   "given",   "fire",     "expect",
-                              "once",      "set",    "const",   "table",    "log",
-                              "require",   "goal",   "redraw",  "return",   "within"};
+const char* const kWords[] = {"fn",    "import", "extends", "override", "allow", "after_end",
+                              "test",  "given",  "fire",    "expect",   "once",  "set",
+                              "const", "table",  "log",     "require",  "goal",  "redraw",
+                              "phase", "next",   "return",  "within"};
 
 class ContextualWord : public testing::TestWithParam<const char*> {};
 
@@ -58,6 +58,18 @@ TEST(ContextualWords, WithinStandsBetweenOperands) {
   EXPECT_EQ(ToText(ParseBlock("let a = b\nwithin = 3")), "let a b; within = 3");
   EXPECT_EQ(ToText(ParseBlock("n = a within = 3 within[2] = 1")),
             "n = a; within = 3; (at within 2) = 1");
+}
+
+TEST(ContextualWords, NamePhases) {
+  for (const std::string word : kWords) {
+    const SyntaxTree tree = ParseTask("task t\nphase " + word + " within 3 s else " + word +
+                                      " { next " + word + " n = 1 }\n");
+    ASSERT_EQ(tree.declarations.size(), 1u) << word;
+    const auto& phase = std::get<PhaseDeclaration>(tree.declarations[0].node);
+    EXPECT_EQ(phase.name.text, word);
+    EXPECT_EQ(phase.limit->otherwise.text, word);
+    EXPECT_EQ(ToText(phase.body), "next " + word + "; n = 1");
+  }
 }
 
 TEST(ContextualWords, LogIsAlsoAFunction) {

@@ -70,6 +70,21 @@ TEST(Goal, IsDrawnOncePerEpisodeOrInIntervals) {
   EXPECT_FALSE(ParseOne<GoalDeclaration>("goal v: real = 1 per 2 s").draw.longest);
 }
 
+TEST(Phase, MayHaveALimit) {
+  const auto phase = ParseOne<PhaseDeclaration>("/// Up.\nphase lift { n = 1 next done }");
+  EXPECT_EQ(phase.doc, "Up.");
+  EXPECT_EQ(phase.name.text, "lift");
+  EXPECT_FALSE(phase.limit);
+  EXPECT_EQ(ToText(phase.body), "n = 1; next done");
+  for (const char* text : {"phase lift within 3 s else reach { }",
+                           "phase lift\n    within 3 s\n    else reach\n{\n}"}) {
+    const auto limited = ParseOne<PhaseDeclaration>(text);
+    EXPECT_EQ(ToText(limited.limit->time), "3[s]");
+    EXPECT_EQ(limited.limit->otherwise.text, "reach");
+    EXPECT_TRUE(limited.body.empty());
+  }
+}
+
 TEST(Param, DefaultAndRange) {
   const auto param = ParseOne<ParamDeclaration>("param gain: real [1/s] = 4 / s in 0 .. 20 / s");
   EXPECT_EQ(param.name.text, "gain");

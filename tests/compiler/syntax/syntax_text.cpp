@@ -132,6 +132,7 @@ std::string ToText(const Statement& statement) {
         return fmt::format("require {} '{}'", ToText(s.condition), s.reason);
       },
       [](const RedrawStatement& s) { return "redraw " + s.goal.text; },
+      [](const NextStatement& s) { return "next " + s.phase.text; },
   };
   return std::visit(visitor, statement.node);
 }
