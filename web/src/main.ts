@@ -46,18 +46,21 @@ function showCharts(report: Report, replay: (recording: Recording) => void): Lea
   const metrics = new ValueCharts(report, report.metrics, byId("metrics", HTMLElement), window);
   const logs = new ValueCharts(report, report.logs, byId("logs", HTMLElement), window);
   const goals = new ValueCharts(report, report.goals, byId("goals", HTMLElement), window);
+  const phases = new ValueCharts(report, report.phases, byId("phases", HTMLElement), window);
   showLearner(report, byId("learner", HTMLElement));
   byId("learner-section", HTMLElement).hidden = report.learner.length === 0;
   byId("terms-section", HTMLElement).hidden = report.terms.length === 0;
   byId("metrics-section", HTMLElement).hidden = report.metrics.length === 0;
   byId("logs-section", HTMLElement).hidden = report.logs.length === 0;
   byId("goals-section", HTMLElement).hidden = report.goals.length === 0;
+  byId("phases-section", HTMLElement).hidden = report.phases.length === 0;
   connectWindow(window, (chosen) => {
     curve.setWindow(chosen);
     terms.setWindow(chosen);
     metrics.setWindow(chosen);
     logs.setWindow(chosen);
     goals.setWindow(chosen);
+    phases.setWindow(chosen);
   });
   return curve;
 }

@@ -131,6 +131,7 @@ json CollectReportData(const std::filesystem::path& run_dir) {
   data["metrics"] = MetricCurves(run, episodes);
   data["logs"] = LogCurves(run, episodes);
   data["goals"] = GoalCurves(run, episodes);
+  data["phases"] = PhaseCurves(run, episodes);
   data["learner"] = LearnerCurves(database.ReadLearnerCurves(), episodes);
   AddEnds(episodes, data);
   AddTotals(episodes, data);

@@ -23,6 +23,15 @@ std::vector<CurveRecord> Terms(const TaskRecord& task) {
   return records;
 }
 
+std::vector<CurveRecord> Phases(const TaskRecord& task) {
+  std::vector<CurveRecord> records;
+  for (const PhaseRecord& phase : task.phases) {
+    records.push_back({phase.name + ": time", "s", "sum", phase.doc});
+    records.push_back({phase.name + ": return", "", "sum", phase.doc});
+  }
+  return records;
+}
+
 std::vector<CurveRecord> Metrics(const TaskRecord& task) { return task.metrics; }
 std::vector<CurveRecord> Logs(const TaskRecord& task) { return task.logs; }
 
@@ -108,6 +117,17 @@ json MetricCurves(const RunRecord& run, const std::vector<EpisodeRecord>& episod
 
 json LogCurves(const RunRecord& run, const std::vector<EpisodeRecord>& episodes) {
   return CurvesOf(run, episodes, Logs, &Evaluation::logs);
+}
+
+json PhaseCurves(const RunRecord& run, const std::vector<EpisodeRecord>& episodes) {
+  return TaskCurves(run, episodes, Phases, [](const EpisodeRecord& episode) {
+    std::vector<double> values;
+    for (const PhaseSums& phase : episode.active.phases) {
+      values.push_back(phase.time);
+      values.push_back(phase.reward);
+    }
+    return values;
+  });
 }
 
 }  // namespace runtime

@@ -22,5 +22,7 @@ nlohmann::json TaskCurves(const RunRecord& run, const std::vector<EpisodeRecord>
 nlohmann::json TermCurves(const RunRecord& run, const std::vector<EpisodeRecord>& episodes);
 nlohmann::json MetricCurves(const RunRecord& run, const std::vector<EpisodeRecord>& episodes);
 nlohmann::json LogCurves(const RunRecord& run, const std::vector<EpisodeRecord>& episodes);
+// The same of the phases: of each the time that it lasted, and what was paid in it.
+nlohmann::json PhaseCurves(const RunRecord& run, const std::vector<EpisodeRecord>& episodes);
 
 }  // namespace runtime

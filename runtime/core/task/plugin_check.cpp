@@ -38,6 +38,7 @@ class TableCheck {
     CheckParams();
     CheckMemory();
     CheckGoals();
+    CheckPhases();
     CheckRewardsAndEnds();
     CheckMetrics();
     CheckLogs();
@@ -151,6 +152,10 @@ class TableCheck {
     }
   }
 
+  bool LiesInside(uint64_t offset, uint64_t size, size_t alignment) const {
+    return offset + size <= table_.memory_size && offset % alignment == 0;
+  }
+
   void CheckGoals() const {
     const auto goals = Entries(table_.goals, table_.goal_count, "goals");
     CheckNames(goals, "goal");
@@ -158,14 +163,24 @@ class TableCheck {
       Require(goal.doc != nullptr && goal.type != nullptr && goal.unit != nullptr,
               fmt::format("the goal `{}` has no text, type or unit", goal.name));
       CheckShape(goal.name, goal.scalar, goal.rows, goal.columns);
-      const auto lies_inside = [&](uint64_t offset, uint64_t size, size_t alignment) {
-        return offset + size <= table_.memory_size && offset % alignment == 0;
-      };
-      Require(lies_inside(goal.offset, host::SizeInBytes(goal), host::ScalarSize(goal.scalar)) &&
-                  lies_inside(goal.held_offset, 1, 1) &&
-                  lies_inside(goal.draw_offset, sizeof(taskc_int64), sizeof(taskc_int64)),
+      Require(LiesInside(goal.offset, host::SizeInBytes(goal), host::ScalarSize(goal.scalar)) &&
+                  LiesInside(goal.held_offset, 1, 1) &&
+                  LiesInside(goal.draw_offset, sizeof(taskc_int64), sizeof(taskc_int64)),
               fmt::format("the goal `{}` lies outside the memory", goal.name));
     }
+  }
+
+  void CheckPhases() const {
+    const auto phases = Entries(table_.phases, table_.phase_count, "phases");
+    if (phases.empty()) return;
+    CheckNames(phases, "phase");
+    for (const taskc_phase& phase : phases) {
+      Require(phase.doc != nullptr, fmt::format("the phase `{}` has no text", phase.name));
+      CheckPlace(fmt::format("phase `{}`", phase.name), phase.place);
+    }
+    Require(LiesInside(table_.phase_offset, sizeof(taskc_int64), sizeof(taskc_int64)) &&
+                LiesInside(table_.phase_time_offset, sizeof(double), sizeof(double)),
+            "the phases lie outside the memory");
   }
 
   void CheckRewardsAndEnds() const {

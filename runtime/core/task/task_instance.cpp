@@ -66,6 +66,7 @@ TaskInstance::TaskInstance(std::shared_ptr<const Plugin> plugin, int64_t id)
       host_(table()),
       memory_(host_),
       goals_(host_),
+      phases_(host_),
       params_(table().param_count),
       reducer_({table().metrics, table().metric_count}),
       logged_(table().log_count),
@@ -119,6 +120,7 @@ void TaskInstance::StartEpisode(uint64_t run_seed, int64_t episode) {
   std::fill(violations_.begin(), violations_.end(), Incidents());
   reducer_.StartEpisode();
   goals_.StartEpisode(run_seed, episode);
+  phases_.StartEpisode();
   time_ = 0;
   time_step_ = 0;
 }
@@ -131,11 +133,13 @@ void TaskInstance::Enter(taskc_event_function function) {
 std::optional<TaskInstance::Outcome> TaskInstance::Call(int event, double time_step) {
   const taskc_event_function function = table().events[event];
   if (function == nullptr) return std::nullopt;
+  const size_t phase = phases_.present();
   host_.Next(time_step);
   Enter(function);
   goals_.NoteDraws(time_);
   CountFault();
   CountViolation();
+  phases_.AddReward(phase, host_.frame().reward);
   return Outcome{host_.frame().reward, EndReached()};
 }
 
@@ -220,6 +224,7 @@ void TaskInstance::TakeOverSums(const TaskInstance& old) {
               std::span(old.table().metrics, old.table().metric_count),
               [&](size_t i, size_t j) { reducer_.TakeOver(i, old.reducer_, j); });
   goals_.TakeOver(old.goals_);
+  phases_.TakeOver(old.phases_);
   fault_count_ = old.fault_count_;
   time_ = old.time_;
   time_step_ = old.time_step_;

@@ -19,6 +19,7 @@
 #include "runtime/core/task/plugin_watch.h"
 #include "runtime/core/task/task_goals.h"
 #include "runtime/core/task/task_memory.h"
+#include "runtime/core/task/task_phases.h"
 
 namespace runtime {
 
@@ -63,6 +64,7 @@ class TaskInstance {
   void AdvanceTime(double time_step) {
     time_ += time_step;
     time_step_ = time_step;
+    phases_.AddTime(time_step);
   }
   // To be called at the end of each time step in which needs_measuring(), and of the episode.
   bool needs_measuring() const { return reducer_.needs_time_steps(); }
@@ -73,6 +75,8 @@ class TaskInstance {
   // From now on the goal has this value, and the task does not draw it; see TaskGoals::Hold().
   void HoldGoal(size_t goal, std::span<const double> value) { goals_.Hold(goal, value, time_); }
   void ReleaseGoal(size_t goal) { goals_.Release(goal); }
+
+  const TaskPhases& phases() const { return phases_; }
 
   std::span<const double> term_sums() const { return host_.terms(); }
   std::span<const Incidents> faults() const { return faults_; }
@@ -115,6 +119,7 @@ class TaskInstance {
   host::TaskFrame host_;
   TaskMemory memory_;
   TaskGoals goals_;
+  TaskPhases phases_;
   std::vector<Param> params_;
 
   host::MetricReducer reducer_;

@@ -40,6 +40,19 @@ nlohmann::json GoalsJson(const UniversalTask& task) {
   return goals;
 }
 
+// What each phase is in the current episode.
+nlohmann::json PhasesJson(const TaskPhases& all) {
+  nlohmann::json phases = nlohmann::json::array();
+  for (size_t i = 0; i < all.phases().size(); ++i) {
+    phases.push_back({{"name", all.phases()[i].name},
+                      {"present", i == all.present()},
+                      {"time", all.sums()[i].time},
+                      {"return", all.sums()[i].reward},
+                      {"doc", all.phases()[i].doc}});
+  }
+  return phases;
+}
+
 nlohmann::json TaskModuleJson(const UniversalTask& task, const RunRecord& run) {
   const TaskRecord& record = TaskWithId(run, task.instance().id());
   nlohmann::json json = TaskJson(task.name(), record);
@@ -52,6 +65,7 @@ nlohmann::json TaskModuleJson(const UniversalTask& task, const RunRecord& run) {
   json["versions"] = VersionsJson(run, task.name());
   json["params"] = AllParameters(task);
   json["goals"] = GoalsJson(task);
+  json["phases"] = PhasesJson(task.instance().phases());
   json["return"] = task.episode_return();
   json["terms"] = TermsJson(task);
   return json;

@@ -20,16 +20,17 @@ using Json = nlohmann::ordered_json;
 constexpr size_t kMeanOver = ReturnStatistics::kMeanOver;
 
 // Over those of the last episodes that have a value there and were paid by the last one's task; not
-// a number where none has.
+// a number where none has. `value_of`: the value with an index, of an evaluation.
+template <class ValueOf>
 std::vector<double> LastMeans(std::span<const EpisodeRecord> episodes, size_t count,
-                              std::vector<double> Evaluation::*member) {
+                              const ValueOf& value_of) {
   std::vector<double> means;
   for (size_t i = 0; i < count; ++i) {
     double sum = 0;
     int64_t values = 0;
     for (const EpisodeRecord& episode : episodes.last(std::min(episodes.size(), kMeanOver))) {
       if (episode.active.task != episodes.back().active.task) continue;
-      const double value = (episode.active.*member)[i];
+      const double value = value_of(episode.active, i);
       if (std::isnan(value)) continue;
       sum += value;
       ++values;
@@ -46,6 +47,16 @@ std::vector<GoalDraw> LastDraws(const Evaluation& evaluation) {
   std::vector<GoalDraw> draws;
   for (const auto& [goal, draw] : last) draws.push_back(*draw);
   return draws;
+}
+
+std::vector<PhaseSums> LastPhases(std::span<const EpisodeRecord> episodes, size_t count) {
+  const auto time = [](const Evaluation& each, size_t i) { return each.phases[i].time; };
+  const auto reward = [](const Evaluation& each, size_t i) { return each.phases[i].reward; };
+  const std::vector<double> times = LastMeans(episodes, count, time);
+  const std::vector<double> rewards = LastMeans(episodes, count, reward);
+  std::vector<PhaseSums> phases;
+  for (size_t i = 0; i < count; ++i) phases.push_back({times[i], rewards[i]});
+  return phases;
 }
 
 std::vector<ShadowOverview> Shadows(const RunRecord& run, std::span<const EpisodeRecord> episodes) {
@@ -127,6 +138,15 @@ std::string WhatIsRepeated(const RunOverview& overview) {
                      repeated == 1 ? "1 episode" : fmt::format("{} episodes", repeated));
 }
 
+Json Phases(const RunOverview& overview) {
+  Json json = Json::object();
+  for (size_t i = 0; i < overview.phases.size(); ++i) {
+    json[overview.task.phases[i].name] = {{"time", overview.phases[i].time},
+                                          {"return", overview.phases[i].reward}};
+  }
+  return json;
+}
+
 Json MeansByName(const std::vector<CurveRecord>& curves, const std::vector<double>& means) {
   Json json = Json::object();
   for (size_t i = 0; i < curves.size(); ++i) json[curves[i].name] = means[i];
@@ -199,8 +219,11 @@ RunOverview ReadOverview(const std::filesystem::path& folder) {
     overview.violations += episode.active.violations;
     ++overview.ends[{episode.active.end_kind, episode.active.end_reason}];
   }
-  overview.metrics = LastMeans(episodes, overview.task.metrics.size(), &Evaluation::metrics);
-  overview.logs = LastMeans(episodes, overview.task.logs.size(), &Evaluation::logs);
+  overview.metrics = LastMeans(episodes, overview.task.metrics.size(),
+                               [](const Evaluation& each, size_t i) { return each.metrics[i]; });
+  overview.logs = LastMeans(episodes, overview.task.logs.size(),
+                            [](const Evaluation& each, size_t i) { return each.logs[i]; });
+  overview.phases = LastPhases(episodes, overview.task.phases.size());
   if (!episodes.empty()) {
     overview.goals = LastDraws(episodes.back().active);
     overview.learner = episodes.back().learner;
@@ -235,6 +258,11 @@ std::string OverviewText(const RunOverview& overview) {
     AddMeans("metric", overview.task.metrics, overview.metrics, lines);
     AddMeans("log", overview.task.logs, overview.logs, lines);
     AddGoals(overview, lines);
+    for (size_t i = 0; i < overview.phases.size(); ++i) {
+      lines.Add("phase", "{}: {:.6g} s with a return of {:.6g} on average over the last {}",
+                overview.task.phases[i].name, overview.phases[i].time, overview.phases[i].reward,
+                kMeanOver);
+    }
     for (const NamedValue& each : overview.learner) {
       lines.Add("learner", "{}: {:.6g} in the last episode", each.name, each.value);
     }
@@ -285,6 +313,7 @@ Json OverviewJson(const RunOverview& overview) {
                {"metrics", MeansByName(overview.task.metrics, overview.metrics)},
                {"logs", MeansByName(overview.task.logs, overview.logs)},
                {"goals", GoalsByName(overview)},
+               {"phases", Phases(overview)},
                {"learner", learner},
                {"ends", ends},
                {"versions", Versions(overview)},

@@ -38,6 +38,7 @@ struct RunOverview {
   std::vector<double> metrics;  // of this task, each one's mean over the last episodes
   std::vector<double> logs;
   std::vector<GoalDraw> goals;  // what the robot was told last: one for each goal
+  std::vector<PhaseSums> phases;
   std::map<std::pair<std::string, std::string>, int64_t> ends;  // by kind and reason
   std::vector<NamedValue> learner;                              // of the last episode
   std::vector<TaskSpan> versions;

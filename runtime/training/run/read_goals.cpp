@@ -1,29 +1,11 @@
 #include "runtime/training/run/read_goals.h"
 
-#include <algorithm>
-
 #include "runtime/training/run/table_reader.h"
 #include "runtime/training/run/value_json.h"
 
 namespace runtime {
-namespace {
-
-bool HasGoals(const SqliteDatabase& database) {
-  return SqliteStatement(database, "SELECT 1 FROM sqlite_master WHERE name = 'goal'",
-                         "read the run")
-      .Step();
-}
-
-Evaluation* FindEvaluation(EpisodeRecord& episode, int64_t task) {
-  if (episode.active.task == task) return &episode.active;
-  const auto shadow = std::ranges::find(episode.shadows, task, &Evaluation::task);
-  return shadow == episode.shadows.end() ? nullptr : &*shadow;
-}
-
-}  // namespace
-
 void ReadGoals(const SqliteDatabase& database, std::vector<TaskRecord>& tasks) {
-  if (!HasGoals(database)) return;
+  if (!HasTable(database, "goal")) return;
   TableReader row(database, "goal", "task, id, name, type, unit, doc", "ORDER BY task, id");
   while (row.Next()) {
     const int64_t task = row.Whole(0, 1, static_cast<int64_t>(tasks.size()));
@@ -36,7 +18,7 @@ void ReadGoals(const SqliteDatabase& database, std::vector<TaskRecord>& tasks) {
 
 void ReadGoalDraws(const SqliteDatabase& database, const std::vector<TaskRecord>& tasks,
                    std::vector<EpisodeRecord>& episodes) {
-  if (!HasGoals(database)) return;
+  if (!HasTable(database, "evaluation_goal")) return;
   TableReader row(database, "evaluation_goal", "episode, task, number, goal, time, value",
                   "ORDER BY episode, task, number");
   while (row.Next()) {

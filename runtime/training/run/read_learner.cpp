@@ -2,23 +2,20 @@
 
 #include <map>
 #include <string>
+#include <string_view>
 
 #include "runtime/training/run/table_reader.h"
 
 namespace runtime {
 namespace {
 
-bool HasCurves(const SqliteDatabase& database) {
-  return SqliteStatement(database, "SELECT 1 FROM sqlite_master WHERE name = 'learner_curve'",
-                         "read the run")
-      .Step();
-}
+constexpr std::string_view kCurveTable = "learner_curve";
 
 // By their ids.
 std::map<int64_t, CurveRecord> ReadCurves(const SqliteDatabase& database) {
   std::map<int64_t, CurveRecord> curves;
-  if (!HasCurves(database)) return curves;
-  TableReader row(database, "learner_curve", "id, name, unit, doc", "ORDER BY id");
+  if (!HasTable(database, kCurveTable)) return curves;
+  TableReader row(database, kCurveTable, "id, name, unit, doc", "ORDER BY id");
   while (row.Next()) {
     curves[row.Whole(0, 1)] = CurveRecord{row.Name(1), row.Text(2), "", row.Text(3)};
   }
@@ -35,7 +32,7 @@ std::vector<CurveRecord> ReadLearnerCurves(const SqliteDatabase& database) {
 
 void ReadLearnerValues(const SqliteDatabase& database, std::vector<EpisodeRecord>& episodes) {
   const std::map<int64_t, CurveRecord> curves = ReadCurves(database);
-  if (!HasCurves(database)) return;
+  if (!HasTable(database, kCurveTable)) return;
   TableReader row(database, "learner_value", "episode, curve, value", "ORDER BY episode, curve");
   while (row.Next()) {
     const int64_t number = row.Whole(0, 1, static_cast<int64_t>(episodes.size()));

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "runtime/training/run/read_goals.h"
+#include "runtime/training/run/read_phases.h"
 #include "runtime/training/run/table_reader.h"
 
 namespace runtime {
@@ -74,6 +75,7 @@ std::vector<TaskRecord> ReadTasks(const SqliteDatabase& database) {
   ReadCurves(database, "metric", &TaskRecord::metrics, tasks);
   ReadCurves(database, "log", &TaskRecord::logs, tasks);
   ReadGoals(database, tasks);
+  ReadPhases(database, tasks);
   for (const TaskRecord& task : tasks) {
     if (!task.sources.empty()) continue;
     ThrowDamaged(database, fmt::format("the table `source` has no text of task {}", task.id));

@@ -218,6 +218,13 @@ int64_t RunDatabase::Impl::WriteTask(const TaskRecord& task) {
               std::string_view(each.unit), std::string_view(each.doc))
         .Run();
   }
+  SqliteStatement phase(*database, "INSERT INTO phase VALUES (?, ?, ?, ?)", "note a task");
+  for (size_t i = 0; i < task.phases.size(); ++i) {
+    phase
+        .Bind(id, static_cast<int64_t>(i), std::string_view(task.phases[i].name),
+              std::string_view(task.phases[i].doc))
+        .Run();
+  }
   WriteCurves("INSERT INTO metric VALUES (?, ?, ?, ?, ?, ?)", id, task.metrics);
   WriteCurves("INSERT INTO log VALUES (?, ?, ?, ?, ?, ?)", id, task.logs);
   return id;
@@ -256,6 +263,11 @@ void RunDatabase::Impl::WriteEvaluation(int64_t episode, const Evaluation& evalu
     write->goal
         .Bind(episode, evaluation.task, static_cast<int64_t>(i), static_cast<int64_t>(draw.goal),
               draw.time, std::string_view(value))
+        .Run();
+  }
+  for (size_t i = 0; i < evaluation.phases.size(); ++i) {
+    const PhaseSums& sums = evaluation.phases[i];
+    write->phase.Bind(episode, evaluation.task, static_cast<int64_t>(i), sums.time, sums.reward)
         .Run();
   }
 }

@@ -32,6 +32,7 @@ struct WriteStatements {
         metric(database, "INSERT INTO evaluation_metric VALUES (?, ?, ?, ?)", "save an episode"),
         log(database, "INSERT INTO evaluation_log VALUES (?, ?, ?, ?)", "save an episode"),
         goal(database, "INSERT INTO evaluation_goal VALUES (?, ?, ?, ?, ?, ?)", "save an episode"),
+        phase(database, "INSERT INTO evaluation_phase VALUES (?, ?, ?, ?, ?)", "save an episode"),
         learner(database,
                 "INSERT INTO learner_value SELECT ?, id, ? FROM learner_curve WHERE name = ?",
                 "save an episode"),
@@ -46,6 +47,7 @@ struct WriteStatements {
   SqliteStatement metric;
   SqliteStatement log;
   SqliteStatement goal;
+  SqliteStatement phase;
   SqliteStatement learner;
   SqliteStatement recording;
   SqliteStatement checkpoint;

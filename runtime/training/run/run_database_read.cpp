@@ -12,6 +12,7 @@
 #include "runtime/training/run/read_episodes.h"
 #include "runtime/training/run/read_goals.h"
 #include "runtime/training/run/read_learner.h"
+#include "runtime/training/run/read_phases.h"
 #include "runtime/training/run/read_tasks.h"
 #include "runtime/training/run/run_database_impl.h"
 #include "runtime/training/run/sealed_state.h"
@@ -134,6 +135,7 @@ std::vector<EpisodeRecord> RunDatabase::ReadEpisodes() const {
   const std::vector<TaskRecord> tasks = ReadTasks(database);
   std::vector<EpisodeRecord> episodes = runtime::ReadEpisodes(database, tasks);
   ReadGoalDraws(database, tasks, episodes);
+  ReadPhaseSums(database, tasks, episodes);
   ReadLearnerValues(database, episodes);
   return episodes;
 }

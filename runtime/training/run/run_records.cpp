@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdlib>
 
 namespace runtime {
@@ -45,6 +46,12 @@ bool IsSameVersion(const TaskRecord& a, const TaskRecord& b) {
   // A plugin that was written by hand may have no hash.
   return !a.task_hash.empty() && a.task_hash == b.task_hash && a.task == b.task &&
          a.compiler == b.compiler;
+}
+
+Evaluation* FindEvaluation(EpisodeRecord& episode, int64_t task) {
+  if (episode.active.task == task) return &episode.active;
+  const auto shadow = std::ranges::find(episode.shadows, task, &Evaluation::task);
+  return shadow == episode.shadows.end() ? nullptr : &*shadow;
 }
 
 }  // namespace runtime

@@ -8,6 +8,7 @@
 
 #include "runtime/core/module/values.h"
 #include "runtime/core/task/task_goals.h"
+#include "runtime/core/task/task_phases.h"
 #include "runtime/training/run/change.h"
 
 namespace runtime {
@@ -34,6 +35,11 @@ struct GoalRecord {
   std::string doc;
 };
 
+struct PhaseRecord {
+  std::string name;
+  std::string doc;
+};
+
 // A metric, a log, or what a learner shows of itself: one number per episode.
 struct CurveRecord {
   std::string name;
@@ -55,6 +61,7 @@ struct TaskRecord {
   std::vector<CurveRecord> metrics;
   std::vector<CurveRecord> logs;
   std::vector<GoalRecord> goals;
+  std::vector<PhaseRecord> phases;
   std::vector<SourceRecord> sources;  // the task's own first
 };
 
@@ -91,10 +98,11 @@ struct Evaluation {
   std::string end_reason;
   int64_t faults = 0;  // rewards not paid, and actions not learned from: not finite or too large
   int64_t violations = 0;
-  std::vector<double> terms;    // one for each term of the task
-  std::vector<double> metrics;  // one for each metric of the task
-  std::vector<double> logs;     // one for each log of the task; NaN where nothing was logged
-  std::vector<GoalDraw> goals;  // what the robot was told, in the order of time
+  std::vector<double> terms;      // one for each term of the task
+  std::vector<double> metrics;    // one for each metric of the task
+  std::vector<double> logs;       // one for each log of the task; NaN where nothing was logged
+  std::vector<GoalDraw> goals;    // what the robot was told, in the order of time
+  std::vector<PhaseSums> phases;  // one for each phase of the task
 };
 
 // What the learner shows of itself: a name of its own, and the value of one episode.
@@ -115,6 +123,9 @@ struct EpisodeRecord {
   std::vector<Evaluation> shadows;
   std::vector<NamedValue> learner;
 };
+
+// What the task with this id says of the episode; null where it did not run in it.
+Evaluation* FindEvaluation(EpisodeRecord& episode, int64_t task);
 
 // What a client did to the run that has an effect on learning or on the record. The changes are the
 // journal that is repeated when a run goes on from a checkpoint.

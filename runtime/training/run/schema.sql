@@ -135,6 +135,26 @@ CREATE TABLE IF NOT EXISTS evaluation_goal (
   FOREIGN KEY (episode, task) REFERENCES evaluation ON DELETE CASCADE
 ) WITHOUT ROWID;
 
+-- The phases of each task, and what each was in each episode. A run that was last trained by an older
+-- version has neither of the two tables.
+CREATE TABLE IF NOT EXISTS phase (
+  task INTEGER NOT NULL REFERENCES task,
+  id INTEGER NOT NULL,         -- from 0, as in the task
+  name TEXT NOT NULL,
+  doc TEXT NOT NULL,
+  PRIMARY KEY (task, id)
+) WITHOUT ROWID;
+
+CREATE TABLE IF NOT EXISTS evaluation_phase (
+  episode INTEGER NOT NULL,
+  task INTEGER NOT NULL,
+  phase INTEGER NOT NULL,      -- of the task
+  time REAL NOT NULL,          -- [s] that it has lasted, in all its passes
+  return REAL NOT NULL,        -- what was paid in it
+  PRIMARY KEY (episode, task, phase),
+  FOREIGN KEY (episode, task) REFERENCES evaluation ON DELETE CASCADE
+) WITHOUT ROWID;
+
 -- What the learner reports for each episode, such as its learning rate. A run that was last trained by
 -- an older version has neither of the two tables.
 CREATE TABLE IF NOT EXISTS learner_curve (

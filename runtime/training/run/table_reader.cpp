@@ -65,6 +65,12 @@ void TableReader::Fail(std::string_view what) const {
   ThrowDamaged(database_, fmt::format("the table `{}` {}", table_, what));
 }
 
+bool HasTable(const SqliteDatabase& database, std::string_view table) {
+  return SqliteStatement(database, "SELECT 1 FROM sqlite_master WHERE name = ?", "read the run")
+      .Bind(table)
+      .Step();
+}
+
 void ThrowDamaged(const SqliteDatabase& database, std::string_view what) {
   throw UserError(
       fmt::format("{}: the run is damaged: {}; restore a copy of the file, or start another run",

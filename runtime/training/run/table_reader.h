@@ -57,6 +57,9 @@ class TableReader {
   int64_t row_ = 0;  // from 1, in the order of reading
 };
 
+// Whether the database has this table: an older version may have written it without.
+bool HasTable(const SqliteDatabase& database, std::string_view table);
+
 // Throws the UserError for a run whose database holds `what` ("the table `run` is empty").
 [[noreturn]] void ThrowDamaged(const SqliteDatabase& database, std::string_view what);
 

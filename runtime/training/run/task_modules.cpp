@@ -47,6 +47,7 @@ Evaluation EvaluationOf(const UniversalTask& task) {
   evaluation.metrics.assign(task.metrics().begin(), task.metrics().end());
   evaluation.logs.assign(task.logs().begin(), task.logs().end());
   evaluation.goals = task.instance().goals().draws();
+  evaluation.phases = task.instance().phases().sums();
   return evaluation;
 }
 

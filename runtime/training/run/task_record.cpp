@@ -46,6 +46,9 @@ TaskRecord DescribeTask(const taskc_plugin& plugin, std::string module) {
     const taskc_goal& goal = plugin.goals[i];
     task.goals.push_back({goal.name, goal.type, goal.unit, goal.doc});
   }
+  for (taskc_uint32 i = 0; i < plugin.phase_count; ++i) {
+    task.phases.push_back({plugin.phases[i].name, plugin.phases[i].doc});
+  }
   for (taskc_uint32 i = 0; i < plugin.source_count; ++i) {
     task.sources.push_back({plugin.sources[i].file, plugin.sources[i].text});
   }

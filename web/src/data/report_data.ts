@@ -140,6 +140,7 @@ export interface Report {
   metrics: Curve[];
   logs: Curve[];
   goals: Curve[]; // of each element the mean over the episode
+  phases: Curve[]; // two of each: the time that it lasted, and its return
   learner: LearnerCurve[];
   recordings: Recording[]; // in the order of their episodes
   notes: string[]; // what was left out, in sentences
@@ -159,7 +160,16 @@ interface EncodedRecording extends Omit<Recording, "poses"> {
 }
 interface EncodedReport extends Omit<
   Report,
-  "episode" | "returns" | "terms" | "metrics" | "logs" | "goals" | "learner" | "shadows" | "recordings"
+  | "episode"
+  | "returns"
+  | "terms"
+  | "metrics"
+  | "logs"
+  | "goals"
+  | "phases"
+  | "learner"
+  | "shadows"
+  | "recordings"
 > {
   episode: string;
   returns: string;
@@ -167,6 +177,7 @@ interface EncodedReport extends Omit<
   metrics: EncodedCurve[];
   logs: EncodedCurve[];
   goals: EncodedCurve[];
+  phases: EncodedCurve[];
   learner: EncodedLearnerCurve[];
   shadows: EncodedShadow[];
   recordings: EncodedRecording[];
@@ -190,6 +201,7 @@ export function decodeReport(text: string): Report {
     metrics: encoded.metrics.map(decodeValues),
     logs: encoded.logs.map(decodeValues),
     goals: encoded.goals.map(decodeValues),
+    phases: encoded.phases.map(decodeValues),
     learner: encoded.learner.map(decodeValues),
     shadows: encoded.shadows.map(decodeValues),
     recordings: encoded.recordings.map((recording) => ({

@@ -129,6 +129,22 @@ TEST_F(WriteReportTest, TellsBesideARecordingWhatTheRobotWasTold) {
                             {"time": 2.5, "name": "side", "type": "int", "unit": "", "value": [1.0]}])"));
 }
 
+TEST_F(WriteReportTest, TellsHowLongEachPhaseHasLastedAndWhatWasPaidInIt) {
+  run_.tasks[0].phases = {{"reach", ""}, {"lift", "up"}};
+  RunDatabase database = Create();
+  EpisodeRecord first = Episode(1, 0);
+  first.active.phases = {{1.5, 2}, {0.5, -1}};
+  database.AddEpisode(first, std::nullopt, std::nullopt);
+  const json phases = Data()["phases"];
+  ASSERT_THAT(phases, SizeIs(4));
+  EXPECT_EQ(phases[0]["name"], "reach: time");
+  EXPECT_EQ(phases[0]["unit"], "s");
+  EXPECT_THAT(Floats(phases[0]["values"]), ElementsAre(1.5f));
+  EXPECT_EQ(phases[3]["name"], "lift: return");
+  EXPECT_EQ(phases[3]["doc"], "up");
+  EXPECT_THAT(Floats(phases[3]["values"]), ElementsAre(-1.0f));
+}
+
 TEST_F(WriteReportTest, TellsWhatTheLearnerHasShown) {
   RunDatabase database = Create();
   database.SetLearnerCurves({{"rate", "", "", "alpha"}, {"loss", "m", "", ""}});

@@ -75,6 +75,9 @@ void ExpectSampleTask(const TaskRecord& read) {
   EXPECT_EQ(read.goals[0].type, "vec2");
   EXPECT_EQ(read.goals[0].unit, "m");
   EXPECT_EQ(read.goals[0].doc, "where to go");
+  ASSERT_EQ(read.phases.size(), 2u);
+  EXPECT_EQ(read.phases[0].name, "reach");
+  EXPECT_EQ(read.phases[0].doc, "get there");
   ASSERT_EQ(read.sources.size(), 2u);
   EXPECT_EQ(read.sources[0].text, written.sources[0].text);
   EXPECT_EQ(read.sources[1].file, "tasks/shaping.task");
@@ -113,6 +116,7 @@ TEST_F(RunDatabaseTest, KeepsWhatShadowsSayApartFromTheActiveTask) {
   EXPECT_EQ(read[0].active.task, 1);
   EXPECT_EQ(read[0].active.terms, shadowed.active.terms);
   EXPECT_EQ(read[0].active.goals, shadowed.active.goals);
+  EXPECT_EQ(read[0].active.phases, shadowed.active.phases);
   ASSERT_EQ(read[0].shadows.size(), 1u);
   const Evaluation& shadow = read[0].shadows[0];
   EXPECT_EQ(shadow.task, 2);
@@ -237,6 +241,25 @@ TEST_F(RunDatabaseTest, GoesOnWithARunFromBeforeLearnersShowedAnything) {
   const std::vector<EpisodeRecord> read = RunDatabase::OpenToRead(folder()).ReadEpisodes();
   EXPECT_TRUE(read.at(0).learner.empty());
   EXPECT_EQ(read.at(1).learner, second.learner);
+}
+
+TEST_F(RunDatabaseTest, GoesOnWithARunFromBeforeThereWerePhases) {
+  RunRecord run = SampleRun();
+  run.tasks[0].phases.clear();
+  EpisodeRecord episode = SampleEpisode(1);
+  episode.active.phases.clear();
+  RunDatabase::Create(folder(), run).AddEpisode(episode, {}, {});
+  SqliteDatabase(file(), SqliteAccess::kWrite)
+      .Execute("DROP TABLE evaluation_phase; DROP TABLE phase", "be an old one");
+  EXPECT_EQ(RunDatabase::OpenToRead(folder()).ReadEpisodes().size(), 1u);
+  RunDatabase database = RunDatabase::Open(folder());
+  EXPECT_EQ(database.AddTask(SampleTask()), 2);
+  EpisodeRecord second = SampleEpisode(2);
+  second.active.task = 2;
+  database.AddEpisode(second, {}, {});
+  const std::vector<EpisodeRecord> read = RunDatabase::OpenToRead(folder()).ReadEpisodes();
+  EXPECT_TRUE(read.at(0).active.phases.empty());
+  EXPECT_EQ(read.at(1).active.phases, second.active.phases);
 }
 
 TEST_F(RunDatabaseTest, KeepsTheLastCheckpointAndAllRecordings) {

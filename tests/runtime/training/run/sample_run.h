@@ -1,4 +1,4 @@
-// A made-up run with two reward terms, one metric, two logs and a goal.
+// A made-up run with two reward terms, one metric, two logs, a goal and two phases.
 #pragma once
 
 #include "runtime/training/run/run_records.h"
@@ -18,6 +18,7 @@ inline TaskRecord SampleTask() {
   task.metrics = {{"distance", "m", "last", "how far it got"}};
   task.logs = {{"speed", "m/s", "mean", "while it moves"}, {"falls", "", "sum", ""}};
   task.goals = {{"place", "vec2", "m", "where to go"}};
+  task.phases = {{"reach", "get there"}, {"lift", ""}};
   task.sources = {{"tasks/crawling.task", "task crawling for humanoid\n"},
                   {"tasks/shaping.task", "fn double(x: real) -> real = 2 * x\n"}};
   return task;
@@ -31,6 +32,7 @@ inline TaskRecord SampleVersion() {
   task.terms.insert(task.terms.begin(), {"effort", ""});
   task.logs.clear();
   task.goals.clear();
+  task.phases.clear();
   return task;
 }
 
@@ -68,6 +70,7 @@ inline EpisodeRecord SampleEpisode(int64_t number) {
   episode.active.metrics = {0.25};
   episode.active.logs = {0.125, 7};
   episode.active.goals = {{0, 0, {0.1, -2}}, {0, 3.005, {1e-9, 1.0 / 3.0}}};
+  episode.active.phases = {{1.5, 0.1}, {18.505, -4.0 / 3.0}};
   return episode;
 }
 
@@ -82,7 +85,8 @@ inline Evaluation SampleShadow() {
           .terms = {0.5, 1, -4},
           .metrics = {0.75},
           .logs = {},
-          .goals = {}};
+          .goals = {},
+          .phases = {}};
 }
 
 }  // namespace runtime
