@@ -1,8 +1,8 @@
 // What a time step costs with each of the six tasks, besides physics and learning:
 //   Sensing    the sensors that the task reads at the end of every time step, out of the simulation
 //   Callback   the task's end_of_time_step on them
-// and what functions of the past and a goal cost, beside the same written out with memory, and what
-// tables cost, beside the same in C++.
+// and what functions of the past, a goal and phases cost, beside the same written out with memory,
+// and what tables cost, beside the same in C++.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
@@ -136,6 +136,8 @@ BENCHMARK_CAPTURE(Callback, past, "bench/tasks/past");
 BENCHMARK_CAPTURE(Callback, past_by_hand, "bench/tasks/past_by_hand");
 BENCHMARK_CAPTURE(Callback, table, "bench/tasks/table");
 BENCHMARK(TableByHand);
+BENCHMARK_CAPTURE(Callback, phases, "bench/tasks/phases");
+BENCHMARK_CAPTURE(Callback, phases_by_hand, "bench/tasks/phases_by_hand");
 
 }  // namespace
 }  // namespace runtime

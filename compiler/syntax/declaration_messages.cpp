@@ -132,16 +132,16 @@ Description BadOverride(const Failure& failure) {
   if (IsReserved(failure.type())) {
     return WithHelp(MakeDiagnostic(code::kBadOverride, SpanOf(failure.found),
                                    fmt::format("`{}` cannot be overridden", word)),
-                    "only `start`, `after_end`, `param`, `const`, `set`, `goal`, `metric`, "
-                    "`reward`, `on`, `phase` and `fn` can");
+                    "only `start`, `after_end`, `param`, `const`, `set`, `table`, `goal`, "
+                    "`metric`, `reward`, `on`, `phase` and `fn` can");
   }
   Diagnostic diagnostic =
       Expected(failure,
-               "`start`, `after_end`, `param`, `const`, `set`, `goal`, `metric`, "
-               "`reward`, `on`, `phase` or `fn`");
+               "`start`, `after_end`, `param`, `const`, `set`, `table`, `goal`, "
+               "`metric`, `reward`, `on`, `phase` or `fn`");
   if (failure.type() != TaskParser::NAME) return diagnostic;
-  diagnostic.help = Nearest(failure.found, {"start", "after_end", "param", "const", "set", "goal",
-                                            "metric", "reward", "on", "phase", "fn"});
+  diagnostic.help = Nearest(failure.found, {"start", "after_end", "param", "const", "set", "table",
+                                            "goal", "metric", "reward", "on", "phase", "fn"});
   if (failure.next_type() == TaskParser::ASSIGN) {
     diagnostic.help = {fmt::format("say what it is: `override param {} = ...`", word),
                        {{SpanOf(failure.found), "param " + word}}};

@@ -20,6 +20,8 @@ using Payments = std::map<std::string, double>;
 class Published {
  public:
   virtual ~Published() = default;
+  // Makes a random state one in which the task's conditions hold now and then.
+  virtual void Adapt(RobotState& state) const { (void)state; }
   virtual void Start(const RobotState& state) { (void)state; }
   // `instance` is asked for goals only.
   virtual Payments Step(const RobotState& state, const compiler::Instance& instance) = 0;
@@ -31,6 +33,8 @@ std::unique_ptr<Published> DmControlWalk();
 std::unique_ptr<Published> PlaygroundGetUp();
 std::unique_ptr<Published> IsaacLabTargets();
 std::unique_ptr<Published> IsaacLabVelocity();
+std::unique_ptr<Published> OwnLeap();
+std::unique_ptr<Published> OwnPressUp();
 std::unique_ptr<Published> SiekmannMarch();
 
 }  // namespace examples

@@ -76,10 +76,9 @@ void PlaceAsStanding(OfLinks& places) {
   }
 }
 
-// Less than 1 N is no contact.
-std::vector<double> ContactsOf(const OfLinks& forces) {
+std::vector<double> ContactsOf(const RobotState& state) {
   std::vector<double> contacts;
-  for (int i = 0; i < kLinks; ++i) contacts.push_back(forces.col(i).norm() > 1 ? 1 : 0);
+  for (int i = 0; i < kLinks; ++i) contacts.push_back(state.Touches(i) ? 1 : 0);
   return contacts;
 }
 
@@ -137,7 +136,7 @@ void Sense(const RobotState& state, const taskc_plugin& plugin, compiler::Instan
       {"base.angular_velocity", ListOf(state.angular_velocity)},
       {"link.position", ListOf(state.link_positions)},
       {"link.velocity", ListOf(state.link_velocities)},
-      {"contact", ContactsOf(state.contact_forces)},
+      {"contact", ContactsOf(state)},
       {"contact_force", ListOf(state.contact_forces)},
       {"joint.angle", ListOf(state.angles)},
       {"joint.velocity", ListOf(state.joint_velocities)},

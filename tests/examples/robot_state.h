@@ -31,6 +31,9 @@ struct RobotState {
   OfJoints joint_accelerations;
   OfJoints torques;
   OfJoints targets;
+
+  // Whether the link touches the ground: less than 1 N is no contact.
+  bool Touches(int link) const { return contact_forces.col(link).norm() > 1; }
 };
 
 const robot::RobotDescription& Humanoid();

@@ -42,16 +42,21 @@ void Compare(const std::string& name, Published& published) {
   compiler::Instance instance(task);
   std::mt19937_64 random(1);
   std::map<std::string, int> paid;
+  const auto next_state = [&](double time) {
+    RobotState state = RandomState(random, time);
+    published.Adapt(state);
+    return state;
+  };
   int steps = 0;  // of the episode; 0: another one begins
   for (int i = 0; i < kStates && !testing::Test::HasFailure(); ++i) {
     if (steps == 0) {
-      const RobotState first = RandomState(random, 0);
+      const RobotState first = next_state(0);
       Sense(first, task.plugin(), instance);
       instance.SetSeed(static_cast<taskc_uint64>(i));
       instance.Fire(TASKC_START_OF_EPISODE);
       published.Start(first);
     }
-    const RobotState state = RandomState(random, ++steps * kTimeStep);
+    const RobotState state = next_state(++steps * kTimeStep);
     Sense(state, task.plugin(), instance);
     const Payments expected = published.Step(state, instance);  // before a goal is drawn anew
     instance.ClearTerms();
@@ -64,7 +69,9 @@ void Compare(const std::string& name, Published& published) {
 }
 
 TEST(Terms, OfGetUp) { Compare("get_up", *PlaygroundGetUp()); }
+TEST(Terms, OfLeap) { Compare("leap", *OwnLeap()); }
 TEST(Terms, OfMarch) { Compare("march", *SiekmannMarch()); }
+TEST(Terms, OfPressUp) { Compare("press_up", *OwnPressUp()); }
 TEST(Terms, OfStand) { Compare("stand", *DmControlStand()); }
 TEST(Terms, OfTargets) { Compare("targets", *IsaacLabTargets()); }
 TEST(Terms, OfTrack) { Compare("track", *DeepMimicTrack()); }
