@@ -70,6 +70,7 @@ std::vector<std::string> TaskWords() {
   AddAll(compiler::TypeNames(), words);
   AddAll(compiler::KnownUnits(), words);
   AddTable(compiler::kEventNames, words);
+  AddTable(compiler::kRewardKindNames, words);
   AddTable(compiler::kReductionNames, words);
   AddTable(compiler::kScopeNames, words);
   AddTable(compiler::kOutcomeNames, words);

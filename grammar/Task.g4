@@ -26,15 +26,15 @@ file : (allow | header | declaration)* EOF ;
 header : TASK name (EXTENDS base=STRING)? (FOR robot=name)? LINE_END? ;
 
 declaration
-    : ( start | afterEnd | sensor | param | memory | goal | metric | constant | namedSet | table
-      | event | phase | function | imported | test | change ) LINE_END?
+    : ( start | afterEnd | sensor | param | memory | goal | metric | reward | constant
+      | namedSet | table | event | phase | function | imported | test | change ) LINE_END?
     ;
 
 // allow W0706, W0712: above a declaration, a statement or the header
 allow : ALLOW NAME (',' NAME)* (LINE_END | EOF) ;
 
-// start standing
-start : START name ;
+// start standing, start standing or lying { joint.angle += uniform(-0.1 rad, 0.1 rad) }
+start : START name (OR name)* block? ;
 
 // after_end continue
 afterEnd : AFTER_END behavior=NAME ;
@@ -160,8 +160,9 @@ loop : FOR name IN items block ;
 // once per action if fallen { ... }
 once : ONCE PER scope=NAME IF expression block ;
 
-// reward fall = -4, reward rate forward = base.velocity.x
-reward : REWARD rate=NAME? name '=' expression ;
+// reward fall = -4, reward rate forward = base.velocity.x; outside of blocks only
+// reward potential near = -norm(base.position), which the tree builder checks
+reward : REWARD kind=NAME? name '=' expression ;
 
 // end_episode failure "fell", truncate_episode "time is up"
 end : END_EPISODE outcome=NAME STRING | TRUNCATE_EPISODE STRING ;

@@ -2,6 +2,7 @@
 
 #include "compiler/analyze/allowances.h"
 #include "compiler/analyze/find_robot.h"
+#include "compiler/bounds/start_bounds.h"
 #include "compiler/bounds/warnings.h"
 #include "compiler/check/check.h"
 #include "compiler/compose/compose.h"
@@ -27,6 +28,11 @@ Analysis Analyze(const std::filesystem::path& file, const FileReader& read,
   analysis.task = Check(*analysis.tree, analysis.robot ? &*analysis.robot : nullptr,
                         analysis.diagnostics, references);
   if (!analysis.task) return analysis;
+  CheckStops(*analysis.task, analysis.diagnostics);
+  if (analysis.diagnostics.has_errors()) {
+    analysis.task.reset();
+    return analysis;
+  }
   WarnOfBounds(*analysis.task, analysis.diagnostics);
   analysis.diagnostics =
       ApplyAllowances(analysis.tree->allowances, analysis.sources, analysis.diagnostics);

@@ -21,6 +21,11 @@ ValueBounds MetricBounds(const CheckedTask& task, const CheckedMetric& metric,
 
 }  // namespace
 
+Interval PaymentOfPotential(const Interval& potential) {
+  const Interval reached = Calculate(BinaryOperator::kMultiply, {0, 1}, potential, Scalar::kReal);
+  return Calculate(BinaryOperator::kSubtract, reached, potential, Scalar::kReal);
+}
+
 TaskBounds ComputeBounds(const CheckedTask& task, const Assumptions& assumptions) {
   TaskBounds bounds;
   bounds.terms.resize(task.terms.size());

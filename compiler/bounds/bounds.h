@@ -34,8 +34,13 @@ struct ValueBounds {
 struct TermBounds {
   std::optional<Interval> rate;     // [1/s]; nothing: no `reward rate` that can run pays this term
   std::optional<Interval> payment;  // each time; nothing: no plain `reward` that can run does
+  // The potential itself, not what it pays; nothing: the term is none.
+  std::optional<Interval> potential;
   std::vector<Cause> causes;
 };
+
+// What a potential with these values pays for an action, whatever the discount and the end.
+Interval PaymentOfPotential(const Interval& potential);
 
 // The condition of an `if` or `require` that is reached. One in a loop counts once for all passes.
 struct ConditionBounds {

@@ -24,18 +24,28 @@ Unit UnitOf(const CheckedTask& task, uint32_t term, bool is_rate) {
   return first != nullptr ? first->value.unit : Unit{};
 }
 
+Unit UnitOfPotential(const CheckedTask& task, uint32_t term) {
+  const auto potential = std::ranges::find(task.potentials, term, &CheckedPotential::term);
+  return task.memory[potential->last].unit;
+}
+
 void AddTerm(const CheckedTask& task, uint32_t index, const TermBounds& term,
              std::vector<BoundsRow>& rows) {
   const std::string& name = task.terms[index].name;
   if (term.rate) rows.push_back({name, "rate", *term.rate, UnitOf(task, index, true), term.causes});
   if (term.payment)
     rows.push_back({name, "payment", *term.payment, UnitOf(task, index, false), term.causes});
-  if (!term.rate && !term.payment) rows.push_back({name, "payment", kNothing, {}, {}});
+  if (term.potential)
+    rows.push_back({name, "potential", PaymentOfPotential(*term.potential),
+                    UnitOfPotential(task, index), term.causes});
+  if (!term.rate && !term.payment && !term.potential)
+    rows.push_back({name, "payment", kNothing, {}, {}});
 }
 
 std::string KindText(const std::string& kind) {
   if (kind == "rate") return "reward, per second";
   if (kind == "payment") return "reward, each time";
+  if (kind == "potential") return "reward, each action";
   return kind;
 }
 

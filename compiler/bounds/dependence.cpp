@@ -69,6 +69,9 @@ class DependenceSearch {
         MemorySet memory = ReadBy(reward->value);
         memory.insert(conditions.begin(), conditions.end());
         found_.rewards.push_back({statement.span, std::move(memory)});
+      } else if (const auto* step = std::get_if<CheckedPotentialStep>(&statement.node)) {
+        if (step->moment == CheckedPotentialStep::kAction)
+          found_.rewards.push_back({statement.span, ReadBy(step->value)});
       } else if (std::holds_alternative<CheckedEnd>(statement.node)) {
         found_.ends.push_back({statement.span, conditions});
       }

@@ -189,6 +189,29 @@ void EventBounds::Run(const CheckedAdvance& advance, Reached& values) {
     widen(function.next, Box(Interval{0, static_cast<double>(function.steps - 1)}));
 }
 
+void EventBounds::Run(const CheckedPotentialStep& step, Reached& values) {
+  const CheckedPotential& potential = task_.potentials[step.potential];
+  const Interval value = ExpressionBounds(task_, *values).Of(step.value);
+  Box& last = values->memory[potential.last];
+  last = Join(last, Box(value));
+  values->memory[potential.known] = Box(kAnyBool);
+  values->memory[potential.paid] = Box(kAnyBool);
+  if (found_ != nullptr) NotePotential(step, value, *values);
+  if (step.moment == CheckedPotentialStep::kStart) return;
+  // What is not finite, or of which the beginning is not known, is not paid.
+  const Interval sum = Join(values->reward, Calculate(BinaryOperator::kAdd, values->reward,
+                                                      PaymentOfPotential(last[0]), Scalar::kReal));
+  values->reward = {sum.low, sum.high};
+}
+
+void EventBounds::NotePotential(const CheckedPotentialStep& step, const Interval& value,
+                                const Values& values) const {
+  if (step.moment == CheckedPotentialStep::kAction) FindDomainsLeft(step.value, values);
+  TermBounds& term = found_->terms[task_.potentials[step.potential].term];
+  JoinInto(term.potential, value);
+  AddCauses(term.causes, CausesOf(task_, values, local_causes_, step.value));
+}
+
 // A callback goes on where what it requires does not hold.
 void EventBounds::Run(const CheckedRequire& require, Reached& values) {
   FindDomainsLeft(require.condition, *values);

@@ -39,7 +39,10 @@ class EventBounds {
   void Run(const CheckedNext& next, Reached& values);
   void Run(const CheckedPhaseSwitch& phases, Reached& values);
   void Run(const CheckedAdvance& advance, Reached& values);
+  void Run(const CheckedPotentialStep& step, Reached& values);
 
+  void NotePotential(const CheckedPotentialStep& step, const Interval& value,
+                     const Values& values) const;
   bool Assume(const CheckedExpression& condition, bool truth, Values& values) const;
   void FindDomainsLeft(const CheckedExpression& expression, const Values& values) const;
   void Note(const CheckedExpression& condition, bool may_be_true, bool may_be_false,

@@ -44,7 +44,8 @@ bool SetsMemory(const CheckedEvent& event) {
     if (std::holds_alternative<CheckedAssign>(statement.node) ||
         std::holds_alternative<CheckedRedraw>(statement.node) ||
         std::holds_alternative<CheckedPhaseSwitch>(statement.node) ||
-        std::holds_alternative<CheckedAdvance>(statement.node))
+        std::holds_alternative<CheckedAdvance>(statement.node) ||
+        std::holds_alternative<CheckedPotentialStep>(statement.node))
       sets = true;
   });
   return sets;

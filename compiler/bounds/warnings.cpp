@@ -125,6 +125,18 @@ void WarnOfTermsThatPayNothing(const CheckedTask& task, const TaskBounds& bounds
   }
 }
 
+// What is the same everywhere guides nowhere.
+void WarnOfConstantPotentials(const CheckedTask& task, const TaskBounds& bounds,
+                              Diagnostics& diagnostics) {
+  for (size_t i = 0; i < task.terms.size(); ++i) {
+    const auto& potential = bounds.terms[i].potential;
+    if (potential && potential->low == potential->high)
+      Report(diagnostics, code::kConstantPotential, task.terms[i].span,
+             fmt::format("the potential `{}` is the same everywhere", task.terms[i].name),
+             {.note = "it guides the learner nowhere: only its changes are paid"});
+  }
+}
+
 // A sensor without range is no harm; what grows or explodes by itself is.
 bool IsHarm(const CheckedTask& task, const Cause& cause) {
   if (cause.kind == Cause::kOperation) return true;
@@ -198,6 +210,7 @@ void WarnOfBounds(const CheckedTask& task, Diagnostics& diagnostics) {
   NeverHappens never(bounds, diagnostics);
   for (const CheckedEvent& event : task.events) never.Look(event);
   WarnOfTermsThatPayNothing(task, bounds, diagnostics);
+  WarnOfConstantPotentials(task, bounds, diagnostics);
   const TaskBounds moderate = ComputeBounds(task, {.share_of_nominal = kModerateShare});
   WarnOfTinyTerms(task, bounds, moderate, true, diagnostics);
   WarnOfTinyTerms(task, bounds, moderate, false, diagnostics);

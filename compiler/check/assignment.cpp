@@ -4,10 +4,12 @@
 #include <vector>
 
 #include "compiler/check/conversion.h"
+#include "compiler/check/draws.h"
 #include "compiler/check/expressions.h"
 #include "compiler/check/names.h"
 #include "compiler/check/operators.h"
 #include "compiler/check/report.h"
+#include "compiler/check/starts.h"
 #include "compiler/check/target.h"
 #include "compiler/check/type.h"
 #include "compiler/check/unit.h"
@@ -46,6 +48,36 @@ bool ReportAssignedPhase(const AssignStatement& assign, const TaskScope& scope) 
   Report(scope.diagnostics, code::kNotAssignable, assign.target.span,
          "`phase` is the present phase and cannot be set by the task", {.help = std::move(help)});
   return true;
+}
+
+// What an assignment sets: a memory, named by so many names.
+struct Assigned {
+  uint32_t memory = 0;
+  Type type{};
+  Unit unit{};
+  size_t length = 1;
+};
+
+// Of a start. Reports and returns nothing where the target is no part of one.
+std::optional<Assigned> FindStartValue(const AssignStatement& assign, const Place& place,
+                                       const TaskScope& scope, const CheckedTask& task) {
+  const std::vector<Identifier> path = PathOf(assign.target);
+  if (const auto found = place.start->Find(path)) {
+    const CheckedMemory& memory = task.memory[found->memory];
+    return Assigned{found->memory, memory.type, memory.unit, found->length};
+  }
+  const Symbol* symbol = FindSymbol(path.front(), scope);
+  if (symbol == nullptr && !scope.sensors.IsRoot(path.front().text)) {
+    ReportUnknownName(path.front(), scope);
+    return std::nullopt;
+  }
+  if (symbol != nullptr && !symbol->is_valid) return std::nullopt;
+  Report(scope.diagnostics, code::kNotAssignable, assign.target.span,
+         symbol != nullptr ? fmt::format("`{}` is {}, and a start sets only where the robot begins",
+                                         path.front().text, WhatIs(symbol->kind))
+                           : fmt::format("`{}` cannot be set", assign.target.name.text),
+         {.note = "a start is made of " + ListOfStartValues()});
+  return std::nullopt;
 }
 
 // The memory that is assigned to, or null after a message. A wrong declaration has had its own.
@@ -117,29 +149,36 @@ BinaryOperator OperatorOf(AssignOperator op) {
 }
 
 std::optional<CheckedAssign> CheckAssignment(const AssignStatement& assign, const Place& place,
-                                             const TaskScope& scope) {
+                                             const TaskScope& scope, const CheckedTask& task) {
   if (ReportEndByFlag(assign, scope) || ReportAssignedPhase(assign, scope)) return std::nullopt;
-  const Symbol* memory = FindMemory(PathOf(assign.target).front(), scope);
+  std::optional<Assigned> memory;
+  if (place.start != nullptr) {
+    memory = FindStartValue(assign, place, scope, task);
+  } else if (const Symbol* symbol = FindMemory(PathOf(assign.target).front(), scope)) {
+    memory = Assigned{symbol->index, symbol->type, symbol->unit};
+  }
   std::optional<CheckedExpression> target;
-  if (memory != nullptr)
+  if (memory)
     target =
-        SelectTarget({assign.target.span, memory->type, memory->unit, MemoryRead{memory->index}},
-                     assign.target, 1, scope);
+        SelectTarget({assign.target.span, memory->type, memory->unit, MemoryRead{memory->memory}},
+                     assign.target, memory->length, scope);
   auto value = CheckExpression(assign.value, place, scope);
   if (!target || !value) return std::nullopt;
   const std::vector<uint32_t> elements = ElementsOf(*target);
   if (assign.op == AssignOperator::kSet) {
     auto fitting = FitTo({std::move(*value), &assign.value}, *target, assign.target, scope);
     if (!fitting) return std::nullopt;
-    return CheckedAssign{memory->index, elements, assign.op, std::move(*fitting)};
+    if (place.draws != nullptr) DrawEachElement(*fitting, target->type);
+    return CheckedAssign{memory->memory, elements, assign.op, std::move(*fitting)};
   }
   const Type type = target->type;
   auto result = Combine(assign, std::move(*target), std::move(*value), scope);
   if (!result) return std::nullopt;
+  if (place.draws != nullptr) DrawEachElement(*result, type);
   CheckedExpression& right = *std::get<CheckedBinary>(result->node).right;
   if (right.type == type)
-    return CheckedAssign{memory->index, elements, assign.op, std::move(right)};
-  return CheckedAssign{memory->index, elements, AssignOperator::kSet, std::move(*result)};
+    return CheckedAssign{memory->memory, elements, assign.op, std::move(right)};
+  return CheckedAssign{memory->memory, elements, AssignOperator::kSet, std::move(*result)};
 }
 
 }  // namespace compiler

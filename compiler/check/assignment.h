@@ -12,7 +12,7 @@ namespace compiler {
 // Reports mistakes and then returns nothing. Where a scalar is combined with several elements, as
 // in `v *= 2`, the result is the assignment `v = v * 2`.
 std::optional<CheckedAssign> CheckAssignment(const AssignStatement& assign, const Place& place,
-                                             const TaskScope& scope);
+                                             const TaskScope& scope, const CheckedTask& task);
 
 // The operator of `+=`, `-=`, `*=` or `/=`.
 BinaryOperator OperatorOf(AssignOperator op);

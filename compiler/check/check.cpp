@@ -10,7 +10,9 @@
 #include "compiler/check/log_table.h"
 #include "compiler/check/named_constants.h"
 #include "compiler/check/phases.h"
+#include "compiler/check/potentials.h"
 #include "compiler/check/sensor_use.h"
+#include "compiler/check/starts.h"
 #include "compiler/check/statements.h"
 #include "compiler/check/tables.h"
 #include "compiler/check/task_scope.h"
@@ -64,7 +66,6 @@ std::optional<CheckedTask> Check(const SyntaxTree& tree, const robot::RobotDescr
   task.doc = tree.doc;
   if (tree.robot) task.robot = tree.robot->text;
   if (robot != nullptr) task.longest_time_step = robot->controller.time_step;
-  CheckStartPose(tree, robot, scope, task);
   // The names first, wherever they are declared; then what uses them.
   DeclareFunctions(tree, scope);
   CheckTables(tree, scope);
@@ -81,6 +82,8 @@ std::optional<CheckedTask> Check(const SyntaxTree& tree, const robot::RobotDescr
   LogTable logs(scope, task);
   CheckEvents(tree, logs, scope, task);
   CheckPhases(tree, logs, scope, task);
+  CheckPotentials(tree, scope, task);
+  CheckStart(tree, robot, logs, scope, task);
   time_functions.AddStatements();
   AddPhaseClock(task);
   AddGoalStatements(task);

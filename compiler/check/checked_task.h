@@ -245,12 +245,42 @@ struct CheckedAdvance {
   std::optional<CheckedExpression> duration;
 };
 
+// Remembers a potential where an episode starts, and pays by how much it has grown where an action
+// or the episode is over: discount * phi(s') - phi(s), where phi is 0 at a terminal end.
+struct CheckedPotentialStep {
+  enum Moment { kStart, kAction, kEnd };
+  uint32_t potential = 0;  // index into CheckedTask::potentials
+  Moment moment = kStart;
+  CheckedExpression value;  // a real scalar
+};
+
 struct CheckedStatement {
   Span span;
   std::variant<CheckedLet, CheckedAssign, CheckedIf, CheckedFor, CheckedReward, CheckedEnd,
                CheckedLog, CheckedRequire, CheckedRedraw, CheckedNext, CheckedPhaseSwitch,
-               CheckedAdvance>
+               CheckedAdvance, CheckedPotentialStep>
       node;
+};
+
+// ---- The start ----------------------------------------------------------------------------------
+
+enum class StartValue {
+  kJointAngle,
+  kJointVelocity,
+  kBasePosition,
+  kBaseRoll,
+  kBasePitch,
+  kBaseYaw,
+  kBaseVelocity,
+  kBaseAngularVelocity
+};
+struct CheckedStartValue {
+  StartValue value = StartValue::kJointAngle;
+  std::string name;     // "joint.angle"
+  uint32_t memory = 0;  // the host puts there what it is in the pose, and takes what it has become
+  // In the poses; one for each element.
+  std::vector<double> minimum{};
+  std::vector<double> maximum{};
 };
 
 // ---- The task -----------------------------------------------------------------------------------
@@ -383,6 +413,17 @@ struct CheckedTimeFunction {
   uint32_t next = 0;   // memory, of a delay: where in `past` the next one goes
   Span span{};         // of its first call
 };
+// A potential lives in memory: its value where the action that runs began, whether that is known
+// (after a swap in the middle of an episode it is not), and whether the action has been paid for.
+// So what it pays telescopes whatever its equation reads, and an episode that ends with an action
+// pays for that action once.
+struct CheckedPotential {
+  uint32_t term = 0;   // index into CheckedTask::terms
+  uint32_t last = 0;   // memory
+  uint32_t known = 0;  // memory
+  uint32_t paid = 0;   // memory, of the action
+  Span span{};         // of its name
+};
 struct CheckedTerm {
   std::string name;
   std::string doc;
@@ -438,7 +479,7 @@ struct CheckedFunction {
 // ---- Tests --------------------------------------------------------------------------------------
 
 struct CheckedGiven {
-  enum Target { kSensor, kParam, kMemory, kGoal, kTimeStep };
+  enum Target { kSensor, kParam, kMemory, kGoal, kTimeStep, kDiscount };
   Target target = kSensor;
   uint32_t index = 0;              // into the task's sensors, params, memory or goals
   std::vector<uint32_t> elements;  // empty: all
@@ -466,11 +507,25 @@ struct CheckedTest {
   std::vector<CheckedTestStatement> statements;
 };
 
+// How an episode begins: in one of some poses, each as likely, of which the block changes
+// something. It is drawn before the episode starts, with memory and goals as they are then.
+struct CheckedStart {
+  std::vector<std::string> poses;           // none: the robot's first
+  Span span{};                              // of their names
+  uint32_t stream = 0;                      // of random numbers; the first is that of the pose
+  std::vector<CheckedStartValue> values{};  // those that the block names
+  CheckedEvent block{};
+  // Of each joint, where there is a block: its name and its stops [rad].
+  std::vector<std::string> joints{};
+  std::vector<double> low{};
+  std::vector<double> high{};
+};
+
 struct CheckedTask {
   std::string name;
   std::string doc;
-  std::string robot;       // "" where the task declares its own sensors
-  std::string start_pose;  // "" where the task names none
+  std::string robot;  // "" where the task declares its own sensors
+  CheckedStart start{};
   // Of all events; infinite where no robot says [s].
   double longest_time_step = std::numeric_limits<double>::infinity();
   std::vector<CheckedConst> consts;
@@ -487,6 +542,7 @@ struct CheckedTask {
   PhaseMemory phase_memory{};                       // where there are phases
   std::vector<CheckedTimeFunction> time_functions;  // each after those that its argument reads
   std::vector<CheckedTerm> terms;
+  std::vector<CheckedPotential> potentials;
   std::vector<CheckedMetric> metrics;
   std::vector<CheckedLogValue> logs;
   std::vector<CheckedEndReason> ends;

@@ -197,27 +197,6 @@ void CheckOneMemory(const MemoryDeclaration& memory, TaskScope& scope, CheckedTa
 
 }  // namespace
 
-void CheckStartPose(const SyntaxTree& tree, const robot::RobotDescription* robot,
-                    const TaskScope& scope, CheckedTask& task) {
-  const StartDeclaration* declared = nullptr;
-  ForEachDeclared<StartDeclaration>(tree, [&](const StartDeclaration& each) { declared = &each; });
-  if (declared == nullptr || !scope.knows_robot) return;
-  const Identifier& start = declared->pose;
-  if (robot == nullptr) {
-    Report(scope.diagnostics, code::kPoseWithoutRobot, start.span,
-           fmt::format("there is no pose `{}` without a robot", start.text),
-           {.help = "write `for ROBOT` after the task's name, or leave out `start`"});
-    return;
-  }
-  task.start_pose = start.text;
-  if (robot->FindPose(start.text) != nullptr) return;
-  std::vector<std::string> poses;
-  for (const robot::Pose& pose : robot->poses) poses.push_back(pose.name);
-  Report(scope.diagnostics, code::kUnknownPose, start.span,
-         fmt::format("the {} has no pose `{}`", robot->name, start.text),
-         {.help = Suggest(start.span, start.text, poses, "poses")});
-}
-
 void CheckSensors(const SyntaxTree& tree, TaskScope& scope) {
   std::map<std::string, Span> seen;
   ForEachDeclared<SensorDeclaration>(tree, [&](const SensorDeclaration& sensor) {

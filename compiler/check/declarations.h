@@ -8,10 +8,8 @@
 
 namespace compiler {
 
-// `robot` is null where the task names none that is known. Each function reports the mistakes in
-// its part of the tree, and adds what is well declared to the scope and to the task.
-void CheckStartPose(const SyntaxTree& tree, const robot::RobotDescription* robot,
-                    const TaskScope& scope, CheckedTask& task);
+// Each function reports the mistakes in its part of the tree, and adds what is well declared to the
+// scope and to the task.
 void CheckSensors(const SyntaxTree& tree, TaskScope& scope);
 void CheckParams(const SyntaxTree& tree, TaskScope& scope, CheckedTask& task);
 void CheckMemory(const SyntaxTree& tree, TaskScope& scope, CheckedTask& task);

@@ -115,7 +115,7 @@ class ExpressionChecker {
       return CheckTableCall(call, *table, expression.span, place_, scope_);
     if (call.function.text == kDuration && scope_.symbols.Find(kDuration) == nullptr)
       return CheckDuration(call, expression.span, scope_);
-    const bool is_draw = place_.kind == Place::kGoal && IsDrawFunction(call.function.text);
+    const bool is_draw = place_.draws != nullptr && IsDrawFunction(call.function.text);
     const BuiltinDescription* builtin = FindBuiltin(call.function.text);
     const FunctionSignature* function = nullptr;
     const TimeFunctionDescription* timed = scope_.symbols.Find(call.function.text) == nullptr

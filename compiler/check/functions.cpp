@@ -251,10 +251,13 @@ void ForEachOuterCall(CheckedTask& task, const Visit& visit) {
       if (auto* call = std::get_if<FunctionCall>(&part.node)) visit(*call);
     });
   };
-  for (CheckedEvent& event : task.events)
+  const auto visit_block = [&](CheckedEvent& event) {
     ForEachStatement(event.body, [&](CheckedStatement& statement) {
       ForEachExpression(statement, visit_parts);
     });
+  };
+  visit_block(task.start.block);
+  for (CheckedEvent& event : task.events) visit_block(event);
   for (CheckedMetric& metric : task.metrics) visit_parts(metric.value);
   for (CheckedGoal& goal : task.goals) {
     visit_parts(goal.value);

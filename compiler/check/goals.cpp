@@ -14,6 +14,7 @@
 #include "compiler/check/hidden_memory.h"
 #include "compiler/check/names.h"
 #include "compiler/check/report.h"
+#include "compiler/check/stream.h"
 #include "compiler/check/type.h"
 
 namespace compiler {
@@ -21,13 +22,6 @@ namespace {
 
 constexpr Unit kSeconds{.second = 1};
 const Type kReal = ScalarType(Scalar::kReal);
-
-// FNV-1a, 32 bits (G. Fowler, L. C. Noll, K.-P. Vo).
-uint32_t HashOf(std::string_view text) {
-  uint32_t hash = 0x811C9DC5;
-  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x01000193;
-  return hash;
-}
 
 // One goal.
 class GoalCheck {
@@ -125,7 +119,7 @@ class GoalCheck {
                      .doc = goal_.doc,
                      .type = declared.type,
                      .unit = declared.unit,
-                     .stream = HashOf(name),
+                     .stream = StreamOf(name),
                      .value = std::move(value),
                      .interval = {},
                      .span = span};

@@ -8,6 +8,7 @@
 #include "compiler/check/draws.h"
 #include "compiler/check/phase_names.h"
 #include "compiler/check/report.h"
+#include "compiler/check/starts.h"
 #include "compiler/check/time_functions.h"
 #include "compiler/check/type.h"
 #include "compiler/syntax/foreign_words.h"
@@ -144,6 +145,13 @@ std::nullopt_t NotInGoal(std::string_view sensor, Span span, const TaskScope& sc
   return std::nullopt;
 }
 
+std::nullopt_t NotInStart(std::string_view sensor, Span span, const TaskScope& scope) {
+  Report(scope.diagnostics, code::kSensorInStart, span,
+         fmt::format("`{}` has no value before the episode begins", sensor),
+         {.note = "a start is made of " + ListOfStartValues()});
+  return std::nullopt;
+}
+
 // The number of names of the longest sensor name that `path` begins with; 0 if there is none.
 size_t LongestSensor(const std::vector<Identifier>& path, const SensorCatalog& sensors) {
   for (size_t length = path.size(); length > 0; --length) {
@@ -192,7 +200,9 @@ std::optional<CheckedExpression> ResolveBuiltIn(const Identifier& name, const Pl
     return std::nullopt;
   }
   if (place.has_time_step()) return CheckedExpression{name.span, real, kSecond, TimeStep{}};
-  if (place.kind == Place::kExpect) {
+  const bool is_between_events = place.kind == Place::kExpect || place.kind == Place::kPotential ||
+                                 place.kind == Place::kStart;
+  if (is_between_events) {
     Report(scope.diagnostics, code::kMisplacedTimeStep, name.span,
            "`time_step` has no value between events",
            {.help = "write the length itself, such as `5 ms`"});
@@ -400,6 +410,9 @@ std::optional<ResolvedPath> ResolvePath(const std::vector<Identifier>& path, con
     if (!value) return std::nullopt;
     return ResolvedPath{std::move(*value), 1};
   }
+  if (place.start != nullptr)
+    if (const auto found = place.start->Find(path))
+      return ResolvedPath{place.start->Read(*found, SpanOf(path, found->length)), found->length};
   if (const size_t length = LongestSensor(path, scope.sensors)) {
     const std::string name = Join(path, length);
     const Span span = SpanOf(path, length);
@@ -412,6 +425,7 @@ std::optional<ResolvedPath> ResolvePath(const std::vector<Identifier>& path, con
     }
     if (place.is_constant()) return NotConstant(name, span, place, scope);
     if (place.kind == Place::kGoal) return NotInGoal(name, span, scope);
+    if (place.kind == Place::kStart) return NotInStart(name, span, scope);
     NoteSensor(name, span, sensor, scope);
     return ResolvedPath{{span, sensor.type, sensor.unit, SensorRead{index}}, length};
   }
@@ -481,7 +495,7 @@ const FunctionSignature* ResolveFunction(const Identifier& name, const Place& pl
     for (const std::string_view of_test : {kTotal, kValue}) functions.emplace_back(of_test);
   if (IsDrawFunction(name.text)) {
     Report(scope.diagnostics, code::kMisplacedDraw, name.span,
-           fmt::format("`{}` draws a random number, which only a goal does", name.text),
+           fmt::format("`{}` draws a random number, which only goals and starts do", name.text),
            {.help = "declare a goal and read it here: `goal NAME: TYPE = ...`"});
     return nullptr;
   }

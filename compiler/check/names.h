@@ -19,6 +19,8 @@ inline constexpr std::string_view kPi = "pi";
 inline constexpr std::string_view kTotal = "total";
 inline constexpr std::string_view kValue = "value";
 inline constexpr std::string_view kEnded = "ended";
+// The learner's, which only the `given` of a test names.
+inline constexpr std::string_view kDiscount = "discount";
 inline bool IsTestFunction(std::string_view name) { return name == kTotal || name == kValue; }
 
 // A name, and how many further names of the path belong to it: `base.velocity` of

@@ -69,12 +69,22 @@ class EventChecker {
       : EventChecker(EventKind::kEndOfTimeStep, declaration.name.text, logs, scope, task) {
     may_be_phase_ = true;
   }
+  // Of a start; `event` takes its local values.
+  EventChecker(const Place& place, LogTable& logs, TaskScope& scope, CheckedTask& task,
+               CheckedEvent& event)
+      : place_(place),
+        event_name_("start"),
+        logs_(logs),
+        scope_(scope),
+        task_(task),
+        event_(event) {}
 
   CheckedBlock Check(const Block& block) {
     scope_.symbols.OpenBlock();
     CheckedBlock checked;
     for (const Statement& statement : block) {
       if (!CountStatement()) break;
+      if (!MayStandHere(statement)) continue;
       std::visit([&](const auto& node) { CheckNode(node, statement.span, checked); },
                  statement.node);
     }
@@ -83,7 +93,7 @@ class EventChecker {
   }
 
  private:
-  EventChecker(EventKind event, const std::string& name, LogTable& logs, TaskScope& scope,
+  EventChecker(EventKind event, std::string_view name, LogTable& logs, TaskScope& scope,
                CheckedTask& task)
       : place_{Place::kEvent, event},
         event_name_(name),
@@ -91,6 +101,22 @@ class EventChecker {
         scope_(scope),
         task_(task),
         event_(task.events[static_cast<size_t>(event)]) {}
+
+  // A start draws where the robot begins, and nothing else. Reports what does something else.
+  bool MayStandHere(const Statement& statement) {
+    const auto* assign = std::get_if<AssignStatement>(&statement.node);
+    const bool may_stand = place_.kind != Place::kStart ||
+                           (assign != nullptr && assign->target.name.text != kReward) ||
+                           std::holds_alternative<LetStatement>(statement.node) ||
+                           std::holds_alternative<IfStatement>(statement.node) ||
+                           std::holds_alternative<ForStatement>(statement.node);
+    if (!may_stand)
+      Report(scope_.diagnostics, code::kNotInStart, statement.span,
+             "a start only sets where the robot begins",
+             {.note = "`let`, assignments, `if` and `for` may stand here",
+              .help = "move it into an event, such as `on start_of_episode`"});
+    return may_stand;
+  }
 
   // Each adds the checked statement to `block`, or reports why not.
   void CheckNode(const LetStatement& let, Span span, CheckedBlock& block) {
@@ -110,7 +136,7 @@ class EventChecker {
 
   void CheckNode(const AssignStatement& assign, Span span, CheckedBlock& block) {
     if (assign.target.name.text == kReward) return CheckAnonymousReward(assign, span, block);
-    auto checked = CheckAssignment(assign, place_, scope_);
+    auto checked = CheckAssignment(assign, place_, scope_, task_);
     if (checked) block.push_back({span, std::move(*checked)});
   }
 
@@ -323,7 +349,7 @@ class EventChecker {
   }
 
   const Place place_;
-  const std::string& event_name_;
+  const std::string_view event_name_;
   LogTable& logs_;
   TaskScope& scope_;
   CheckedTask& task_;
@@ -364,6 +390,19 @@ CheckedBlock CheckPhaseBlock(const PhaseDeclaration& phase, LogTable& logs, Task
   scope.locals.clear();
   CollectLocals(phase.body, scope);
   return EventChecker(phase, logs, scope, task).Check(phase.body);
+}
+
+void CheckStartBlock(const Block& block, const StartTable& table, LogTable& logs, TaskScope& scope,
+                     CheckedTask& task) {
+  scope.locals.clear();
+  CollectLocals(block, scope);
+  uint32_t draws = 1;  // the first is that of the pose
+  const Place place{.kind = Place::kStart, .draws = &draws, .start = &table};
+  CheckedEvent checked;
+  checked.body = EventChecker(place, logs, scope, task, checked).Check(block);
+  checked.is_declared = true;
+  checked.span = task.start.span;
+  task.start.block = std::move(checked);
 }
 
 }  // namespace compiler

@@ -15,4 +15,8 @@ void CheckEvents(const SyntaxTree& tree, LogTable& logs, TaskScope& scope, Check
 CheckedBlock CheckPhaseBlock(const PhaseDeclaration& phase, LogTable& logs, TaskScope& scope,
                              CheckedTask& task);
 
+// Checks the block of a start, in which `table` says what can be set.
+void CheckStartBlock(const Block& block, const StartTable& table, LogTable& logs, TaskScope& scope,
+                     CheckedTask& task);
+
 }  // namespace compiler

@@ -41,6 +41,7 @@ struct NamedConstants {
 };
 
 class TimeFunctionTable;  // compiler/check/time_functions.h
+class StartTable;         // compiler/check/starts.h
 
 struct TaskScope {
   bool has_robot = false;
@@ -80,8 +81,10 @@ struct Place {
     kConstant,
     kMetric,
     kEvent,
+    kPotential,
     kFunction,
     kGoal,   // what it is drawn from
+    kStart,  // the block of a start
     kTimed,  // the argument of a time function
     kGiven,  // the value of a `given`: a constant
     kExpect
@@ -89,7 +92,8 @@ struct Place {
   Kind kind = kConstant;
   EventKind event = EventKind::kStartOfEpisode;  // of a kEvent
   const CheckedTask* tested = nullptr;           // of a kExpect
-  uint32_t* draws = nullptr;                     // of a kGoal: how many random numbers it has
+  uint32_t* draws = nullptr;          // of a kGoal or a kStart: how many random numbers it has
+  const StartTable* start = nullptr;  // of a kStart: what it sets
 
   bool is_constant() const { return kind == kConstant || kind == kGiven; }
 

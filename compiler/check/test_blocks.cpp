@@ -91,6 +91,8 @@ class TestChecker {
     const Type real = ScalarType(Scalar::kReal);
     if (root.text == kTimeStep)
       return ResolvedPath{{root.span, real, Unit{.second = 1}, TimeStep{}}, 1};
+    if (root.text == kDiscount && path.size() == 1 && !IsDeclared(root.text))
+      return ResolvedPath{{root.span, real, {}, Constant{}}, 1};
     const bool is_value_of_language =
         root.text == kReward || root.text == kPi || root.text == kEnded;
     const Symbol* declared = scope_.symbols.Find(root.text);
@@ -102,10 +104,16 @@ class TestChecker {
     return whole;
   }
 
+  // Params and the like may be called `discount`.
+  bool IsDeclared(const std::string& name) const {
+    return scope_.symbols.Find(name) != nullptr || scope_.sensors.IsRoot(name);
+  }
+
   Whole CannotBeGiven(const Identifier& name) {
     Report(scope_.diagnostics, code::kNotGivable, name.span,
            fmt::format("`{}` cannot be given", name.text),
-           {.help = "a test gives sensors, params, memory, goals, `phase` and `time_step`"});
+           {.help = "a test gives sensors, params, memory, goals, `phase`, `time_step` and "
+                    "`discount`"});
     return std::nullopt;
   }
 
@@ -122,7 +130,8 @@ class TestChecker {
       given.target = is_goal ? CheckedGiven::kGoal : CheckedGiven::kMemory;
       given.index = is_goal ? static_cast<uint32_t>(goal - task_.goals.begin()) : memory->memory;
     } else {
-      given.target = CheckedGiven::kTimeStep;
+      const bool is_time_step = std::holds_alternative<TimeStep>(whole.node);
+      given.target = is_time_step ? CheckedGiven::kTimeStep : CheckedGiven::kDiscount;
     }
   }
 
@@ -130,6 +139,10 @@ class TestChecker {
     const double number = RealOf(*ConstantValueOf(value, scope_.constants.consts));
     if (given.target == CheckedGiven::kTimeStep && number < 0) {
       Report(scope_.diagnostics, code::kBadGiven, value.span, "a time step is never negative");
+      return false;
+    }
+    if (given.target == CheckedGiven::kDiscount && (number < 0 || number > 1)) {
+      Report(scope_.diagnostics, code::kBadGiven, value.span, "a discount is from 0 to 1");
       return false;
     }
     if (given.target != CheckedGiven::kParam) return true;

@@ -29,6 +29,7 @@ bool Misplaced(const TimeFunctionDescription& description, const Place& place, S
   switch (place.kind) {
     case Place::kEvent:
     case Place::kMetric:
+    case Place::kPotential:
       return false;
     case Place::kTimed:  // inside another one
       return false;
@@ -42,6 +43,9 @@ bool Misplaced(const TimeFunctionDescription& description, const Place& place, S
     case Place::kGoal:
       why = "and a goal is drawn from params and memory";
       break;
+    case Place::kStart:
+      why = "and an episode has no past before it begins";
+      break;
     case Place::kExpect:
       why = "and a test sees only what the task itself reads";
       break;
@@ -50,7 +54,7 @@ bool Misplaced(const TimeFunctionDescription& description, const Place& place, S
   Report(scope.diagnostics, code::kMisplacedTimeFunction, span,
          fmt::format("`{}` looks back in time, {}", description.name, why),
          {.help = is_function ? "give the function a parameter for it"
-                              : "read it in an event or a metric"});
+                              : "read it in an event, a metric or a potential"});
   return true;
 }
 

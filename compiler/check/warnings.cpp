@@ -43,6 +43,8 @@ class Uses {
   explicit Uses(const CheckedTask& task) {
     for (const CheckedEvent& event : task.events)
       ForEachStatement(event.body, [&](const CheckedStatement& statement) { Add(statement); });
+    ForEachStatement(task.start.block.body,
+                     [&](const CheckedStatement& statement) { Add(statement); });
     for (const CheckedMetric& metric : task.metrics) AddReads(metric.value, nullptr);
     for (const CheckedMemory& memory : task.memory) AddReads(memory.initial, nullptr);
     for (const CheckedGoal& goal : task.goals) {
@@ -266,6 +268,8 @@ void Warn(const CheckedTask& task, const SyntaxTree& tree, Diagnostics& diagnost
   WarnOfNoEnd(task, tree, diagnostics);
   WarnOfTests(task, diagnostics);
   WarnOfRealEquality(task, diagnostics);
+  WarnOfUnusedLocals(task.start.block, diagnostics);
+  WarnOfConstantConditions(task.start.block, diagnostics);
   for (size_t i = 0; i < task.events.size(); ++i) {
     const auto kind = static_cast<EventKind>(i);
     const CheckedEvent& event = task.events[i];

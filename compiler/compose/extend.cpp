@@ -33,13 +33,14 @@ std::string_view KindOf(const GoalDeclaration&) { return "goal"; }
 std::string_view KindOf(const GoalOverride&) { return "goal"; }
 std::string_view KindOf(const MetricDeclaration&) { return "metric"; }
 std::string_view KindOf(const RewardOverride&) { return "reward"; }
+std::string_view KindOf(const PotentialDeclaration&) { return "reward"; }
 std::string_view KindOf(const EventDeclaration&) { return "on"; }
 std::string_view KindOf(const PhaseDeclaration&) { return "phase"; }
 std::string_view KindOf(const FunctionDeclaration&) { return "fn"; }
 std::string_view KindOf(const ImportDeclaration&) { return "import"; }
 std::string_view KindOf(const TestDeclaration&) { return "test"; }
 
-const Identifier& NameIn(const StartDeclaration& start) { return start.pose; }
+const Identifier& NameIn(const StartDeclaration& start) { return start.poses.front(); }
 const Identifier& NameIn(const AfterEndDeclaration& after) { return after.word; }
 const Identifier& NameIn(const RewardOverride& changed) { return changed.reward.name; }
 const Identifier& NameIn(const ImportDeclaration&) {
@@ -118,6 +119,12 @@ Declaration WithoutBase(Declaration declaration) {
   if (auto* event = std::get_if<EventDeclaration>(&declaration.node)) event->is_known = false;
   auto* changed = std::get_if<RewardOverride>(&declaration.node);
   if (changed == nullptr) return declaration;
+  if (changed->is_potential) {
+    RewardStatement own = std::move(changed->reward);
+    declaration.node =
+        PotentialDeclaration{std::move(own.doc), std::move(own.name), std::move(own.value)};
+    return declaration;
+  }
   EventDeclaration event{"", EventKind::kEndOfTimeStep, changed->reward.name, {}};
   event.is_known = false;
   event.body.push_back({declaration.span, std::move(changed->reward)});
@@ -240,13 +247,21 @@ class Extension {
     return "";
   }
 
-  // In place of every statement of the term. True if there was one.
-  bool OverrideReward(const Declaration& declaration, const RewardOverride& changed) {
+  // In place of every statement of the term, or of its potential. True if there was one.
+  bool OverrideReward(const Declaration& declaration, RewardOverride& changed) {
     const RewardStatement& model = changed.reward;
+    if (Declaration* inherited = FindPotential(model.name.text)) {
+      OverridePotential(declaration, changed, *inherited);
+      return true;
+    }
     std::vector<Statement*> statements;
     ForEachReward(base_, [&](Statement& statement) {
       if (PaidBy(statement).name.text == model.name.text) statements.push_back(&statement);
     });
+    if (changed.is_potential) {
+      if (!statements.empty()) ReportOtherKind(declaration, model, PaidBy(*statements.front()));
+      return !statements.empty();
+    }
     CheckKind(declaration, model, statements);
     for (Statement* statement : statements) {
       removed_.push_back(statement->span);
@@ -255,6 +270,55 @@ class Extension {
       statement->node = RewardStatement{doc, model.is_rate, model.name, CopyOf(model.value)};
     }
     return !statements.empty();
+  }
+
+  Declaration* FindPotential(const std::string& name) {
+    for (size_t i = 0; i < inherited_; ++i) {
+      Declaration& inherited = base_.declarations[i];
+      const bool is_potential = std::holds_alternative<PotentialDeclaration>(inherited.node);
+      if (is_potential && NameOf(inherited).text == name) return &inherited;
+    }
+    return nullptr;
+  }
+
+  void OverridePotential(const Declaration& declaration, RewardOverride& changed,
+                         Declaration& inherited) {
+    auto& potential = std::get<PotentialDeclaration>(inherited.node);
+    if (!changed.is_potential) return ReportPotential(declaration, changed.reward, potential);
+    removed_.push_back(inherited.span);
+    inherited.span = declaration.span;
+    RewardStatement& own = changed.reward;
+    if (!own.doc.empty()) potential.doc = std::move(own.doc);
+    potential.name = std::move(own.name);
+    potential.value = std::move(own.value);
+  }
+
+  // What the base has as a potential is overridden as something else.
+  void ReportPotential(const Declaration& declaration, const RewardStatement& own,
+                       const PotentialDeclaration& potential) {
+    Diagnostic diagnostic = MakeDiagnostic(
+        code::kOtherKindOfReward, own.name.span,
+        fmt::format("the base pays `{}` as a potential, not {}", own.name.text, WayOf(own)));
+    diagnostic.labels = {{potential.name.span, "declared here"}};
+    diagnostic.help = WriteInstead({declaration.override_span->begin, own.name.span.end},
+                                   "override reward potential " + own.name.text);
+    diagnostics_.Add(std::move(diagnostic));
+  }
+
+  // What the base pays in an event is overridden as a potential.
+  void ReportOtherKind(const Declaration& declaration, const RewardStatement& own,
+                       const RewardStatement& inherited) {
+    const std::string way = WayOf(inherited);
+    Diagnostic diagnostic = MakeDiagnostic(
+        code::kOtherKindOfReward, own.name.span,
+        fmt::format("the base pays `{}` {}, not as a potential", own.name.text, way));
+    diagnostic.labels = {{inherited.name.span, fmt::format("paid {} here", way)}};
+    diagnostic.note =
+        "to make it a potential, override the block without it, and declare the potential";
+    diagnostic.help = WriteInstead(
+        {declaration.override_span->begin, own.name.span.end},
+        fmt::format("override reward {}{}", inherited.is_rate ? "rate " : "", own.name.text));
+    diagnostics_.Add(std::move(diagnostic));
   }
 
   static const RewardStatement& PaidBy(const Statement& statement) {
@@ -331,6 +395,9 @@ class Extension {
     ForEachReward(base_, [&](Statement& statement) {
       names.push_back(std::get<RewardStatement>(statement.node).name.text);
     });
+    for (const Declaration& declaration : base_.declarations)
+      if (std::holds_alternative<PotentialDeclaration>(declaration.node))
+        names.push_back(NameOf(declaration).text);
     return names;
   }
 
@@ -390,7 +457,8 @@ class Extension {
           fmt::format("to read another file: `override table {} = \"FILE.csv\"`", name.text);
     } else {
       const uint32_t begin = declaration.span.begin;
-      diagnostic.help = {fmt::format("to replace it, write `override {} {}`", kind, name.text),
+      const std::string_view head = kind == "reward" ? "reward potential" : kind;
+      diagnostic.help = {fmt::format("to replace it, write `override {} {}`", head, name.text),
                          {{{begin, begin}, "override "}}};
     }
     diagnostics_.Add(std::move(diagnostic));

@@ -239,6 +239,16 @@ EventEquations EquationsOf(const PhaseDeclaration& phase) {
   return EquationsOf({&phase.body}, std::move(equations));
 }
 
+StartEquations EquationsOf(const StartDeclaration& start) {
+  EventEquations equations{};
+  if (start.block) {
+    Visit(*start.block, {}, [&](const Statement& statement, const Conditions& conditions) {
+      AddStatement(statement, conditions, equations);
+    });
+  }
+  return {std::move(equations.locals), std::move(equations.memory)};
+}
+
 std::vector<Equation> EquationsOf(const FunctionDeclaration& function) {
   std::vector<Formula> parameters;
   for (const FunctionParameter& parameter : function.parameters) {

@@ -58,6 +58,13 @@ struct EventEquations {
 EventEquations EquationsOf(const EventDeclaration& event);
 EventEquations EquationsOf(const PhaseDeclaration& phase);
 
+// What the block of a start does; nothing where it has none.
+struct StartEquations {
+  std::vector<Equation> locals;
+  std::vector<ConditionalEquation> values;
+};
+StartEquations EquationsOf(const StartDeclaration& start);
+
 // Its lets are listed after its value.
 std::vector<Equation> EquationsOf(const FunctionDeclaration& function);
 

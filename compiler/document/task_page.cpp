@@ -92,8 +92,10 @@ class PageWriter {
   Page Write() {
     page_.title = task_.name;
     Introduction();
+    Start();
     Phases();
     for (const Statements& each : statements_) Rewards(each);
+    Potentials();
     Bounds();
     Ends();
     Requirements();
@@ -139,9 +141,10 @@ class PageWriter {
       facts = Plain("For any host that supplies the sensors below.");
     } else {
       facts = {{Piece::kPlain, "Robot: "}, {Piece::kCode, task_.robot}};
-      if (!task_.start_pose.empty()) {
-        facts.push_back({Piece::kPlain, ", which starts in the pose "});
-        facts.push_back({Piece::kCode, task_.start_pose});
+      const std::vector<std::string>& poses = task_.start.poses;
+      for (size_t i = 0; i < poses.size(); ++i) {
+        facts.push_back({Piece::kPlain, i == 0 ? ", which starts in the pose " : " or "});
+        facts.push_back({Piece::kCode, poses[i]});
       }
       facts.push_back({Piece::kPlain, "."});
     }
@@ -173,6 +176,24 @@ class PageWriter {
     AddTable(std::move(table));
   }
 
+  // What is drawn where an episode begins.
+  void Start() {
+    for (const StartDeclaration* start : All<StartDeclaration>(tree_)) {
+      const StartEquations equations = EquationsOf(*start);
+      if (equations.values.empty()) continue;
+      AddHeading("Start of an episode");
+      Table table{{"becomes", "when"}, {}};
+      for (const ConditionalEquation& value : equations.values) {
+        table.rows.push_back({Math(value.equation.left + " \\leftarrow " + value.equation.right),
+                              value.condition.empty() ? Plain("always") : Math(value.condition)});
+      }
+      AddTable(std::move(table));
+      if (equations.locals.empty()) continue;
+      page_.blocks.push_back(Paragraph{Plain("where")});
+      AddFormulas(equations.locals);
+    }
+  }
+
   void Rewards(const Statements& statements) {
     const EventEquations& event = statements.equations;
     if (!event.terms.empty()) {
@@ -195,6 +216,29 @@ class PageWriter {
     return formulas;
   }
 
+  void Potentials() {
+    Formulas formulas;
+    for (const PotentialDeclaration* potential : All<PotentialDeclaration>(tree_)) {
+      const std::string name = TextToLatex(potential->name.text);
+      formulas.lines.push_back({"\\Phi_{" + name + "}", "=", ToFormula(potential->value).text});
+    }
+    if (formulas.lines.empty()) return;
+    AddHeading("Potentials");
+    page_.blocks.push_back(std::move(formulas));
+    Text text = Plain("Each action is paid ");
+    text.push_back({Piece::kMath, "\\gamma \\, \\Phi(s') - \\Phi(s)"});
+    text.push_back({Piece::kPlain, " for the state "});
+    text.push_back({Piece::kMath, "s"});
+    text.push_back({Piece::kPlain, " in which it begins and "});
+    text.push_back({Piece::kMath, "s'"});
+    text.push_back({Piece::kPlain, " in which it ends, with the learner's discount "});
+    text.push_back({Piece::kMath, "\\gamma"});
+    text.push_back({Piece::kPlain, ". Where an episode ends in success or failure "});
+    text.push_back({Piece::kMath, "\\Phi(s') = 0"});
+    text.push_back({Piece::kPlain, ". So the policy that is best stays the best."});
+    page_.blocks.push_back(Paragraph{std::move(text)});
+  }
+
   // Says what the signs of the formulas above mean.
   void Signs(const EventEquations& event) {
     const auto contains = [&](std::string_view sign) {
@@ -215,7 +259,7 @@ class PageWriter {
     for (size_t i = 0; i < task_.terms.size(); ++i) {
       const TermBounds& term = bounds.terms[i];
       table.rows.push_back({Code(task_.terms[i].name), IntervalText(term.rate),
-                            IntervalText(term.payment), WeightText(weights_.terms[i]),
+                            IntervalText(EachTime(term)), WeightText(weights_.terms[i]),
                             FromDoc(task_.terms[i].doc)});
     }
     page_.blocks.push_back(
@@ -226,6 +270,11 @@ class PageWriter {
   static Text IntervalText(const std::optional<Interval>& interval) {
     if (!interval) return {};
     return Plain(ToText(interval->low) + " .. " + ToText(interval->high));
+  }
+
+  // A potential pays each action.
+  static std::optional<Interval> EachTime(const TermBounds& term) {
+    return term.potential ? PaymentOfPotential(*term.potential) : term.payment;
   }
 
   Text WeightText(std::optional<uint32_t> param) const {

@@ -15,6 +15,8 @@ void EmitFunctions(const CheckedTask& task, const Sources& sources, const Plugin
   FunctionEmitter functions(task, sources, names, writer, helpers);
   for (uint32_t i = 0; i < task.functions.size(); ++i) functions.EmitFunction(i);
   for (uint32_t i = 0; i < task.goals.size(); ++i) functions.EmitDraw(i);
+  if (DrawsPose(task)) functions.EmitDrawPose();
+  if (DrawsStart(task)) functions.EmitDrawStart();
   functions.EmitInitialize();
   for (int event = 0; event < TASKC_EVENT_COUNT; ++event) {
     auto kind = static_cast<EventKind>(event);

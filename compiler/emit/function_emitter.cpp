@@ -174,6 +174,50 @@ void FunctionEmitter::EmitDraw(uint32_t index) {
   End();
 }
 
+void FunctionEmitter::EmitDrawPlace(uint32_t stream, std::string_view count, SourceLine line) {
+  writer_.Line(fmt::format("{} draw{{frame->seed, {}u, {}}};", helpers_.Use(Helper::kDrawPlace),
+                           stream, count),
+               line);
+}
+
+void FunctionEmitter::EmitDrawPose() {
+  const SourceLine line = LineOf(task_.start.span);
+  UsedValues used;
+  used.frame = true;
+  Begin("draw_pose", line, std::move(used));
+  helpers_.Use(Helper::kRandomUnit);
+  EmitDrawPlace(task_.start.stream, "0u", line);
+  writer_.Line(fmt::format("frame->pose = {}(draw, 0, 0, {});", helpers_.Use(Helper::kChoose),
+                           task_.start.poses.size()),
+               line);
+  End();
+}
+
+// With memory and goals as they are when the episode starts: what is the same then is drawn again.
+void FunctionEmitter::EmitDrawStart() {
+  const CheckedEvent& block = task_.start.block;
+  const SourceLine line = LineOf(task_.start.span);
+  UsedValues used;
+  used.Add(block.body);
+  for (const CheckedMemory& variable : task_.memory) {
+    if (IsResetAt(EventKind::kStartOfEpisode, variable.scope)) used.AddReset(variable);
+  }
+  used.memory = used.frame = true;
+  const bool is_random = used.draws;
+  Begin("draw_start", line, std::move(used));
+  function_.names.Reserve("draw");
+  SetLocals(block.locals);
+  for (uint32_t i = 0; i < task_.memory.size(); ++i) {
+    if (IsResetAt(EventKind::kStartOfEpisode, task_.memory[i].scope)) EmitReset(task_.memory[i], i);
+  }
+  for (uint32_t i = 0; i < task_.goals.size(); ++i) {
+    Emit(CheckedRedraw{i}, LineOf(task_.goals[i].span));
+  }
+  if (is_random) EmitDrawPlace(task_.start.stream, "0u", line);
+  EmitBlock(block.body);
+  End();
+}
+
 void FunctionEmitter::EmitEvent(EventKind kind) {
   const CheckedEvent& event = task_.events[static_cast<size_t>(kind)];
   const bool stops_after_end = StopsAfterEnd(task_, kind);
@@ -458,6 +502,31 @@ void FunctionEmitter::Emit(const CheckedAdvance& advance, SourceLine line) {
   WriteLines(AdvanceLines(function, type, advance.is_start, counts_steps, names,
                           expressions_->written_out(), helpers_),
              line);
+}
+
+void FunctionEmitter::Emit(const CheckedPotentialStep& step, SourceLine line) {
+  const CheckedPotential& potential = task_.potentials[step.potential];
+  const std::vector<std::string>& memory = function_.values.memory;
+  const std::string& last = memory[potential.last];
+  const std::string now = function_.names.Add("now");
+  const CppText value = expressions_->EmitScalar(step.value);
+  WriteLines(expressions_->TakeParts(), line);
+  writer_.Line(fmt::format("const double {} = {};", now, value.text), line);
+  if (step.moment != CheckedPotentialStep::kStart) {
+    const std::string growth =
+        step.moment == CheckedPotentialStep::kAction
+            ? fmt::format("frame->discount * {} - {}", now, last)
+            : fmt::format("{}(frame, {}, {}, {})", helpers_.Use(Helper::kLastGrowth),
+                          memory[potential.paid], last, now);
+    writer_.Line(fmt::format("if ({}) {}(frame, reward, {}, {});", memory[potential.known],
+                             helpers_.Use(Helper::kPay), names_.terms[potential.term], growth),
+                 line);
+  }
+  if (step.moment == CheckedPotentialStep::kEnd) return;
+  const bool is_paid = step.moment == CheckedPotentialStep::kAction;
+  writer_.Line(fmt::format("{} = {};", last, now), line);
+  writer_.Line(fmt::format("{} = true;", memory[potential.known]), line);
+  if (is_paid) writer_.Line(fmt::format("{} = true;", memory[potential.paid]), line);
 }
 
 void FunctionEmitter::EmitReset(const CheckedMemory& memory, uint32_t index) {

@@ -29,6 +29,10 @@ struct PluginNames {
   std::vector<std::string> memory;     // members of the struct
 };
 
+// Whether the plugin draws in which of several poses an episode starts, and changes the pose.
+inline bool DrawsPose(const CheckedTask& task) { return task.start.poses.size() > 1; }
+inline bool DrawsStart(const CheckedTask& task) { return !task.start.block.body.empty(); }
+
 // Whether the plugin has something to do at this event. Its function is called like the event.
 bool HasFunction(const CheckedTask& task, EventKind event);
 
@@ -41,6 +45,9 @@ class FunctionEmitter {
   void EmitFunction(uint32_t index);
   // What draws a goal.
   void EmitDraw(uint32_t goal);
+  // What draws the pose in which an episode starts, and what changes that.
+  void EmitDrawPose();
+  void EmitDrawStart();
   void EmitInitialize();
   void EmitEvent(EventKind kind);
   void EmitMeasure();
@@ -72,6 +79,8 @@ class FunctionEmitter {
   void EmitPrologue(SourceLine line);
   void End();
 
+  // The place from which random numbers are drawn.
+  void EmitDrawPlace(uint32_t stream, std::string_view count, SourceLine line);
   // What a function gives: returned, or written to an array.
   void EmitResult(const CheckedExpression& value, const std::string& array);
   void EmitBlock(const CheckedBlock& block);
@@ -87,6 +96,7 @@ class FunctionEmitter {
   void Emit(const CheckedNext& next, SourceLine line);
   void Emit(const CheckedPhaseSwitch& phases, SourceLine line);
   void Emit(const CheckedAdvance& advance, SourceLine line);
+  void Emit(const CheckedPotentialStep& step, SourceLine line);
   void EmitReset(const CheckedMemory& memory, uint32_t index);
   // Sets all elements of a variable, or those with these indices.
   void EmitStore(uint32_t memory, std::string_view op, const std::vector<CppText>& values,

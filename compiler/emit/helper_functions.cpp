@@ -208,6 +208,13 @@ double Between(double from, double to, double share) {
     for (int k = 0; k < 4; ++k) rotation[k] /= length;
   }
 })"},
+    {Helper::kLastGrowth, "LastGrowth",
+     R"(// What a potential pays when the episode is over; at a terminal end it is 0.
+double LastGrowth(const taskc_frame* frame, bool is_paid, double last, double now) {
+  const bool is_terminal = frame->outcome == TASKC_SUCCESS || frame->outcome == TASKC_FAILURE;
+  if (is_paid) return is_terminal ? 0.0 - frame->discount * last : 0.0;
+  return is_terminal ? 0.0 - last : frame->discount * now - last;
+})"},
 }};
 
 constexpr bool IsInOrder() {

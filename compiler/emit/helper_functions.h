@@ -43,6 +43,7 @@ enum class Helper {
   kBetween,
   kReadTable,
   kReadRotations,
+  kLastGrowth,
   kCount
 };
 inline constexpr int kHelperCount = static_cast<int>(Helper::kCount);

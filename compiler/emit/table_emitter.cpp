@@ -171,6 +171,8 @@ std::vector<std::string> TableFields(const CheckedTask& task, const Sources& sou
   std::vector<std::string> pointers;
   std::vector<std::string> counts;
   EmitTableFields("sources", sources.files().size(), pointers, counts);
+  EmitTableFields("poses", task.start.poses.size(), pointers, counts);
+  EmitTableFields("start_values", task.start.values.size(), pointers, counts);
   EmitTableFields("sensors", task.sensors.size(), pointers, counts);
   EmitTableFields("params", task.params.size(), pointers, counts);
   EmitTableFields("memory", task.memory.size(), pointers, counts);
@@ -192,7 +194,6 @@ std::vector<std::string> IdentityFields(const CheckedTask& task, const Sources& 
           ".name = " + StringLiteral(task.name),
           ".doc = " + StringLiteral(task.doc),
           ".robot = " + StringLiteral(task.robot),
-          ".start_pose = " + StringLiteral(task.start_pose),
           ".source_hash = " + StringLiteral(sources.Hash())};
 }
 
@@ -232,6 +233,13 @@ void EmitTables(const CheckedTask& task, const Sources& sources, const PluginNam
   EmitNumbers(names.terms, writer);
   EmitNumbers(names.logs, writer);
   EmitConsts(task, names, writer);
+  const auto pose_row = [](const std::string& pose) { return StringLiteral(pose); };
+  EmitTable("taskc_pose", "poses_table", task.start.poses, pose_row, writer);
+  const auto value_row = [&](const CheckedStartValue& value) {
+    return fmt::format("{}, {}, __builtin_offsetof(Memory, {})", StringLiteral(value.name),
+                       value.minimum.size(), names.memory[value.memory]);
+  };
+  EmitTable("taskc_start_value", "start_values_table", task.start.values, value_row, writer);
   EmitTable("taskc_sensor", "sensors_table", task.sensors, kRow, writer);
   EmitTable("taskc_param", "params_table", task.params, kRow, writer);
   auto memory_row = [&](const CheckedMemory& memory) {
@@ -268,6 +276,8 @@ void EmitEntry(const CheckedTask& task, const Sources& sources, const PluginName
   fields.push_back(task.memory.empty() ? ".memory_size = 0" : ".memory_size = sizeof(Memory)");
   for (std::string& field : PhaseFields(task, names)) fields.push_back(std::move(field));
   fields.emplace_back(".initialize = initialize");
+  fields.emplace_back(DrawsPose(task) ? ".draw_pose = draw_pose" : ".draw_pose = nullptr");
+  fields.emplace_back(DrawsStart(task) ? ".draw_start = draw_start" : ".draw_start = nullptr");
   std::vector<std::string_view> functions;
   for (size_t event = 0; event < kEventCount; ++event) {
     auto kind = static_cast<EventKind>(event);

@@ -52,6 +52,10 @@ void UsedValues::Add(const CheckedBlock& block) {
               memory = frame = true;
             },
             [this](const CheckedReward&) { reward = frame = true; },
+            [this](const CheckedPotentialStep& step) {
+              memory = frame = true;
+              reward = reward || step.moment != CheckedPotentialStep::kStart;
+            },
             [this](const auto&) { frame = true; },
         },
         statement.node);
@@ -72,6 +76,7 @@ void UsedValues::AddReset(const CheckedMemory& variable) {
 UsedValues UsedBy(const CheckedTask& task) {
   UsedValues used;
   for (const CheckedEvent& event : task.events) used.Add(event.body);
+  used.Add(task.start.block.body);
   for (const CheckedMetric& metric : task.metrics) used.Add(metric.value);
   for (const CheckedGoal& goal : task.goals) {
     used.Add(goal.value);

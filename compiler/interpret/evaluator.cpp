@@ -37,6 +37,26 @@ void Evaluator::Initialize() {
   for (uint32_t i = 0; i < task_.goals.size(); ++i) Run(CheckedRedraw{i});
 }
 
+void Evaluator::DrawPose() {
+  const size_t count = task_.start.poses.size();
+  frame_.pose = 0;
+  if (count > 1)
+    frame_.pose =
+        static_cast<int32_t>(DrawChoice({frame_.seed, task_.start.stream, 0}, 0, 0, count));
+}
+
+void Evaluator::DrawStart() {
+  const CheckedEvent& block = task_.start.block;
+  if (block.body.empty()) return;
+  for (uint32_t i = 0; i < task_.memory.size(); ++i) {
+    if (IsResetAt(EventKind::kStartOfEpisode, task_.memory[i].scope)) Reset(i);
+  }
+  for (uint32_t i = 0; i < task_.goals.size(); ++i) Run(CheckedRedraw{i});
+  locals_.assign(block.locals.size(), {});
+  place_ = {frame_.seed, task_.start.stream, 0};
+  Run(block.body);
+}
+
 void Evaluator::Fire(EventKind kind, double time_step) {
   const CheckedEvent& event = task_.events[static_cast<size_t>(kind)];
   frame_.time_step = time_step;
@@ -68,7 +88,7 @@ Value Evaluator::Evaluate(const CheckedExpression& expression) const {
 }
 
 Value Evaluator::EvaluateHere(const CheckedExpression& expression) const {
-  return ExpressionEvaluator(task_, frame_, locals_, {}, {}).Evaluate(expression);
+  return ExpressionEvaluator(task_, frame_, locals_, {}, place_).Evaluate(expression);
 }
 
 void Evaluator::Reset(uint32_t memory) {
@@ -101,11 +121,15 @@ void Evaluator::Run(const CheckedFor& loop) {
 void Evaluator::Run(const CheckedReward& reward) {
   double value = RealOf(EvaluateHere(reward.value));
   if (reward.is_rate) value = value * frame_.time_step;
+  Pay(reward.term, value);
+}
+
+void Evaluator::Pay(uint32_t term, double value) {
   // What gives no finite reward, or too large a one, is reported instead of paid.
   const bool is_paid = std::abs(frame_.reward + value) <= TASKC_LARGEST_REWARD;
-  if (!is_paid) return SetOnce(frame_.fault, reward.term);
+  if (!is_paid) return SetOnce(frame_.fault, term);
   frame_.reward += value;
-  frame_.terms[reward.term] += value;
+  frame_.terms[term] += value;
 }
 
 void Evaluator::Run(const CheckedEnd& end) { SetOnce(frame_.end, end.end); }
@@ -151,6 +175,27 @@ void Evaluator::Run(const CheckedPhaseSwitch& phases) {
   if (next_phase_ < 0) return;
   present() = next_phase_;
   frame_.memory[task_.phase_memory.time] = Reals{0};
+}
+
+void Evaluator::Run(const CheckedPotentialStep& step) {
+  const CheckedPotential& potential = task_.potentials[step.potential];
+  const double now = RealOf(EvaluateHere(step.value));
+  double& last = std::get<Reals>(frame_.memory[potential.last]).front();
+  int64_t& is_known = std::get<Integers>(frame_.memory[potential.known]).front();
+  int64_t& is_paid = std::get<Integers>(frame_.memory[potential.paid]).front();
+  const bool is_end = step.moment == CheckedPotentialStep::kEnd;
+  if (step.moment != CheckedPotentialStep::kStart && is_known != 0) {
+    const bool is_terminal = is_end && frame_.outcome != EndKind::kTruncated;
+    // At a terminal end the potential is 0, also where an action ends with the episode.
+    const double growth = is_end && is_paid != 0
+                              ? (is_terminal ? 0.0 - frame_.discount * last : 0.0)
+                              : (is_terminal ? 0.0 - last : frame_.discount * now - last);
+    Pay(potential.term, growth);
+  }
+  if (is_end) return;
+  last = now;
+  is_known = 1;
+  if (step.moment == CheckedPotentialStep::kAction) is_paid = 1;
 }
 
 void Evaluator::Run(const CheckedAdvance& advance) {

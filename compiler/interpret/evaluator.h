@@ -8,6 +8,7 @@
 #include "compiler/check/checked_task.h"
 #include "compiler/check/value.h"
 #include "compiler/interpret/frame.h"
+#include "compiler/interpret/random_numbers.h"
 
 namespace compiler {
 
@@ -22,6 +23,10 @@ class Evaluator {
 
   // Gives all memory its initial value, then draws the goals.
   void Initialize();
+  // Draws in which pose an episode starts, and what the start makes of that: it changes the memory
+  // of CheckedStart::values, and leaves all else as it is when an episode starts.
+  void DrawPose();
+  void DrawStart();
   // Runs what the task does at an event of this kind.
   void Fire(EventKind kind, double time_step);
   // Computes all metrics.
@@ -45,12 +50,15 @@ class Evaluator {
   void Run(const CheckedNext& next);
   void Run(const CheckedPhaseSwitch& phases);
   void Run(const CheckedAdvance& advance);
+  void Run(const CheckedPotentialStep& step);
+  void Pay(uint32_t term, double value);
   Value EvaluateHere(const CheckedExpression& expression) const;
 
   const CheckedTask& task_;
   Frame frame_;
   std::vector<Value> locals_;  // of the event that runs
   int32_t next_phase_ = -1;    // what a phase that runs has said; -1: nothing
+  DrawPlace place_;            // of a start that is drawn
 };
 
 }  // namespace compiler

@@ -27,7 +27,10 @@ struct Frame {
   std::vector<double> params;  // as a host passes them: a double, whatever the type
   std::vector<Value> memory;
   uint64_t seed = 0;
+  int32_t pose = 0;  // that a start has drawn
   double time_step = 0;
+  double discount = 1;
+  EndKind outcome = EndKind::kTruncated;
   std::vector<double> terms;
   std::vector<double> metrics;
   std::vector<LogState> logs;

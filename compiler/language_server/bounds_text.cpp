@@ -34,6 +34,7 @@ std::string Join(const std::string& first, const std::string& second) {
 std::string DescribeTerm(const TermBounds& term) {
   const std::string rate = term.rate ? Describe(*term.rate) : "";
   const std::string payment = term.payment ? Describe(*term.payment) : "";
+  if (term.potential) return Describe(PaymentOfPotential(*term.potential)) + " each action";
   return Join(rate.empty() ? "" : rate + " per second",
               payment.empty() ? "" : payment + " each time");
 }

@@ -8,6 +8,7 @@
 
 #include "compiler/check/builtins.h"
 #include "compiler/check/draws.h"
+#include "compiler/check/starts.h"
 #include "compiler/check/tables.h"
 #include "compiler/check/time_functions.h"
 #include "compiler/check/type.h"
@@ -51,6 +52,12 @@ class Completer {
       case Expected::kStatement:
         OfferWords(StatementWords());
         return OfferNames({NameKind::kMemory}, protocol::kCompleteVariable);
+      case Expected::kStartStatement:
+        for (const StartValueDescription& value : kStartValues)
+          Add(std::string(value.name), protocol::kCompleteVariable, "", std::string(value.doc));
+        for (const char* word : {"let", "if", "for"})
+          Add(word, protocol::kCompleteKeyword, "", std::string(ExplanationOf(word)));
+        return;
       case Expected::kTestStatement:
         return OfferWords(TestWords());
       case Expected::kBodyStatement:
@@ -121,6 +128,9 @@ class Completer {
         return OfferWords(OutcomeWords(), protocol::kCompleteEnumMember);
       case Expected::kAfterEnd:
         return OfferWords(AfterEndWords(), protocol::kCompleteEnumMember);
+      case Expected::kPotential:
+        return Add("potential", protocol::kCompleteKeyword, "",
+                   std::string(ExplanationOf("potential")));
       case Expected::kTerm:
         Add("rate", protocol::kCompleteKeyword, "", std::string(ExplanationOf("rate")));
         return OfferNames({NameKind::kTerm}, protocol::kCompleteProperty);

@@ -147,9 +147,14 @@ class PlaceFinder {
     return i;
   }
 
+  bool IsInStart(size_t word) const {
+    return tokens_.BeginsLine(word) || (word > 0 && tokens_.Is(word - 1, "override"));
+  }
+
   // What the block in which the cursor is consists of.
   Expected InBlock() const {
     int depth = 0;
+    bool is_nested = false;
     for (size_t i = count_; i-- > 0;) {
       if (tokens_.Is(i, "}")) ++depth;
       if (!tokens_.Is(i, "{")) continue;
@@ -158,14 +163,17 @@ class PlaceFinder {
         continue;
       }
       if (!tokens_.IsBlockOpen(i)) continue;
+      is_nested = false;
       for (size_t k = i; k-- > 0 && !tokens_.Is(k, "{") && !tokens_.Is(k, "}");) {
         if (tokens_.Is(k, "test") && tokens_.BeginsLine(k)) return Expected::kTestStatement;
         if (tokens_.Is(k, "fn")) return Expected::kBodyStatement;
-        if (tokens_.Is(k, "on") || tokens_.Is(k, "if") || tokens_.Is(k, "for")) break;
+        if (tokens_.Is(k, "start") && IsInStart(k)) return Expected::kStartStatement;
+        is_nested = tokens_.Is(k, "if") || tokens_.Is(k, "else") || tokens_.Is(k, "for");
+        if (is_nested || tokens_.Is(k, "on")) break;
       }
-      return Expected::kStatement;
+      if (!is_nested) return Expected::kStatement;
     }
-    return Expected::kDeclaration;
+    return is_nested ? Expected::kStatement : Expected::kDeclaration;
   }
 
   // "joint.angle" in front of a token.
@@ -244,9 +252,13 @@ class PlaceFinder {
     if (tokens_.KindOf(count_ - 1) == LexedKind::kNumber && !IsOnNewLine()) return Expected::kUnit;
     if (count_ - 1 == begin || last == "per" || last == "extends") {
       if (first == "for") return Expected::kAnyText;
+      if (last == "reward" && InBlock() == Expected::kDeclaration) return Expected::kPotential;
       const auto found = AfterKeyword().find(last);
       if (found != AfterKeyword().end()) return found->second;
     }
+    const bool is_start =
+        first == "start" || (first == "override" && tokens_.Is(begin + 1, "start"));
+    if (is_start && last == "or") return Expected::kPose;
     if (first == "override" && count_ - 2 == begin) return AfterOverride(last);
     if (last == "for") return first == "task" ? Expected::kRobot : Expected::kAnyText;
     if (first == "fire")
@@ -258,7 +270,8 @@ class PlaceFinder {
     if (is_set && (tokens_.ExpectsMore(count_ - 1) || last == "{")) return Expected::kIndex;
     if (!tokens_.ExpectsMore(count_ - 1) && last != "{") return Expected::kOperator;
     const bool is_goal = first == "goal" || (first == "override" && tokens_.Is(begin + 1, "goal"));
-    return is_goal ? Expected::kGoalValue : Expected::kValue;
+    const bool draws = is_goal || InBlock() == Expected::kStartStatement;
+    return draws ? Expected::kGoalValue : Expected::kValue;
   }
 
   // Behind `phase ==`, `given phase =` and `phase lift within 3 s else`.

@@ -12,6 +12,7 @@ enum class Expected {
   kDeclaration,
   kStatement,  // of an event
   kTestStatement,
+  kStartStatement,
   kBodyStatement,  // of a function
   kOverridden,     // after `override`
   kParamName,      // of the base, after `override param`
@@ -38,6 +39,7 @@ enum class Expected {
   kOutcome,
   kAfterEnd,     // after `after_end`
   kTerm,         // after `reward`
+  kPotential,    // after `reward` outside of events
   kGoal,         // after `redraw`
   kPhase,        // after `next`, `phase ==`
   kTarget,       // after `given`

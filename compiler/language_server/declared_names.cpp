@@ -30,7 +30,7 @@ constexpr std::array<Keyword, 17> kKeywords = {{{"task", NameKind::kTask},
                                                 {"let", NameKind::kLet},
                                                 {"for", NameKind::kLoop}}};
 
-bool IsTopLevel(std::string_view keyword) {
+bool IsTopLevelWord(std::string_view keyword) {
   constexpr std::array<std::string_view, 17> kTopLevel = {
       "task", "start", "after_end", "sensor", "param", "const", "set",    "table",   "memory",
       "goal", "phase", "metric",    "on",     "fn",    "test",  "import", "override"};
@@ -55,7 +55,7 @@ class Finder {
 
   void Visit() {
     const std::string_view text = tokens_.TextOf(at_);
-    if (BeginsStatement() && IsTopLevel(text) && tokens_.BeginsLine(at_)) BeginDeclaration();
+    if (BeginsStatement() && IsTopLevel() && tokens_.BeginsLine(at_)) BeginDeclaration();
     if (tokens_.IsBlockOpen(at_)) {
       blocks_.push_back(std::exchange(pending_, {}));
       if (loop_ != kNone) names_[loop_].visible.begin = tokens_[at_].span.end;
@@ -76,9 +76,13 @@ class Finder {
   // Keywords stand at the begin of a line, or behind a brace or another statement; `reward` stands
   // in expressions as well.
   bool BeginsStatement() const {
-    const bool is_clear =
-        tokens_.Is(at_, "let") || (tokens_.BeginsLine(at_) && IsTopLevel(tokens_.TextOf(at_)));
+    const bool is_clear = tokens_.Is(at_, "let") || (tokens_.BeginsLine(at_) && IsTopLevel());
     return is_clear || !(tokens_.ExpectsMore(at_ - 1) || tokens_.Is(at_ - 1, "."));
+  }
+
+  bool IsTopLevel() const {
+    const bool is_potential = tokens_.Is(at_, "reward") && tokens_.Is(at_ + 1, "potential");
+    return is_potential || IsTopLevelWord(tokens_.TextOf(at_));
   }
 
   // A new declaration ends whatever was left open.

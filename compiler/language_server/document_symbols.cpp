@@ -48,6 +48,7 @@ bool IsPartOfEvent(NameKind kind) { return kind == NameKind::kTerm || kind == Na
 
 Json DocumentSymbols(const Document& document) {
   Json symbols = Json::array();
+  uint32_t end_of_event = 0;
   for (const DeclaredName& name : document.names()) {
     const auto kind = SymbolKindOf(name.kind);
     if (!kind) continue;
@@ -57,7 +58,8 @@ Json DocumentSymbols(const Document& document) {
                 {"selectionRange", protocol::ToJson(document.positions(), name.span)}};
     if (!name.type.empty()) symbol["detail"] = name.type;
     // Terms and logs belong to the event or phase in which they stand first.
-    const bool has_event = !symbols.empty() && symbols.back()["kind"] == protocol::kEvent;
+    const bool has_event = name.span.begin < end_of_event;
+    if (*kind == protocol::kEvent) end_of_event = name.whole.end;
     if (IsPartOfEvent(name.kind) && has_event) {
       Json& children = symbols.back()["children"];
       bool is_known = false;

@@ -7,7 +7,7 @@ namespace {
 
 constexpr auto kDeclarations = std::to_array<ExplainedWord>({
     {"task", "The task's name, and the robot that it is written for: `task NAME for ROBOT`."},
-    {"start", "The pose of the robot in which episodes begin."},
+    {"start", "How an episode begins: `start POSE or POSE { joint.angle += uniform(LOW, HIGH) }`."},
     {"after_end",
      "What the task does from the end that it reaches until the episode is over: `after_end "
      "continue`."},
@@ -24,6 +24,9 @@ constexpr auto kDeclarations = std::to_array<ExplainedWord>({
      "What the robot is told, drawn at random: `goal NAME: TYPE = uniform(LOW, HIGH) per 3 s .. 8 "
      "s`."},
     {"metric", "What success means, as opposed to the reward: `metric REDUCTION NAME = VALUE`."},
+    {"reward potential",
+     "Pays each action by how much a value has grown, so that the best policy stays the best: "
+     "`reward potential NAME = VALUE`."},
     {"on", "What is done at an event: `on EVENT { ... }`."},
     {"phase",
      "A stretch of an episode with rewards and rules of its own: `phase NAME within 3 s else OTHER "
@@ -121,6 +124,7 @@ constexpr auto kOthers = std::to_array<ExplainedWord>({
     {"rate", "A term that is paid per second."},
     {"loop", "Read a table so that its first row follows the last one: `TABLE(x, loop)`."},
     {"duration", "How long a table is, from its first argument to its last: `duration(TABLE)`."},
+    {"potential", "A value of which each action is paid the growth, discounted."},
     {"bool", "A condition."},
     {"int", "An integer."},
     {"real", "A number, which may have a unit."},
@@ -134,6 +138,7 @@ constexpr auto kOthers = std::to_array<ExplainedWord>({
     {"total", "What a reward term has paid since the test began: `total(TERM)`."},
     {"value",
      "A metric or a log, as it would be recorded if the episode ended now: `value(NAME)`."},
+    {"discount", "The learner's discount for one action, which a test gives."},
     {"ended", "Whether the episode has ended since the test began."},
     {"phase_time", "How long the present phase has lasted, `real [s]`."},
 });

@@ -60,6 +60,15 @@ std::string HelpForStatement(TokenType type) {
   }
 }
 
+// `start standing, lying`
+Help HelpBehindDeclaration(const Failure& failure) {
+  const bool is_list = failure.type() == TaskParser::COMMA || failure.type() == TaskParser::AND;
+  if (failure.statement_type() != TaskParser::START || !is_list) return {};
+  const Span sign = SpanOf(failure.found);
+  const char* text = failure.type() == TaskParser::COMMA ? " or" : "or";
+  return {"several poses are written with `or` between them", {{sign, text}}};
+}
+
 }  // namespace
 
 Description MissingHeader(const Failure& failure) {
@@ -218,7 +227,7 @@ Description BadAllow(const Failure& failure) {
 Description BadDeclaration(const Failure& failure) {
   if (failure.rule != TaskParser::RuleFile) return std::nullopt;
   if (!failure.is_at_line_start() && failure.last_type() != TaskParser::RIGHT_BRACE) {
-    return Expected(failure, "the end of the line");
+    return WithHelp(Expected(failure, "the end of the line"), HelpBehindDeclaration(failure));
   }
   const std::string word = failure.found.getText();
   if (failure.type() == TaskParser::EXTENDS) {

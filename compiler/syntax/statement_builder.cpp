@@ -80,7 +80,7 @@ Statement StatementBuilder::BuildStatement(TaskParser::StatementContext& context
   } else if (auto* once = context.once()) {
     statement.node = Once(*once);
   } else if (auto* reward = context.reward()) {
-    statement.node = Reward(*reward);
+    statement.node = RewardInBlock(*reward);
   } else if (auto* log = context.log()) {
     statement.node = Log(*log);
   } else if (auto* require = context.require()) {
@@ -159,14 +159,29 @@ OnceStatement StatementBuilder::Once(TaskParser::OnceContext& context) {
   return statement;
 }
 
-RewardStatement StatementBuilder::Reward(TaskParser::RewardContext& context) {
+RewardKind StatementBuilder::KindOf(TaskParser::RewardContext& context) {
+  if (context.kind == nullptr) return RewardKind::kPayment;
+  return LookUp(BuildName(*context.kind), kRewardKindNames, code::kUnknownWord, "a kind of reward",
+                report_);
+}
+
+RewardStatement StatementBuilder::RewardInBlock(TaskParser::RewardContext& context) {
+  const RewardKind kind = KindOf(context);
+  RewardStatement statement = Reward(context, kind);
+  if (kind != RewardKind::kPotential) return statement;
+  Diagnostic diagnostic =
+      MakeDiagnostic(code::kMisplacedPotential, {SpanOf(context).begin, statement.name.span.end},
+                     "a potential is declared outside of events");
+  diagnostic.note = "it pays each action by itself, so no event pays it";
+  diagnostic.help = "move it out of the braces";
+  report_.AddMended(std::move(diagnostic));
+  return statement;
+}
+
+RewardStatement StatementBuilder::Reward(TaskParser::RewardContext& context, RewardKind kind) {
   RewardStatement statement;
   statement.doc = DocOf(context);
-  if (context.rate != nullptr) {
-    constexpr std::array<Word<bool>, 1> kRate = {{{"rate", true}}};
-    statement.is_rate = context.rate->getText() == kRate.front().text;
-    LookUp(BuildName(*context.rate), kRate, code::kUnknownWord, "a kind of reward", report_);
-  }
+  statement.is_rate = kind == RewardKind::kRate;
   statement.name = BuildName(*context.name());
   statement.value = expressions_.Build(*context.expression());
   return statement;

@@ -24,7 +24,9 @@ class StatementBuilder {
   // Of statements in which the parser has found an error there is what stands in their blocks.
   Block Build(grammar::TaskParser::BlockContext& context);
   LetStatement Let(grammar::TaskParser::LetContext& context);
-  RewardStatement Reward(grammar::TaskParser::RewardContext& context);
+  // The kind is one of all; Reward() does not ask whether it may stand here.
+  RewardKind KindOf(grammar::TaskParser::RewardContext& context);
+  RewardStatement Reward(grammar::TaskParser::RewardContext& context, RewardKind kind);
   EndStatement End(grammar::TaskParser::EndContext& context);
   Target BuildTarget(grammar::TaskParser::TargetContext& context);
 
@@ -32,6 +34,7 @@ class StatementBuilder {
   void AddLost(grammar::TaskParser::StatementContext& context, Block& block);
   Statement BuildStatement(grammar::TaskParser::StatementContext& context);
   AssignStatement Assignment(grammar::TaskParser::AssignmentContext& context);
+  RewardStatement RewardInBlock(grammar::TaskParser::RewardContext& context);
   IfStatement Branches(grammar::TaskParser::BranchesContext& context);
   ForStatement Loop(grammar::TaskParser::LoopContext& context);
   OnceStatement Once(grammar::TaskParser::OnceContext& context);

@@ -67,10 +67,11 @@ Diagnostic BadEndOfStatement(const Failure& failure) {
 // `log speed base.velocity`: `speed` is no reduction, so it is the name.
 bool IsNameInsteadOfKind(const Failure& failure) {
   if (failure.before_last == failure.begin) return false;
-  std::vector<std::string> kinds = {"rate"};
+  std::vector<std::string> kinds;
   if (failure.rule == TaskParser::RuleLog) {
-    kinds.clear();
     for (const auto& word : kReductionNames) kinds.emplace_back(word.text);
+  } else {
+    for (const auto& word : kRewardKindNames) kinds.emplace_back(word.text);
   }
   return !text::NearestName(failure.before_last->getText(), kinds);
 }
@@ -196,6 +197,13 @@ Description MissingEquals(const Failure& failure) {
 }
 
 Description BadReward(const Failure& failure) {
+  // `reward += 1` outside of all blocks
+  const bool is_added = failure.last_type() == TaskParser::REWARD && IsAssignment(failure.type());
+  if (is_added && failure.rule != TaskParser::RuleStatement) {
+    return WithHelp(MakeDiagnostic(code::kUnknownDeclaration, SpanOf(*failure.last),
+                                   "`reward` is allowed only inside an event"),
+                    "events are declared with `on EVENT { ... }`");
+  }
   if (failure.rule != TaskParser::RuleStatement || failure.last_type() != TaskParser::REWARD) {
     return std::nullopt;
   }

@@ -31,6 +31,7 @@ std::function<void()> BlockParserOf(antlr4::Parser& parser, const antlr4::Token&
   }
   switch (head) {
     case TaskParser::ON:
+    case TaskParser::START:
       return [&generated] { generated.block(); };
     case TaskParser::FN:
       return [&generated] { generated.body(); };

@@ -178,6 +178,9 @@ struct RewardStatement {  // `reward fall = -4`, `reward rate forward = ...`
   Expression value;
 };
 
+// `reward fall = -4`, `reward rate forward = ...`, `reward potential near = ...`
+enum class RewardKind { kPayment, kRate, kPotential };
+
 enum class EndKind { kSuccess, kFailure, kTruncated };
 struct EndStatement {  // `end_episode failure "why"`, `truncate_episode "why"`
   EndKind kind;
@@ -279,6 +282,13 @@ struct MetricDeclaration {  // `metric distance = base.position.x`, `metric max 
   Expression value;
 };
 
+// `reward potential near = -norm(base.position.xy)`: pays each action by how much it has grown.
+struct PotentialDeclaration {
+  std::string doc;
+  Identifier name;
+  Expression value;
+};
+
 struct ConstDeclaration {  // `const reach: real [m] = 5 cm`
   std::string doc;
   Identifier name;
@@ -331,8 +341,9 @@ struct PhaseDeclaration {  // `phase lift within 3 s else reach { ... }`
   Block body;
 };
 
-struct StartDeclaration {  // `start standing`
-  Identifier pose;
+struct StartDeclaration {  // `start standing`, `start standing or lying { ... }`
+  std::vector<Identifier> poses;
+  std::optional<Block> block{};
 };
 
 // What the task does from the end that it reaches to the end of the episode.
@@ -384,8 +395,9 @@ struct GoalOverride {  // `override goal velocity = uniform(0 m/s, 2 m/s)`; type
   GoalDraw draw;
 };
 struct RewardOverride {  // `override reward rate roll = ...`: in place of every statement of the
-                         // term
+                         // term, or of its potential
   RewardStatement reward;
+  bool is_potential = false;
 };
 
 // ---- Tests --------------------------------------------------------------------------------------
@@ -425,10 +437,10 @@ struct TestDeclaration {  // `test "a fall is paid once" { ... }`
 struct Declaration {
   Span span;
   std::variant<SensorDeclaration, ParamDeclaration, MemoryDeclaration, GoalDeclaration,
-               MetricDeclaration, ConstDeclaration, SetDeclaration, TableDeclaration,
-               EventDeclaration, PhaseDeclaration, StartDeclaration, AfterEndDeclaration,
-               ImportDeclaration, FunctionDeclaration, ParamOverride, ConstOverride, TableOverride,
-               GoalOverride, RewardOverride, TestDeclaration>
+               MetricDeclaration, PotentialDeclaration, ConstDeclaration, SetDeclaration,
+               TableDeclaration, EventDeclaration, PhaseDeclaration, StartDeclaration,
+               AfterEndDeclaration, ImportDeclaration, FunctionDeclaration, ParamOverride,
+               ConstOverride, TableOverride, GoalOverride, RewardOverride, TestDeclaration>
       node;
   std::optional<Span> override_span{};  // of the word `override`, where it stands before it
 };

@@ -95,7 +95,9 @@ bool StartsOperand(TokenType type) {
 
 bool IsDeclarationKeyword(TokenType type) {
   static const antlr4::misc::IntervalSet first = FirstOf(TaskParser::RuleDeclaration);
-  return type == TaskParser::TASK || type == TaskParser::ALLOW || first.contains(type);
+  // A `reward` mostly begins a statement.
+  return type == TaskParser::TASK || type == TaskParser::ALLOW ||
+         (first.contains(type) && type != TaskParser::REWARD);
 }
 
 bool IsStatementKeyword(TokenType type) {

@@ -44,7 +44,7 @@ class TreeBuilder {
       } else if (auto* declaration = dynamic_cast<TaskParser::DeclarationContext*>(child)) {
         allowances_.Attach(SpanOf(*declaration));
         if (first_ == nullptr) first_ = declaration;
-        if (IsLost(*declaration, report_)) {
+        if (IsLost(*declaration, report_) || IsPaidOutside(*declaration)) {
           AddLost(*declaration);
         } else {
           AddDeclaration(*declaration);
@@ -129,9 +129,25 @@ class TreeBuilder {
 
   // ---- Declarations ----------------------------------------------------------------------------
 
+  // A reward that is no potential, outside of all events: reported.
+  bool IsPaidOutside(TaskParser::DeclarationContext& context) {
+    auto* reward = context.reward();
+    if (reward == nullptr || statements_.KindOf(*reward) == RewardKind::kPotential) return false;
+    Diagnostic diagnostic =
+        MakeDiagnostic(code::kUnknownDeclaration, SpanOf(*reward->getStart()),
+                       "`reward` is allowed only inside an event, except for a potential");
+    diagnostic.help = "events are declared with `on EVENT { ... }`";
+    report_.AddUnlessFaulty(std::move(diagnostic));
+    return true;
+  }
+
   // Of a declaration with an error in it there is what stands in its blocks, and in no known event.
   void AddLost(TaskParser::DeclarationContext& context) {
     NoteLost(context, tree_.lost);
+    const TokenType head = context.getStart()->getType();
+    const bool is_start =
+        head == TaskParser::START || (context.change() != nullptr && context.change()->start());
+    if (is_start) return;  // what its block may set, no event may
     for (TaskParser::BlockContext* block : BlocksIn(context))
       tree_.declarations.push_back({SpanOf(*block), UnknownEvent({}, statements_.Build(*block))});
   }
@@ -164,6 +180,7 @@ class TreeBuilder {
     if (auto* memory = context.memory()) return Memory(*memory);
     if (auto* goal = context.goal()) return Goal(*goal);
     if (auto* metric = context.metric()) return Metric(*metric);
+    if (auto* reward = context.reward()) return Potential(*reward);
     if (auto* constant = context.constant()) return Const(*constant);
     if (auto* set = context.namedSet()) return Set(*set);
     if (auto* table = context.table()) return Table(*table);
@@ -187,15 +204,19 @@ class TreeBuilder {
     if (auto* event = context.event()) return Event(*event);
     if (auto* phase = context.phase()) return Phase(*phase);
     if (auto* function = context.function()) return Function(*function);
-    RewardStatement reward = statements_.Reward(*context.reward());
+    const RewardKind kind = statements_.KindOf(*context.reward());
+    RewardStatement reward = statements_.Reward(*context.reward(), kind);
     reward.doc = doc_;
-    return RewardOverride{std::move(reward)};
+    return RewardOverride{std::move(reward), kind == RewardKind::kPotential};
   }
 
   StartDeclaration Start(TaskParser::StartContext& context) {
-    const Identifier pose = BuildName(*context.name());
-    CheckGivenOnce("the start pose", SpanOf(context), pose.span, start_);
-    return {pose};
+    StartDeclaration start;
+    for (TaskParser::NameContext* pose : context.name()) start.poses.push_back(BuildName(*pose));
+    const Span poses = Cover(start.poses.front().span, start.poses.back().span);
+    CheckGivenOnce("the start pose", {SpanOf(context).begin, poses.end}, poses, start_);
+    if (context.block() != nullptr) start.block = statements_.Build(*context.block());
+    return start;
   }
 
   AfterEndDeclaration AfterAnEnd(TaskParser::AfterEndContext& context) {
@@ -295,6 +316,10 @@ class TreeBuilder {
                                 "a reduction of a metric", report_);
     }
     return metric;
+  }
+
+  PotentialDeclaration Potential(TaskParser::RewardContext& context) {
+    return {doc_, BuildName(*context.name()), expressions_.Build(*context.expression())};
   }
 
   ConstDeclaration Const(TaskParser::ConstantContext& context) {

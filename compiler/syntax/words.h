@@ -35,6 +35,12 @@ inline constexpr std::array<Word<Reduction>, 5> kReductionNames = {{
     {"mean", Reduction::kMean},
 }};
 
+// `reward rate forward`
+inline constexpr std::array<Word<RewardKind>, 2> kRewardKindNames = {{
+    {"rate", RewardKind::kRate},
+    {"potential", RewardKind::kPotential},
+}};
+
 // `per action`
 inline constexpr std::array<Word<MemoryScope>, 3> kScopeNames = {{
     {"run", MemoryScope::kPerRun},

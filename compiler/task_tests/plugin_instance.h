@@ -22,6 +22,13 @@ class PluginInstance {
   void SetMemory(size_t memory, const Value& value);
   Value Memory(size_t memory) const;
 
+  void SetSeed(uint64_t seed) { host_.SetSeed(seed); }
+  int DrawPose() { return host_.DrawPose(); }
+  void DrawStart() { host_.DrawStart(); }
+  void SetDiscount(double discount) { host_.SetDiscount(discount); }
+  // TASKC_SUCCESS ...
+  void SetOutcome(int outcome) { host_.SetOutcome(outcome); }
+
   // An event that the task does not have does nothing.
   void Fire(int event, double time_step) { host_.Call(event, time_step); }
   void Measure() { host_.Measure(); }

@@ -65,7 +65,35 @@ void SideBySide::SetMemory(uint32_t memory, const Value& value) {
   evaluator_.frame().memory[memory] = value;
 }
 
+void SideBySide::SetSeed(uint64_t seed) {
+  plugin_.SetSeed(seed);
+  evaluator_.frame().seed = seed;
+}
+
+void SideBySide::DrawStart() {
+  evaluator_.DrawPose();
+  CompareIndices("pose", plugin_.DrawPose(), evaluator_.frame().pose);
+  plugin_.DrawStart();
+  evaluator_.DrawStart();
+  for (size_t i = 0; i < task_.memory.size(); ++i) CompareMemory(i);
+}
+
+void SideBySide::SetDiscount(double discount) {
+  plugin_.SetDiscount(discount);
+  evaluator_.frame().discount = discount;
+}
+
+// As a trainer understands it: a requirement that does not hold comes before an end.
+void SideBySide::NoteEnd() {
+  const Frame& frame = evaluator_.frame();
+  if (outcome_ || (frame.end < 0 && frame.violation < 0)) return;
+  outcome_ =
+      frame.violation >= 0 ? EndKind::kTruncated : task_.ends[static_cast<size_t>(frame.end)].kind;
+}
+
 void SideBySide::Fire(EventKind event, double time_step) {
+  evaluator_.frame().outcome = outcome_.value_or(EndKind::kTruncated);
+  plugin_.SetOutcome(static_cast<int>(evaluator_.frame().outcome));
   plugin_.Fire(static_cast<int>(event), time_step);
   plugin_.Measure();
   evaluator_.Fire(event, time_step);
@@ -75,6 +103,7 @@ void SideBySide::Fire(EventKind event, double time_step) {
   } catch (const Disagreement& found) {
     throw Disagreement(fmt::format("after `{}`, {}", NameOf(event, kEventNames), found.what()));
   }
+  NoteEnd();
   if (event == EventKind::kEndOfTimeStep) reducer_.EndTimeStep(evaluator_.frame().metrics);
 }
 
@@ -100,15 +129,17 @@ void SideBySide::Compare() const {
     CompareNumbers(fmt::format("term `{}`", task_.terms[i].name), plugin.terms[i],
                    evaluator.terms[i]);
   }
-  for (size_t i = 0; i < task_.memory.size(); ++i) {
-    CompareValues(fmt::format("memory `{}`", task_.memory[i].name), plugin_.Memory(i),
-                  evaluator.memory[i]);
-  }
+  for (size_t i = 0; i < task_.memory.size(); ++i) CompareMemory(i);
   for (size_t i = 0; i < task_.metrics.size(); ++i) {
     CompareNumbers(fmt::format("metric `{}`", task_.metrics[i].name), plugin.metrics[i],
                    evaluator.metrics[i]);
   }
   CompareLogs();
+}
+
+void SideBySide::CompareMemory(size_t memory) const {
+  CompareValues(fmt::format("memory `{}`", task_.memory[memory].name), plugin_.Memory(memory),
+                evaluator_.frame().memory[memory]);
 }
 
 void SideBySide::CompareLogs() const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <exception>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -30,6 +31,12 @@ class SideBySide {
   void SetParam(uint32_t param, double value);
   void SetMemory(uint32_t memory, const Value& value);
 
+  void SetSeed(uint64_t seed);
+  void SetDiscount(double discount);
+
+  // Draws how an episode starts; then the two agree as after an event. Throws Disagreement.
+  void DrawStart();
+
   // Runs an event and computes the metrics. Then all that can be seen of the two has the same bits;
   // only that numbers which are none (NaN) count as equal whatever theirs are, since no task can
   // tell them apart. Throws Disagreement.
@@ -42,13 +49,16 @@ class SideBySide {
   const Evaluator& evaluator() const { return evaluator_; }
 
  private:
+  void NoteEnd();
   void Compare() const;
+  void CompareMemory(size_t memory) const;
   void CompareLogs() const;
 
   const CheckedTask& task_;
   PluginInstance plugin_;
   host::MetricReducer reducer_;
   Evaluator evaluator_;
+  std::optional<EndKind> outcome_;  // of the first end or requirement that was met
 };
 
 }  // namespace compiler

@@ -45,6 +45,9 @@ class TestRun {
       }
       case CheckedGiven::kTimeStep:
         time_step_ = RealOf(value);
+        return;
+      case CheckedGiven::kDiscount:
+        both_.SetDiscount(RealOf(value));
     }
   }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "compiler/check/traversal.h"
 #include "compiler/check/unit.h"
 #include "compiler/weights/scaling.h"
 
@@ -23,6 +24,7 @@ class ParamSearch {
       has_changed_memory_ = false;
       SearchOnce();
     } while (has_changed_memory_);
+    SearchStart();
     ParamUse use{.changes_course = changes_course_};
     if (std::ranges::find(terms_, Scaling::kOther) != terms_.end()) return use;
     for (uint32_t i = 0; i < terms_.size(); ++i)
@@ -31,6 +33,16 @@ class ParamSearch {
   }
 
  private:
+  // Of where the robot begins, all follows.
+  void SearchStart() {
+    reads_.locals.assign(task_.start.block.locals.size(), {});
+    ForEachStatement(task_.start.block.body, [&](const CheckedStatement& statement) {
+      ForEachExpression(statement, [&](const CheckedExpression& value) {
+        changes_course_ |= !IsIndependent(Of(value));
+      });
+    });
+  }
+
   void SearchOnce() {
     terms_.assign(task_.terms.size(), Scaling::kZero);
     for (const CheckedEvent& event : task_.events) {
@@ -109,6 +121,14 @@ class ParamSearch {
     const bool is_independent = IsIndependent(Of(advance.value)) &&
                                 (!advance.duration || IsIndependent(Of(*advance.duration)));
     if (is_decided || !is_independent) Change(task_.time_functions[advance.function].value);
+  }
+
+  // The memory in it is of the same potential, so all that it pays is proportional like the value.
+  void Search(const CheckedPotentialStep& step, bool) {
+    const uint32_t term = task_.potentials[step.potential].term;
+    const Scaling paid = Of(step.value);
+    terms_[term] = Sum(terms_[term], paid);
+    if (!IsIndependent(paid)) reads_.reward_so_far = Scaling::kOther;
   }
 
   // Nothing reads a log.

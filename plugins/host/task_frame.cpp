@@ -18,6 +18,8 @@ TaskFrame::TaskFrame(const taskc_plugin& plugin)
   frame_.sensors = sensors_.data();
   frame_.params = params_.data();
   frame_.memory = memory_.data();
+  frame_.discount = 1;
+  frame_.outcome = TASKC_TRUNCATED;
   frame_.terms = terms_.data();
   frame_.metrics = metrics_.data();
   frame_.logs = logs_.data();

@@ -106,6 +106,20 @@ class TaskFrame {
     return memory_.data()[goal.held_offset] != std::byte{0};
   }
   taskc_int64 DrawCount(const taskc_goal& goal) const;
+  // Draws in which of the table's poses the episode starts; the first where there is nothing to
+  // draw.
+  taskc_int32 DrawPose() {
+    if (plugin_.draw_pose == nullptr) return 0;
+    plugin_.draw_pose(Next(0));
+    return frame_.pose;
+  }
+  // What the caller fills before DrawStart() with what the pose has, and finds changed then.
+  std::span<double> Elements(const taskc_start_value& value) {
+    return {reinterpret_cast<double*>(memory_.data() + value.offset), value.rows};
+  }
+  void DrawStart() {
+    if (plugin_.draw_start != nullptr) plugin_.draw_start(Next(0));
+  }
   // Decides what is drawn; another one for each episode. At first 0.
   void SetSeed(taskc_uint64 seed) { frame_.seed = seed; }
 
@@ -113,6 +127,10 @@ class TaskFrame {
   taskc_int64 PresentPhase() const;
   void SetPhase(taskc_int64 phase);
   void SetPhaseTime(double time);
+  // The learner's, for one action; at first 1. May change at any time.
+  void SetDiscount(double discount) { frame_.discount = discount; }
+  // How the episode has ended (TASKC_SUCCESS ...), before `end_of_episode`; at first a limit.
+  void SetOutcome(taskc_int32 outcome) { frame_.outcome = outcome; }
 
   // What was paid for each reward term and what was logged, since Clear(); what Measure() gave.
   std::span<double> terms() { return terms_; }

@@ -46,6 +46,7 @@ const samples = [
   ['param weight: real [1/s] = 4 / s in 0 .. 2', 'real', 'support.type.task'],
   ['  reward rate forward = 0.25 / 5 ms * dot(a, b)', 'reward', 'keyword.control.reward.task'],
   ['  reward rate forward = 0.25 / 5 ms * dot(a, b)', 'rate', 'storage.modifier.rate.task'],
+  ['reward potential near = -norm(place)', 'potential', 'storage.modifier.rate.task'],
   ['  reward rate forward = 0.25 / 5 ms * dot(a, b)', 'ms', 'keyword.other.unit.task'],
   ['  reward rate forward = 0.25 / 5 ms * dot(a, b)', 'dot', 'support.function.builtin.task'],
   ['  sum += reward', 'reward', 'variable.language.task'],

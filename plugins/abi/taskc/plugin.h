@@ -14,6 +14,12 @@
 // nothing to do. The functions themselves reset memory: `start_of_episode` all but that of the run,
 // `start_of_action` that of the action, to initial values that may be params; the host never does.
 //
+// Before `start_of_episode`, a host that makes the first state draws it as the task says: it sets
+// `taskc_frame.seed`, calls `draw_pose` (null: the first pose counts), puts the values of that pose
+// into the memory block where `start_values` say, calls `draw_start`, and takes the values from
+// there. The two functions take nothing from the memory of an episode that runs, and what they draw
+// depends on the seed, the params and the memory of the run alone.
+//
 // Pointers: where a count is 0, the pointer that belongs to it is null in a `taskc_plugin` and may
 // be null in a `taskc_frame`; likewise `memory` where `memory_size` is 0.
 //
@@ -123,6 +129,28 @@ typedef struct taskc_goal {
   taskc_uint32 draw_offset;  // of an int: how often the goal was drawn in this episode
 } taskc_goal;
 
+// A pose of the robot in which an episode may begin, each as likely.
+typedef struct taskc_pose {
+  const char* name;
+} taskc_pose;
+
+// Something of the first state that `draw_start` changes, as doubles in the memory block:
+//   "joint.angle", "joint.velocity"           one for each joint [rad], [rad/s]
+//   "base.position"                           x, y, z [m]; z is a height above what touches the
+//                                             ground: the host lifts or lowers the robot so that it
+//                                             touches the ground as in the pose, and then lifts it
+//                                             by what z has grown
+//   "base.roll", "base.pitch", "base.yaw"     the robot is turned by these about the world's x,
+//   then
+//                                             y, then z axis [rad]; before, 0
+//   "base.velocity", "base.angular_velocity"  x, y, z in the world [m/s], [rad/s]
+// What the task does not list stays as in the pose, at rest.
+typedef struct taskc_start_value {
+  const char* name;
+  taskc_uint32 rows;
+  taskc_uint32 offset;  // bytes from the start of the memory block
+} taskc_start_value;
+
 // One of the texts that a task is made of.
 typedef struct taskc_source {
   const char* file;  // as it was named when the task was built
@@ -142,7 +170,11 @@ typedef struct taskc_phase {
   taskc_place place;
 } taskc_phase;
 
-// A named part of the reward.
+// A named part of the reward. The terms that the task calls potentials (A. Ng and others, "Policy
+// invariance under reward transformations", 1999) pay discount * phi(s') - phi(s) for each action,
+// at `end_of_action`, or at `end_of_episode` where that comes first; phi is 0 at a terminal end. So
+// what they pay for an episode that ends in a terminal way, each action discounted, is -phi of its
+// first state.
 typedef struct taskc_reward_term {
   const char* name;
   const char* doc;
@@ -202,9 +234,14 @@ typedef struct taskc_frame {
   const void* const* sensors;  // one pointer for each entry of `taskc_plugin.sensors`
   const double* params;        // one value for each entry of `taskc_plugin.params`
   void* memory;                // `memory_size` bytes, aligned to 16
-  taskc_uint64 seed;           // of the goals: another one in each episode
+  taskc_uint64 seed;           // of goals and start: another one in each episode
+  taskc_int32 pose;            // out, of `draw_pose`: index into `taskc_plugin.poses`
   double time_step;            // length of the step that ends or starts [s]; 0 for other events;
                                //      for `measure`, that of the last time step
+  double discount;             // of the learner, for one action: 0 to 1; 1 where nobody learns.
+                               //      Read by `end_of_action` and `end_of_episode`
+  taskc_int32 outcome;         // for `end_of_episode`: how the episode has ended for the learner,
+                               //      TASKC_SUCCESS, TASKC_FAILURE or TASKC_TRUNCATED
   double* terms;               // one sum for each reward term: the plugin adds, the host zeroes
   double* metrics;             // one value for each metric: written by `measure`, which leaves
                                //      the fields marked `out` alone
@@ -225,11 +262,12 @@ typedef struct taskc_plugin {
   const char* name;
   const char* doc;
   const char* robot;        // "" where the task declares its own sensors
-  const char* start_pose;   // "" where the task names none
   const char* source_hash;  // SHA-256 of the text, in hexadecimal; of several texts: the SHA-256 of
                             // their hashes, concatenated
 
   const taskc_source* sources;  // the task's own text first, then those that it refers to
+  const taskc_pose* poses;
+  const taskc_start_value* start_values;
   const taskc_sensor* sensors;
   const taskc_param* params;
   const taskc_memory* memory;
@@ -241,6 +279,8 @@ typedef struct taskc_plugin {
   const taskc_end* ends;
   const taskc_requirement* requirements;
   taskc_uint32 source_count;  // at least 1
+  taskc_uint32 pose_count;    // 0 where the task names none: the robot's first
+  taskc_uint32 start_value_count;
   taskc_uint32 sensor_count;
   taskc_uint32 param_count;
   taskc_uint32 memory_count;
@@ -257,6 +297,8 @@ typedef struct taskc_plugin {
   taskc_uint32 phase_time_offset;  // of a real: how long it has been the present one [s]
 
   taskc_event_function initialize;  // gives all memory its initial value, draws the goals
+  taskc_event_function draw_pose;   // null where there is nothing to draw
+  taskc_event_function draw_start;  // null where the pose stays as it is
   taskc_event_function events[TASKC_EVENT_COUNT];  // null where there is nothing to do or reset
   taskc_event_function measure;                    // null where the task has no metric
 } taskc_plugin;

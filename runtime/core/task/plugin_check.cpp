@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <set>
@@ -29,11 +30,12 @@ class TableCheck {
 
   void Run() const {
     CheckVersion();
-    for (const char* text : {table_.compiler, table_.name, table_.doc, table_.robot,
-                             table_.start_pose, table_.source_hash}) {
+    for (const char* text :
+         {table_.compiler, table_.name, table_.doc, table_.robot, table_.source_hash}) {
       Require(text != nullptr, "one of its strings is null");
     }
     CheckSources();
+    CheckStart();
     CheckSensors();
     CheckParams();
     CheckMemory();
@@ -102,6 +104,27 @@ class TableCheck {
     Require(!sources.empty(), "it has no source");
     for (const taskc_source& source : sources) {
       Require(source.file != nullptr && source.text != nullptr, "a source has no name or text");
+    }
+  }
+
+  void CheckStart() const {
+    const auto poses = Entries(table_.poses, table_.pose_count, "poses");
+    for (const taskc_pose& pose : poses) {
+      Require(pose.name != nullptr && *pose.name != '\0', "a pose has no name");
+    }
+    Require(poses.size() < 2 || table_.draw_pose != nullptr, "nothing draws its poses");
+    const auto values = Entries(table_.start_values, table_.start_value_count, "start values");
+    CheckNames(values, "start value");
+    for (const taskc_start_value& value : values) {
+      constexpr std::string_view kNames[] = {
+          "joint.angle", "joint.velocity", "base.position", "base.roll",
+          "base.pitch",  "base.yaw",       "base.velocity", "base.angular_velocity"};
+      Require(std::ranges::find(kNames, value.name) != std::end(kNames),
+              fmt::format("no start has a `{}`", value.name));
+      CheckShape(value.name, TASKC_REAL, value.rows, 1);
+      const uint64_t end = value.offset + uint64_t{value.rows} * sizeof(double);
+      Require(end <= table_.memory_size && value.offset % alignof(double) == 0,
+              fmt::format("the start value `{}` is not in its memory", value.name));
     }
   }
 

@@ -63,6 +63,27 @@ void CheckSensor(const Plugin& plugin, const taskc_sensor& wanted,
   }
 }
 
+void CheckPose(const Plugin& plugin, const char* pose, const robot::RobotDescription& robot) {
+  if (robot.FindPose(pose) != nullptr) return;
+  std::vector<std::string> names;
+  for (const robot::Pose& each : robot.poses) names.push_back(each.name);
+  Refuse(plugin,
+         fmt::format("the task starts in the pose `{}`, which the robot `{}` does not have{}", pose,
+                     robot.name, Suggestion(pose, names)));
+}
+
+void CheckStartValue(const Plugin& plugin, const taskc_start_value& value,
+                     const robot::RobotDescription& robot) {
+  const std::string_view name = value.name;
+  const bool is_angle = name == "base.roll" || name == "base.pitch" || name == "base.yaw";
+  const size_t count = name.starts_with("joint.") ? robot.joints.size() : is_angle ? 1 : 3;
+  if (value.rows == count) return;
+  Refuse(plugin,
+         fmt::format("the task was built for another `{}`: its start has {} elements of `{}`, this "
+                     "robot's has {}; build it again with `taskc build`",
+                     robot.name, value.rows, name, count));
+}
+
 }  // namespace
 
 void CheckFitsRobot(const Plugin& plugin, const robot::RobotDescription& robot) {
@@ -72,6 +93,10 @@ void CheckFitsRobot(const Plugin& plugin, const robot::RobotDescription& robot) 
     Refuse(plugin,
            fmt::format("the task `{}` is for the robot `{}`, and this run has the robot `{}`",
                        table.name, wanted_robot, robot.name));
+  }
+  for (uint32_t i = 0; i < table.pose_count; ++i) CheckPose(plugin, table.poses[i].name, robot);
+  for (uint32_t i = 0; i < table.start_value_count; ++i) {
+    CheckStartValue(plugin, table.start_values[i], robot);
   }
   for (uint32_t i = 0; i < table.sensor_count; ++i) CheckSensor(plugin, table.sensors[i], robot);
 }

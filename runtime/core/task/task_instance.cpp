@@ -26,6 +26,19 @@ EndKind KindOf(const taskc_end& end) {
   }
 }
 
+taskc_int32 OutcomeOf(EndKind kind) {
+  switch (kind) {
+    case EndKind::kSuccess:
+      return TASKC_SUCCESS;
+    case EndKind::kFailure:
+      return TASKC_FAILURE;
+    case EndKind::kTruncated:
+    case EndKind::kDiverged:
+      break;
+  }
+  return TASKC_TRUNCATED;
+}
+
 bool IsIndex(taskc_int32 index, uint32_t count) {
   return index >= 0 && static_cast<uint32_t>(index) < count;
 }
@@ -123,6 +136,15 @@ void TaskInstance::StartEpisode(uint64_t run_seed, int64_t episode) {
   phases_.StartEpisode();
   time_ = 0;
   time_step_ = 0;
+}
+
+void TaskInstance::SetOutcome(EndKind kind) { host_.SetOutcome(OutcomeOf(kind)); }
+
+std::optional<robot::StartState> TaskInstance::DrawStart(const robot::RobotDescription& robot,
+                                                         uint64_t run_seed, int64_t episode) {
+  const InsideOfTask watched(id_);
+  goals_.StartEpisode(run_seed, episode);
+  return runtime::DrawStart(host_, robot);
 }
 
 void TaskInstance::Enter(taskc_event_function function) {

@@ -20,6 +20,7 @@
 #include "runtime/core/task/task_goals.h"
 #include "runtime/core/task/task_memory.h"
 #include "runtime/core/task/task_phases.h"
+#include "runtime/core/task/task_start.h"
 
 namespace runtime {
 
@@ -58,6 +59,13 @@ class TaskInstance {
 
   // `episode`: its number in the run; with the run's seed it decides what goals are drawn.
   void StartEpisode(uint64_t run_seed, int64_t episode);
+  // How the episode begins that is the next to start; see task_start.h.
+  std::optional<robot::StartState> DrawStart(const robot::RobotDescription& robot,
+                                             uint64_t run_seed, int64_t episode);
+  // The learner's, for one action; at first 1.
+  void SetDiscount(double discount) { host_.SetDiscount(discount); }
+  // How the episode has ended for the learner; before the event at its end.
+  void SetOutcome(EndKind kind);
   // Calls the function of an event, if the task has one.
   std::optional<Outcome> Call(int event, double time_step);
   // To be called at the end of each time step, before all else.

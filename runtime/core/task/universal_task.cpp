@@ -181,6 +181,7 @@ void UniversalTask::StartEpisode() {
 }
 
 void UniversalTask::EndAction() {
+  instance_->SetDiscount(*discount_);
   Handle(TASKC_END_OF_ACTION, 0);
   if (role_ == Role::kShadowEndsWithAction) EndOwnEpisode();
 }
@@ -197,10 +198,12 @@ void UniversalTask::EndTimeStep(double time_step) {
   Emit(outcome);
 }
 
-// A task is not told why the episode is over: the learner or the environment may have ended it.
+// The learner or the environment may have ended it, and for another reason than the task has.
 void UniversalTask::EndEpisode(EpisodeEnd end) {
   if (episode_is_over_ || is_asleep_) return;
   episode_is_over_ = true;
+  instance_->SetDiscount(*discount_);
+  instance_->SetOutcome(end.kind);
   if (!end_was_reached_) NoteEnd(end);
   const std::optional<Outcome> outcome = Call(TASKC_END_OF_EPISODE, 0);
   Sense(TASKC_MEASURE);
@@ -215,7 +218,7 @@ void UniversalTask::NoteEnd(const EpisodeEnd& end) {
 
 void UniversalTask::EndOwnEpisode() {
   if (!end_was_reached_ || is_asleep_) return;
-  EndEpisode({});
+  EndEpisode({end_.kind, end_.reason.c_str()});
   is_asleep_ = true;
 }
 

@@ -97,12 +97,21 @@ class UniversalTask : public Module {
 
   // The number in the run of the episode that starts next; else it is one more than the last.
   void SetNextEpisode(int64_t number) { episode_ = number - 1; }
+  // How the episode that starts next begins, as the task draws it; nothing where it says nothing.
+  // Right before that episode. Throws as runtime::DrawStart().
+  std::optional<robot::StartState> DrawStart() {
+    return instance_->DrawStart(robot_, seed_, episode_ + 1);
+  }
   // Its number among the task's goals. Throws UserError where there is no goal of this name.
   size_t FindGoal(std::string_view goal) const;
   // From now on the goal has this value, in SI units, and the task does not draw it. Throws
   // UserError where it has another number of elements.
   void HoldGoal(size_t goal, std::span<const double> value);
   void ReleaseGoal(size_t goal) { instance_->ReleaseGoal(goal); }
+
+  // What potentials are discounted by: the learner's, which may change between two time steps and
+  // lives as long as this module. At first 1.
+  void FollowDiscount(const double& discount) { discount_ = &discount; }
 
   // A shadow is evaluated like the task that the learner is paid by, but nobody ends an episode for
   // it: after its own first end it ends the episode for itself, `at_once` or with the action, and
@@ -134,6 +143,8 @@ class UniversalTask : public Module {
   std::span<const double> logs() const { return instance_->logs(); }
 
  private:
+  static constexpr double kNoDiscount = 1;
+
   struct SensorRead {
     const SensorIn* port;
     const void** data;  // the sensor's entry in the frame
@@ -168,6 +179,7 @@ class UniversalTask : public Module {
 
   const robot::RobotDescription& robot_;
   uint64_t seed_;
+  const double* discount_ = &kNoDiscount;
   int64_t episode_ = 0;  // the number of the current one
   std::unique_ptr<TaskInstance> instance_;
   std::unique_ptr<TaskInstance> previous_;

@@ -33,11 +33,6 @@ const ModuleSetting& EnvironmentOf(const Agent& agent, const std::string& origin
                               RobotEnvironment::kType));
 }
 
-bool Sets(const ModuleSetting& module, const std::string& parameter) {
-  return std::ranges::find(module.parameters, parameter, &ParameterSetting::name) !=
-         module.parameters.end();
-}
-
 // `agent` with a parameter of its environment. `origin`: where it comes from, as messages name it.
 Agent WithEnvironment(const Agent& agent, const std::string& parameter, const std::string& value,
                       const std::string& origin) {
@@ -92,10 +87,6 @@ Agent AgentLayers::Merge() const {
   task_agent.replace_extension(".agent.toml");
   if (std::filesystem::exists(task_agent)) agent = Changed(std::move(agent), ReadAgent(task_agent));
   if (!file.empty()) agent = Changed(std::move(agent), ReadAgent(file));
-  const std::string origin = "start pose of the task";
-  if (!start_pose.empty() && !Sets(EnvironmentOf(agent, origin), "start_pose")) {
-    agent = WithEnvironment(agent, "start_pose", start_pose, origin);
-  }
   if (!profile.empty()) {
     agent = WithEnvironment(agent, "profile", profile, "--profile " + profile);
   }

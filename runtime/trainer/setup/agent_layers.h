@@ -14,12 +14,10 @@ namespace runtime {
 // written as in TOML; quotes around a text may be left out. Throws CallError.
 Agent ParseSetting(const std::string& setting);
 
-// In this order, later ones win: start pose of the task ("": none), robot's agent.toml, agent file
-// of the task (NAME.agent.toml beside NAME.task, if it is there), `file` ("": none), `profile` ("":
-// none), `settings`.
+// In this order, later ones win: robot's agent.toml, agent file of the task (NAME.agent.toml beside
+// NAME.task, if it is there), `file` ("": none), `profile` ("": none), `settings`.
 struct AgentLayers {
   std::filesystem::path robot_file;
-  std::string start_pose;
   std::filesystem::path task_file;  // .task or .so
   std::filesystem::path file;
   std::string profile;

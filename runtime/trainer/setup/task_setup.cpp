@@ -55,10 +55,8 @@ std::string RobotName(const TaskOptions& options, const taskc_plugin& plugin) {
   return name;
 }
 
-AgentLayers LayersOf(const TaskOptions& options, const taskc_plugin& plugin,
-                     const std::filesystem::path& robot_file) {
-  return {robot_file,    plugin.start_pose, options.task,
-          options.agent, options.profile,   options.settings};
+AgentLayers LayersOf(const TaskOptions& options, const std::filesystem::path& robot_file) {
+  return {robot_file, options.task, options.agent, options.profile, options.settings};
 }
 
 std::shared_ptr<const Plugin> Load(const std::filesystem::path& file) {
@@ -109,12 +107,12 @@ TaskSetup::TaskSetup(const TaskOptions& wanted, const std::filesystem::path& fil
       robot_file(
           robot::FindRobotFile(RobotName(options, plugin->table()), robot::DefaultRobotFolders())),
       robot(robot::ReadRobot(robot_file)),
-      agent(LayersOf(options, plugin->table(), robot_file).Merge()),
+      agent(LayersOf(options, robot_file).Merge()),
       context{&robot, plugin, seed},
       types(WithComposites(program_types, agent)),
       graph(BuildGraph(agent, types, context)) {
   agent = Resolved(agent, graph);
-  settings = LayersOf(options, plugin->table(), robot_file).SettingsIn(agent);
+  settings = LayersOf(options, robot_file).SettingsIn(agent);
 }
 
 }  // namespace runtime

@@ -57,6 +57,10 @@ class Learner : public Module {
 
   // ---- what a run tells a learner, never from inside an event
 
+  // gamma: what the value of the state that an action leads to counts for that action, from 0 to 1.
+  // A member variable, which may change between two time steps; tasks read it when an action or an
+  // episode is over.
+  virtual const double& discount() const = 0;
   // Whether an episode ends in the middle of an action.
   virtual bool ends_at_once() const = 0;
   // The task has changed: no reward from now on is for an action that this episode has begun with.

@@ -29,6 +29,7 @@ class PengQLambda : public Learner {
   // learned fits the agent shows when the next episode starts.
   void Load(std::istream& in) override;
 
+  const double& discount() const override { return discount_; }
   bool ends_at_once() const override;
   void ForgetCredit() override { q_lambda_.ClearTraces(); }
   void Forget() override;

@@ -37,7 +37,7 @@ EpisodeRecord RunEpisode(int64_t number, const EpisodeModules& modules,
   int64_t steps = 0;
   modules.tasks.active->SetNextEpisode(number);
   for (UniversalTask* shadow : modules.tasks.shadows) shadow->SetNextEpisode(number);
-  modules.environment.StartEpisode();
+  modules.environment.StartEpisode(modules.tasks.active->DrawStart());
   after_step(steps);
   while (!modules.learner.episode_over()) {
     modules.environment.RunTimeStep();

@@ -22,6 +22,7 @@ TaskModules FindTaskModules(const ModuleGraph& graph, const Learner& learner) {
   for (UniversalTask* task : graph.FindAll<UniversalTask>()) {
     const bool pays = Pays(*task, learner);
     task->SetRole(pays ? Role::kActive : shadow);
+    task->FollowDiscount(learner.discount());
     if (pays && found.active == nullptr) {
       found.active = task;
     } else {

@@ -15,7 +15,8 @@ struct TaskModules {
   std::vector<UniversalTask*> shadows;
 };
 
-// Also tells each of them its role. Throws UserError where no task pays the learner.
+// Also tells each of them its role, and the learner's discount. Throws UserError where no task pays
+// the learner.
 TaskModules FindTaskModules(const ModuleGraph& graph, const Learner& learner);
 
 // What a task module says of the episode that has just ended for it.

@@ -2,6 +2,7 @@
 
 #include <numbers>
 
+#include "runtime/training/simulation/ground_height.h"
 #include "runtime/training/simulation/link_frames.h"
 
 namespace runtime {
@@ -46,6 +47,11 @@ void AlignCapsule(const robot::LinkShape& shape, dGeomID geom) {
   dGeomSetOffsetRotation(geom, rotation);
 }
 
+template <class Vector>
+Eigen::Vector3d ToEigen(const Vector& v) {
+  return {v[0], v[1], v[2]};
+}
+
 // Written so that a NaN is outside of every limit.
 bool Within(const dReal* vector, double limit) {
   const double square = vector[0] * vector[0] + vector[1] * vector[1] + vector[2] * vector[2];
@@ -54,11 +60,12 @@ bool Within(const dReal* vector, double limit) {
 
 }  // namespace
 
-RobotBody::RobotBody(const robot::RobotDescription& robot, const robot::Pose& pose,
+RobotBody::RobotBody(const robot::RobotDescription& robot, const robot::StartState& start,
                      dWorldID world) {
   for (const robot::Link& link : robot.links) AddLink(link, world);
   for (const robot::Joint& joint : robot.joints) AddHinge(joint, world);
-  MoveTo(robot, pose);
+  MoveTo(robot, OnGround(robot, start));
+  if (!start.IsAtRest()) SetVelocities(robot, start);
 }
 
 void RobotBody::AddLink(const robot::Link& link, dWorldID world) {
@@ -103,6 +110,39 @@ void RobotBody::MoveTo(const robot::RobotDescription& robot, const robot::Pose& 
     dBodySetPosition(body(i), p.x(), p.y(), p.z());
     dBodySetQuaternion(body(i), orientation);
   }
+}
+
+// From the base outwards: each joint turns what hangs on it by minus its rate about its axis.
+void RobotBody::SetVelocities(const robot::RobotDescription& robot,
+                              const robot::StartState& start) {
+  struct Motion {
+    Eigen::Vector3d linear;
+    Eigen::Vector3d angular;
+  };
+  std::vector<Motion> motions(robot.links.size());
+  motions[0] = {ToEigen(start.velocity), ToEigen(start.angular_velocity)};
+  for (size_t j = 0; j < robot.joints.size(); ++j) {
+    const robot::Joint& joint = robot.joints[j];
+    dVector3 anchor;
+    dVector3 axis;
+    dJointGetHingeAnchor(hinge(static_cast<int>(j)), anchor);
+    dJointGetHingeAxis(hinge(static_cast<int>(j)), axis);
+    const Motion& parent = motions[joint.parent];
+    Motion& child = motions[joint.child];
+    const Eigen::Vector3d at_anchor =
+        parent.linear + parent.angular.cross(ToEigen(anchor) - PositionOf(joint.parent));
+    child.angular = parent.angular - start.joint_velocities[j] * ToEigen(axis);
+    child.linear = at_anchor + child.angular.cross(PositionOf(joint.child) - ToEigen(anchor));
+  }
+  for (int i = 0; i < link_count(); ++i) {
+    const auto& [linear, angular] = motions[i];
+    dBodySetLinearVel(body(i), linear.x(), linear.y(), linear.z());
+    dBodySetAngularVel(body(i), angular.x(), angular.y(), angular.z());
+  }
+}
+
+Eigen::Vector3d RobotBody::PositionOf(int link) const {
+  return ToEigen(dBodyGetPosition(body(link)));
 }
 
 bool RobotBody::IsPlausible() const {

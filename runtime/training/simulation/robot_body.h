@@ -1,9 +1,11 @@
 // A robot's links and hinges in an ODE world.
 #pragma once
 
+#include <Eigen/Core>
 #include <vector>
 
 #include "plugins/robot/robot_description.h"
+#include "plugins/robot/start_state.h"
 #include "runtime/training/simulation/ode_library.h"
 
 namespace runtime {
@@ -14,7 +16,7 @@ namespace runtime {
 class RobotBody {
  public:
   // `world` outlives the body.
-  RobotBody(const robot::RobotDescription& robot, const robot::Pose& pose, dWorldID world);
+  RobotBody(const robot::RobotDescription& robot, const robot::StartState& start, dWorldID world);
 
   int link_count() const { return static_cast<int>(bodies_.size()); }
   int joint_count() const { return static_cast<int>(hinges_.size()); }
@@ -33,6 +35,8 @@ class RobotBody {
   void AddLink(const robot::Link& link, dWorldID world);
   void AddHinge(const robot::Joint& joint, dWorldID world);
   void MoveTo(const robot::RobotDescription& robot, const robot::Pose& pose);
+  Eigen::Vector3d PositionOf(int link) const;
+  void SetVelocities(const robot::RobotDescription& robot, const robot::StartState& start);
 
   std::vector<OdeBody> bodies_;
   std::vector<OdeGeom> geoms_;

@@ -30,7 +30,9 @@ RobotEnvironment::RobotEnvironment(std::string name, const Context& context)
                 .target = &profile_,
                 .choices = ProfileNames(),
                 .is_live = false});
-  AddParameter({"start_pose", "the pose that episodes start from; \"\" is the robot's first pose",
+  AddParameter({"start_pose",
+                "the pose that episodes start from; \"\" is what the task says, or else the "
+                "robot's first pose",
                 &start_pose_, PoseNames(robot_)});
   for (RobotSensor& sensor : sensors_.sensors()) {
     const robot::SensorDescription& description = sensor.description();
@@ -45,11 +47,16 @@ void RobotEnvironment::Start() {
   last_pose_.assign(7 * robot_.links.size(), 0.0f);
 }
 
-void RobotEnvironment::StartEpisode() {
-  const robot::Pose* pose =
-      start_pose_.empty() ? &robot_.poses.front() : robot_.FindPose(start_pose_);
-  assert(pose != nullptr);
-  world_ = std::make_unique<World>(robot_, FindProfile(profile_), *pose);
+void RobotEnvironment::StartEpisode(const std::optional<robot::StartState>& start) {
+  const Profile& profile = FindProfile(profile_);
+  if (start && start_pose_.empty()) {
+    world_ = std::make_unique<World>(robot_, profile, *start);
+  } else {
+    const robot::Pose* pose =
+        start_pose_.empty() ? &robot_.poses.front() : robot_.FindPose(start_pose_);
+    assert(pose != nullptr);
+    world_ = std::make_unique<World>(robot_, profile, *pose);
+  }
   running_ = true;
   time_steps_ = 0;
   time_ = 0;

@@ -3,6 +3,7 @@
 
 #include <deque>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -16,8 +17,8 @@
 
 namespace runtime {
 
-// Parameters: `profile` (runtime/training/simulation/profile.h) and `start_pose` ("": the robot's
-// first pose).
+// Parameters: `profile` (runtime/training/simulation/profile.h) and `start_pose` ("": as the task
+// says, or else the robot's first pose).
 //
 // Out ports: one for each of the robot's sensors, with its name.
 // What some of them tell is measured only while something is connected to them, from the next time
@@ -41,8 +42,8 @@ class RobotEnvironment : public Module {
 
   void Start() override;
 
-  // A fresh world with the robot in its start pose.
-  void StartEpisode();
+  // A fresh world with the robot in its start pose, or else in this state where there is one.
+  void StartEpisode(const std::optional<robot::StartState>& start = std::nullopt);
   // One time step; nothing if the episode has diverged, or none has been started.
   void RunTimeStep();
 

@@ -25,12 +25,13 @@ OdeWorld MakeWorld(dThreadingImplementationID threading, const SolverSettings& s
 
 }  // namespace
 
-World::World(const robot::RobotDescription& robot, const Profile& profile, const robot::Pose& pose)
+World::World(const robot::RobotDescription& robot, const Profile& profile,
+             const robot::StartState& start)
     : physics_steps_per_time_step_(profile.PhysicsStepsPerTimeStep(robot.controller.time_step)),
       settings_(Settings(profile, robot.controller.time_step / physics_steps_per_time_step_)),
       threading_(MakeThreading()),
       world_(MakeWorld(threading_.get(), settings_)),
-      body_(robot, pose, world_.get()),
+      body_(robot, start, world_.get()),
       collision_(robot, body_),
       controller_(robot, body_, physics_time_step()),
       soundness_(robot, body_, settings_.gravity, physics_time_step()),

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "plugins/robot/robot_description.h"
+#include "plugins/robot/start_state.h"
 #include "runtime/training/simulation/collision.h"
 #include "runtime/training/simulation/contact_filter.h"
 #include "runtime/training/simulation/joint_controller.h"
@@ -21,8 +22,11 @@ namespace runtime {
 // in ODE's caches and orders, so every episode gets a new one.
 class World {
  public:
-  // The robot rests in the pose. `robot` outlives the world.
-  World(const robot::RobotDescription& robot, const Profile& profile, const robot::Pose& pose);
+  // The robot rests in the pose, or is in this state. `robot` outlives the world.
+  World(const robot::RobotDescription& robot, const Profile& profile, const robot::Pose& pose)
+      : World(robot, profile, robot::RestIn(pose)) {}
+  World(const robot::RobotDescription& robot, const Profile& profile,
+        const robot::StartState& start);
 
   World(const World&) = delete;
   World& operator=(const World&) = delete;

@@ -45,9 +45,9 @@ TEST(WarningMessages, AreAsReviewed) {
   }
 }
 
-TEST(WarningMessages, ProvokeEveryWarningOfBoundsAndAllowances) {
+TEST(WarningMessages, ProvokeAllThatComesFromBoundsAndAllowances) {
   std::set<std::string, std::less<>> provoked;
-  for (const auto& file : golden::FilesIn(kFolder, "warn_", ".task")) {
+  for (const auto& file : golden::FilesIn(kFolder, "", ".task")) {
     const Analysis analysis = AnalyzeFile(file);
     for (const Diagnostic& diagnostic : analysis.diagnostics.list())
       provoked.insert(diagnostic.code);

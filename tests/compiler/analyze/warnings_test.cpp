@@ -109,6 +109,14 @@ TEST(BoundsWarnings, OfEarlyDeathAreNotGivenWhereSomethingIsToBeGained) {
               IsEmpty());
 }
 
+// What it takes for a way it gives for the way back: it neither makes dying pay nor living.
+TEST(BoundsWarnings, OfEarlyDeathTakeAPotentialForNothing) {
+  const std::string near = "reward potential near = -norm(base.position) / 1 m\n";
+  const std::string end = "if contact[head] { end_episode failure \"falls\" }\n";
+  EXPECT_THAT(WarningsIn(near, end), IsEmpty());
+  EXPECT_THAT(WarningsIn(near, "reward rate waiting = -1\n" + end), ElementsAre("W0715"));
+}
+
 TEST(BoundsWarnings, OfEarlyDeathTakeNoUnknownCostForALargeOne) {
   const auto falling = [](const std::string& payment) {
     return WarningsOf(

@@ -100,6 +100,15 @@ TEST(Bounds, OfTheTimeInAPhaseEndAtItsLimit) {
   ExpectEnds(bounds(""), 0, kInfinity);
 }
 
+TEST(Bounds, OfAPotentialCoverAnyDiscountAndEnd) {
+  const TaskBounds bounds = BoundsOf("reward potential near = 2 * x - 3", "");
+  ExpectEnds(bounds.terms[0].potential.value(), -5, -1);
+  EXPECT_FALSE(bounds.terms[0].rate || bounds.terms[0].payment);
+  ExpectEnds(PaymentOfPotential({-5, -1}), -4, 5);
+  ExpectEnds(PaymentOfPotential({1, 5}), -5, 4);
+  ExpectEnds(PaymentOfPotential({-1, 2}), -3, 3);
+}
+
 TEST(Bounds, OfATermCoverAllItsStatements) {
   const TaskBounds bounds =
       BoundsOf("", "if down { reward rate a = x } else { reward rate a = 3 }\nreward a = -2 + y");

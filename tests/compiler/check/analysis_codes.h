@@ -1,4 +1,4 @@
-// Which diagnostics are not the checker's, but come from allowances, bounds and phases.
+// Which diagnostics are not the checker's, but come from allowances, bounds, phases and starts.
 #pragma once
 
 #include <string_view>
@@ -9,7 +9,8 @@ namespace compiler {
 
 inline bool IsOfAnalysis(std::string_view code) {
   return (code >= code::kUselessAllow && code <= code::kCertainEnd) ||
-         (code >= code::kUnreachablePhase && code <= code::kPaidCircle);
+         (code >= code::kUnreachablePhase && code <= code::kPaidCircle) ||
+         code == code::kStartBeyondStop || code == code::kConstantPotential;
 }
 
 }  // namespace compiler

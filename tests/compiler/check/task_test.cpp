@@ -18,7 +18,7 @@ TEST(Task, HasTheHeaderOfItsSource) {
   EXPECT_EQ(task.name, "resting");
   EXPECT_EQ(task.doc, "Lies still.");
   EXPECT_EQ(task.robot, "humanoid");
-  EXPECT_EQ(task.start_pose, "lying");
+  EXPECT_THAT(task.start.poses, testing::ElementsAre("lying"));
 }
 
 TEST(Task, HasParamsInSiUnits) {

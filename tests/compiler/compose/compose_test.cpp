@@ -146,7 +146,7 @@ TEST(Extension, HasTheRobotOfTheBaseUnlessItNamesAnother) {
   const SyntaxTree tree = Merged(files);
   EXPECT_EQ(tree.robot->text, "hopper");
   ASSERT_EQ(tree.declarations.size(), 1u);
-  EXPECT_EQ(std::get<StartDeclaration>(tree.declarations[0].node).pose.text, "lying");
+  EXPECT_EQ(std::get<StartDeclaration>(tree.declarations[0].node).poses[0].text, "lying");
 }
 
 TEST(Extension, AppendsToTheBlocksOfTheBaseInScopesOfTheirOwn) {
@@ -219,6 +219,17 @@ TEST(Extension, OverridesEveryStatementOfATermInItsScope) {
   EXPECT_EQ(first.term, nested.term);
   EXPECT_EQ(task.terms.size(), 1u);
   EXPECT_EQ(task.terms[0].doc, "For speed.");
+}
+
+TEST(Extension, OverridesAPotential) {
+  const CheckedTask task = Checked(
+      {{"main.task", "task t extends \"base.task\"\noverride reward potential near = -2 * x\n"},
+       {"base.task", "task base\nsensor x: real\n/// Nearer.\nreward potential near = -x\n"}});
+  ASSERT_EQ(task.potentials.size(), 1u);
+  EXPECT_EQ(task.terms[0].doc, "Nearer.");
+  const CheckedEvent& event = task.events[static_cast<size_t>(EventKind::kEndOfAction)];
+  const auto& step = std::get<CheckedPotentialStep>(event.body[0].node);
+  EXPECT_TRUE(std::holds_alternative<CheckedBinary>(step.value.node));
 }
 
 TEST(Extension, OverridesTheBlockOfAnEvent) {

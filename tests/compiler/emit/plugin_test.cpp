@@ -183,7 +183,8 @@ TEST_F(Crawling, DescribesItself) {
   EXPECT_THAT(plugin.name, StrEq("crawling"));
   EXPECT_THAT(plugin.doc, StrEq("Move forward."));
   EXPECT_THAT(plugin.robot, StrEq("humanoid"));
-  EXPECT_THAT(plugin.start_pose, StrEq("standing"));
+  ASSERT_EQ(plugin.pose_count, 1u);
+  EXPECT_THAT(plugin.poses[0].name, StrEq("standing"));
   ASSERT_EQ(plugin.source_count, 1u);
   EXPECT_THAT(plugin.sources[0].text, StrEq(kCrawling));
   EXPECT_THAT(plugin.source_hash, StrEq(seal::Sha256(kCrawling)));

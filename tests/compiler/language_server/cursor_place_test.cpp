@@ -26,6 +26,12 @@ TEST(CursorPlace, KnowsDeclarations) {
   EXPECT_EQ(ExpectedIn("task t |"), Expected::kOperator);
   EXPECT_EQ(ExpectedIn("task t for |"), Expected::kRobot);
   EXPECT_EQ(ExpectedIn("task t\nstart s|"), Expected::kPose);
+  EXPECT_EQ(ExpectedIn("task t\nstart a or |"), Expected::kPose);
+  EXPECT_EQ(ExpectedIn("task t\nstart a or b {\n  |\n}\n"), Expected::kStartStatement);
+  EXPECT_EQ(ExpectedIn("task t\nstart a {\n  if b { |"), Expected::kStartStatement);
+  EXPECT_EQ(ExpectedIn("task t\nstart a {\n  base.yaw = |"), Expected::kGoalValue);
+  EXPECT_EQ(ExpectedIn("task t\nreward |"), Expected::kPotential);
+  EXPECT_EQ(ExpectedIn("task t\nreward potential a = |"), Expected::kValue);
   EXPECT_EQ(ExpectedIn("task t\nafter_end |"), Expected::kAfterEnd);
   EXPECT_EQ(ExpectedIn("task t\noverride after_end |"), Expected::kAfterEnd);
   EXPECT_EQ(ExpectedIn("task t\non |"), Expected::kEvent);
@@ -60,6 +66,7 @@ TEST(CursorPlace, KnowsStatements) {
   EXPECT_EQ(ExpectedInBlock("if a { |"), Expected::kStatement);
   EXPECT_EQ(ExpectedInBlock("if a { b = 1 }\n|"), Expected::kStatement);
   EXPECT_EQ(ExpectedInBlock("let |"), Expected::kAnyText);
+  EXPECT_EQ(ExpectedInBlock("reward |"), Expected::kTerm);
   EXPECT_EQ(ExpectedInBlock("let a = |"), Expected::kValue);
   EXPECT_EQ(ExpectedInBlock("let a = b +\n|"), Expected::kValue);
   EXPECT_EQ(ExpectedInBlock("let a = b |"), Expected::kOperator);

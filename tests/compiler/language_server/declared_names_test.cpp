@@ -40,6 +40,16 @@ TEST(DeclaredNames, AreFoundInABrokenText) {
               ElementsAre("t", "a: real", "b", "end_of_action", "c", "d", "e"));
 }
 
+TEST(DeclaredNames, OfAPotentialAreADeclaration) {
+  const std::string text =
+      "task t\non end_of_action {\n  a = 1\n}\n\nreward potential near = x\nmemory b: int = 0\n";
+  const auto names = FindDeclaredNames(TextTokens(text));
+  ASSERT_EQ(names.size(), 4u);
+  EXPECT_EQ(names[2].name, "near");
+  EXPECT_EQ(text.substr(names[2].whole.begin, names[2].whole.end - names[2].whole.begin),
+            "reward potential near = x");
+}
+
 // Where the name can be used, as text.
 std::string VisibilityOf(const std::string& name, const std::string& text) {
   const TextTokens tokens(text);

@@ -28,6 +28,7 @@ class TaskWriter {
     if (random_.OneIn(2)) NamePhases();
     past_ = readable_.size();
     DeclareTables();
+    DeclarePotentials();
     for (int i = 0; i < 4; ++i) DeclareFunction();
     DeclareMetrics();
     for (const auto& event : kEventNames) {
@@ -37,19 +38,42 @@ class TaskWriter {
     return text_;
   }
 
+  std::string WriteStart() {
+    text_ = "task random for humanoid\n";
+    for (const char* type : kTypes) DeclareInsteadOfSensor(type);
+    DeclareConsts();
+    DeclareParams();
+    DeclareMemory();
+    for (int i = 0; i < 2; ++i) DeclareGoal();
+    for (int i = 0; i < 2; ++i) DeclareFunction();
+    Line(fmt::format("start {} {{", random_.OneOf({"standing", "standing or lying",
+                                                   "lying or sitting or standing"})));
+    WriteStartBlock(4 + random_.Below(6), 2);
+    Line("}");
+    return text_;
+  }
+
  private:
   void Line(const std::string& line) { text_ += std::string(indent_ * 2, ' ') + line + "\n"; }
   bool IsStep() const { return event_ >= EventKind::kStartOfTimeStep; }
   std::string NewName(std::string_view kind) { return fmt::format("{}{}", kind, ++names_); }
 
+  static constexpr const char* kTypes[] = {
+      "bool",    "int",     "real",    "vec2",     "vec3",    "vec4",    "mat3",     "quat",
+      "bool[2]", "bool[3]", "bool[5]", "bool[40]", "int[2]",  "int[3]",  "int[5]",   "int[40]",
+      "real[2]", "real[3]", "real[5]", "real[40]", "vec2[3]", "vec3[2]", "vec3[18]", "quat[3]"};
+
+  // A task for a robot has no sensors of its own.
+  void DeclareInsteadOfSensor(const std::string& type_name) {
+    const std::string name = NewName("s");
+    const Type type = TypeOf(type_name);
+    Line(fmt::format("memory {}: {} = {} per run", name, type_name, ConstantOf(type, {})));
+    readable_.push_back({name, type, {}});
+  }
+
   // One of each type in plain numbers, so that everything can be made; then some with units.
   void DeclareSensors() {
-    for (const char* type : {"bool",    "int",      "real",    "vec2",    "vec3",     "vec4",
-                             "mat3",    "quat",     "bool[2]", "bool[3]", "bool[5]",  "bool[40]",
-                             "int[2]",  "int[3]",   "int[5]",  "int[40]", "real[2]",  "real[3]",
-                             "real[5]", "real[40]", "vec2[3]", "vec3[2]", "vec3[18]", "quat[3]"}) {
-      DeclareSensor(type, {});
-    }
+    for (const char* type : kTypes) DeclareSensor(type, {});
     for (int i = 0; i < 6; ++i) {
       DeclareSensor(
           random_.OneOf({"real", "real", "vec2", "vec3", "vec4", "mat3", "real[5]", "vec3[18]"}),
@@ -186,6 +210,14 @@ class TaskWriter {
     readable_.push_back({"phase_time", ScalarType(Scalar::kReal), {.second = 1}});
   }
 
+  void DeclarePotentials() {
+    for (const char* name : {"t4", "t5"}) {
+      if (random_.OneIn(3)) continue;
+      Line(fmt::format("reward potential {} = {}", name,
+                       expressions_.OfType(ScalarType(Scalar::kReal), expressions_.RandomUnit())));
+    }
+  }
+
   // A function reads nothing but its arguments and consts; it may call those before it.
   void DeclareFunction() {
     std::vector<Readable> inside;
@@ -245,6 +277,51 @@ class TaskWriter {
     is_in_phase_ = true;
     WriteTopBlock(fmt::format("phase {}{}", name, limit), EventKind::kEndOfTimeStep);
     is_in_phase_ = false;
+  }
+
+  void WriteStartBlock(uint32_t statements, int depth) {
+    ++indent_;
+    const size_t outside = readable_.size();
+    for (uint32_t i = 0; i < statements; ++i) WriteStartStatement(depth);
+    readable_.resize(outside);
+    --indent_;
+  }
+
+  void WriteStartStatement(int depth) {
+    switch (random_.Below(depth > 0 ? 6 : 4)) {
+      case 0:
+        return WriteLet();
+      case 4:
+        Line(fmt::format("if {} {{", Condition()));
+        WriteStartBlock(1 + random_.Below(2), depth - 1);
+        return Line("}");
+      case 5:
+        Line(fmt::format("for {} in 0..1 {{", NewName("i")));
+        WriteStartBlock(1 + random_.Below(2), depth - 1);
+        return Line("}");
+      default:
+        return WriteStartAssignment();
+    }
+  }
+
+  void WriteStartAssignment() {
+    struct Target {
+      const char* name;
+      Unit unit;
+    };
+    const Unit speed{.meter = 1, .second = -1};
+    const Unit turn{.second = -1, .radian = 1};
+    const Target target = random_.OneOf(
+        {Target{"joint.angle", {.radian = 1}}, Target{"joint.angle[3..7]", {.radian = 1}},
+         Target{"joint.velocity[legs]", turn}, Target{"base.position", {.meter = 1}},
+         Target{"base.position.z", {.meter = 1}}, Target{"base.yaw", {.radian = 1}},
+         Target{"base.velocity.xy", speed}, Target{"base.angular_velocity", turn}});
+    std::string value = expressions_.OfType(ScalarType(Scalar::kReal), target.unit);
+    const std::string other = expressions_.OfType(ScalarType(Scalar::kReal), target.unit);
+    if (random_.OneIn(2)) value = fmt::format("uniform({0}, {0} + abs({1}))", value, other);
+    if (random_.OneIn(4)) value = fmt::format("normal({}, abs({}))", value, other);
+    if (random_.OneIn(4)) value = fmt::format("choose({0}, {1}, {0})", value, other);
+    Line(fmt::format("{} {} {}", target.name, random_.OneOf({"=", "+=", "-="}), value));
   }
 
   void WriteEvent(std::string_view name, EventKind event) {
@@ -497,5 +574,6 @@ class TaskWriter {
 }  // namespace
 
 std::string RandomTask(uint32_t seed) { return TaskWriter(seed).Write(); }
+std::string RandomStart(uint32_t seed) { return TaskWriter(seed).WriteStart(); }
 
 }  // namespace compiler

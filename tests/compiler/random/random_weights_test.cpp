@@ -36,11 +36,11 @@ const std::vector<std::string> kWeighed = {
 
 // The task with a weight in everything that its named terms pay.
 std::string WithWeights(const std::string& text, RandomNumbers& random) {
-  static const std::regex kReward("( *reward (?:rate )?t([0-3]) = )(.*)");
+  static const std::regex kReward("( *reward (?:rate |potential )?t([0-5]) = )(.*)");
   std::istringstream lines(text);
   std::string weighed;
   std::getline(lines, weighed);
-  for (int i = 0; i < 4; ++i)
+  for (int i = 0; i < 6; ++i)
     weighed += fmt::format("\nparam weight{}: real = 0.75{}", i, i < 2 ? "" : " in 0 .. 10");
   weighed +=
       "\nfn weigh(weight: real, value: real) -> real { let cost = -weight return cost * value }\n";

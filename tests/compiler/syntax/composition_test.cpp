@@ -53,7 +53,7 @@ TEST(Overrides, EveryKind) {
     ASSERT_TRUE(declaration.override_span.has_value());
     EXPECT_EQ(declaration.override_span->end - declaration.override_span->begin, 8u);
   }
-  EXPECT_EQ(DeclarationOf<StartDeclaration>(tree, 0).pose.text, "lying");
+  EXPECT_EQ(DeclarationOf<StartDeclaration>(tree, 0).poses[0].text, "lying");
   EXPECT_EQ(DeclarationOf<ParamOverride>(tree, 1).name.text, "direction");
   EXPECT_EQ(ToText(DeclarationOf<ParamOverride>(tree, 1).initial), "(- 1)");
   EXPECT_FALSE(DeclarationOf<ParamOverride>(tree, 1).minimum.has_value());

@@ -23,7 +23,7 @@ TEST(Header, TaskRobotAndStart) {
   EXPECT_EQ(tree.task->span, (Span{5, 13}));
   EXPECT_EQ(tree.robot->text, "humanoid");
   ASSERT_EQ(tree.declarations.size(), 1u);
-  EXPECT_EQ(std::get<StartDeclaration>(tree.declarations[0].node).pose.text, "standing");
+  EXPECT_EQ(std::get<StartDeclaration>(tree.declarations[0].node).poses[0].text, "standing");
 }
 
 TEST(Header, RobotAndStartMayBeAbsent) {
@@ -53,6 +53,16 @@ TEST(Sensor, MayHaveARange) {
   EXPECT_EQ(ToText(*sensor.minimum), "(- 180[deg])");
   EXPECT_EQ(ToText(*sensor.maximum), "180[deg]");
   EXPECT_FALSE(ParseOne<SensorDeclaration>("sensor a: real").minimum.has_value());
+}
+
+TEST(Potential, HasANameAndAValue) {
+  const auto potential =
+      ParseOne<PotentialDeclaration>("/// Nearer.\nreward potential near = -norm(base.position)");
+  EXPECT_EQ(potential.name.text, "near");
+  EXPECT_EQ(potential.doc, "Nearer.");
+  // The word is a name where a name is needed.
+  EXPECT_EQ(ParseOne<PotentialDeclaration>("reward potential potential = 1").name.text,
+            "potential");
 }
 
 TEST(Goal, IsDrawnOncePerEpisodeOrInIntervals) {

@@ -31,9 +31,9 @@ std::vector<std::string> Examples(const std::string& page, std::string begin = "
 std::string MakeTask(const std::string& example) {
   const std::string header = "task example for humanoid\n";
   if (example.find("task ") == 0 || example.find("\ntask ") != std::string::npos) return example;
-  for (const char* word :
-       {"start ", "sensor ", "param ", "const ", "set ", "table ", "memory ", "goal ", "phase ",
-        "metric ", "on ", "override ", "fn ", "after_end ", "import ", "test ", "allow "}) {
+  for (const char* word : {"start ", "sensor ", "param ", "const ", "set ", "table ", "memory ",
+                           "goal ", "phase ", "metric ", "reward potential ", "on ", "override ",
+                           "fn ", "after_end ", "import ", "test ", "allow "}) {
     if (example.find(word) == 0 || example.find(std::string("\n") + word) != std::string::npos) {
       return header + example;
     }
@@ -60,7 +60,7 @@ TEST(DiagnosticsPage, ExamplesAreWrongAndRight) {
     const auto examples = Examples(page.substr(begin, page.find("\n##", begin + 1) - begin));
     if (examples.empty()) continue;  // the limits: too long to print
     ASSERT_EQ(examples.size(), 2u) << kind.code;
-    const bool is_syntax = kind.code.starts_with("E01");
+    const bool is_syntax = kind.code.starts_with("E01") || kind.code == code::kMisplacedPotential;
     const bool is_whole = kind.code == code::kMissingHeader || kind.code == code::kNotInLibrary;
     const std::string wrong = is_whole ? examples[0] : MakeTask(examples[0]);
     if (is_syntax) {

@@ -48,6 +48,15 @@ void ExpectUses(std::initializer_list<Case> cases) {
   }
 }
 
+// All that a potential pays follows its value, also the part that was remembered.
+TEST(Weights, ScalePotentials) {
+  ExpectUses({
+      {"", "p scales a", "reward potential a = -p * x"},
+      {"", "", "reward potential a = -p * x + y"},
+      {"reward b = p", "p scales b a", "reward potential a = p * abs(x)"},
+  });
+}
+
 TEST(Weights, StandOnceInAProduct) {
   ExpectUses({
       {"reward a = p", "p scales a"},

@@ -25,7 +25,7 @@ TEST_F(AgentShowTest, SaysWhereEverythingComesFrom) {
   EXPECT_THAT(result.output, ContainsRegex("temperature = 2.0 +# --set learner.temperature=2\n"));
   EXPECT_THAT(result.output, ContainsRegex("discount = 0.9 +# .*agent.toml:[0-9]+:1\n"));
   EXPECT_THAT(result.output, ContainsRegex("profile = \"fast\" +# --profile fast\n"));
-  EXPECT_THAT(result.output, ContainsRegex("start_pose = .* # start pose of the task\n"));
+  EXPECT_THAT(result.output, ContainsRegex("start_pose = \"\" +# default\n"));
   EXPECT_THAT(result.output, ContainsRegex("net_seed = [0-9]+ +# default\n"));
 }
 
@@ -43,10 +43,9 @@ TEST_F(AgentShowTest, AWholeAgentTakesThePlaceOfTheRobots) {
   const std::string shown = Show({"--agent", file, "--profile", "fast"}).output;
   EXPECT_THAT(shown, StartsWith("connections = [\n]\n\n[modules.world] "));
   EXPECT_THAT(shown, ContainsRegex("profile = \"fast\" +# --profile fast\n"));
-  EXPECT_THAT(shown, ContainsRegex("start_pose = \"standing\" +# start pose of the task\n"));
-  std::ofstream(file) << world << "start_pose = \"\"\n";
+  std::ofstream(file) << world << "start_pose = \"lying\"\n";
   EXPECT_THAT(Show({"--agent", file}).output,
-              ContainsRegex("start_pose = \"\" +# .*mine.toml:4:1\n"));
+              ContainsRegex("start_pose = \"lying\" +# .*mine.toml:4:1\n"));
 }
 
 TEST_F(AgentShowTest, MistakeInASettingNamesTheSetting) {

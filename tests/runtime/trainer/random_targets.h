@@ -37,6 +37,7 @@ class RandomTargets : public Learner {
     in.read(reinterpret_cast<char*>(&reach_), sizeof reach_);
   }
 
+  const double& discount() const override { return discount_; }
   bool ends_at_once() const override { return true; }
   void ForgetCredit() override {}
   void Forget() override { reach_ = kFirstReach; }
@@ -59,6 +60,7 @@ class RandomTargets : public Learner {
     reach_ = std::clamp(reach_ + (reward > 0 ? pace_ : -pace_), 0.1, 1.0);
   }
 
+  double discount_ = 1;
   double pace_ = 0.01;
   Random random_;
   double reach_ = kFirstReach;

@@ -115,8 +115,7 @@ TEST_F(TrainTest, TakesTheAgentsFilesInTheirOrder) {
        "--agent", (folder() / "more.toml").string(), "--quiet", "--out", RunFolder("run")});
   ASSERT_EQ(result.exit_status, 0) << result.errors;
   const std::string agent = RunDatabase::OpenToRead(RunFolder("run")).ReadRun().agent;
-  EXPECT_THAT(agent, AllOf(HasSubstr("temperature = 1.5"), HasSubstr("discount = 0.25"),
-                           HasSubstr("start_pose = \"standing\"")));
+  EXPECT_THAT(agent, AllOf(HasSubstr("temperature = 1.5"), HasSubstr("discount = 0.25")));
 }
 
 TEST_F(TrainTest, PrintsOneJsonObjectPerEpisode) {

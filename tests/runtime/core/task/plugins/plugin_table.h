@@ -11,7 +11,6 @@
                                       .name = "test",                                 \
                                       .doc = "",                                      \
                                       .robot = "walker",                              \
-                                      .start_pose = "",                               \
                                       .sources = sources,                             \
                                       .source_count = 1,                              \
                                       .source_hash = "",                              \
