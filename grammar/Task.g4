@@ -6,8 +6,8 @@
 //   - braces inside ( ) or [ ], in the set of a `for` and in a `set` become SET_BEGIN and SET_END:
 //     `{body, head}` is no block;
 //   - words that are keywords only where a statement or declaration begins (FN ... RETURN below)
-//     become NAME elsewhere, and so does WITHIN where it does not stand between two operands:
-//     nothing is lost as a name;
+//     become NAME elsewhere, and so do WITHIN where it does not stand between two operands and
+//     ANY_UNIT where it is not in the brackets of a type: nothing is lost as a name;
 //   - brackets are checked and, where they are wrong, repaired: one mistake gives one message.
 // The names of events, reductions, scopes and outcomes are ordinary words here, listed in
 // compiler/syntax/words.h: a misspelled one gets a message of its own, and none is lost as a name.
@@ -232,12 +232,13 @@ number : NUMBER literalUnit? ;
 
 literalUnit : (unitFactor | unitOperator unitFactor) (unitOperator unitFactor)* ;
 
-// In brackets the factors may also stand side by side: [N m].
+// In brackets the factors may also stand side by side: [N m]. The tree builder lets ANY_UNIT stand
+// only in functions.
 unit : (one=NUMBER unitOperator)? unitFactor (unitOperator? unitFactor)* ;
 
 unitOperator : '*' | '/' ;
 
-unitFactor : unitName ('^' minus='-'? power=NUMBER)? ;
+unitFactor : (unitName | ANY_UNIT) ('^' minus='-'? power=NUMBER)? ;
 
 // What they stand for: compiler/check/unit.cpp.
 unitName
@@ -299,6 +300,9 @@ RETURN : 'return' ;
 
 // A name, but between two operands.
 WITHIN : 'within' ;
+
+// A name, but in the brackets of a type: `real [unit]`.
+ANY_UNIT : 'unit' ;
 
 MIN : 'min' ;
 

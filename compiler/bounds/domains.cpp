@@ -108,8 +108,10 @@ class DomainSearch {
     if (++calls_ > kMostSearched) return;
     const CheckedFunction& function = task_.functions[call.function];
     Values inside;
-    for (const CheckedExpressionPtr& argument : call.arguments)
-      inside.arguments.push_back(ExpressionBounds(task_, values).AllOf(*argument));
+    for (const CheckedExpressionPtr& argument : call.arguments) {
+      const Box box = ExpressionBounds(task_, values).AllOf(*argument);
+      inside.arguments.push_back(call.is_each ? Box(Hull(box)) : box);
+    }
     inside.locals.resize(function.locals.size());
     std::vector<const CheckedExpression*> definitions(function.locals.size());
     for (const CheckedLet& let : function.lets) {

@@ -176,11 +176,26 @@ Box ExpressionBounds::Calculate(const TableRead& read) {
 }
 
 Box ExpressionBounds::Calculate(const FunctionCall& call, const Type& type) {
-  if (++calls_ > kMostCalls || depth_ >= kDeepestCall) return Box(Anything(type.scalar));
+  std::vector<Box> arguments;
+  for (const CheckedExpressionPtr& argument : call.arguments) arguments.push_back(AllOf(*argument));
+  if (!call.is_each) return Call(call, std::move(arguments), type.scalar);
+  // Of arguments that are known by one interval for all elements, so is the result.
+  size_t size = 1;
+  for (const Box& argument : arguments) size = std::max(size, argument.size());
+  std::vector<Interval> elements;
+  for (size_t i = 0; i < size; ++i) {
+    std::vector<Box> each;
+    for (const Box& argument : arguments) each.emplace_back(argument[i]);
+    elements.push_back(Call(call, std::move(each), type.scalar)[0]);
+  }
+  return Box(std::move(elements));
+}
+
+Box ExpressionBounds::Call(const FunctionCall& call, std::vector<Box> arguments, Scalar result) {
+  if (++calls_ > kMostCalls || depth_ >= kDeepestCall) return Box(Anything(result));
   const CheckedFunction& function = task_.functions[call.function];
   Values inside;
-  for (const CheckedExpressionPtr& argument : call.arguments)
-    inside.arguments.push_back(AllOf(*argument));
+  inside.arguments = std::move(arguments);
   inside.locals.resize(function.locals.size());
   ExpressionBounds body(task_, inside, calls_, depth_ + 1);
   for (const CheckedLet& let : function.lets) inside.locals[let.local] = body.AllOf(let.value);

@@ -30,6 +30,7 @@ class ExpressionBounds {
   Box Calculate(const Draw& draw, const Type& type);
   Box Calculate(const TableRead& read);
   Box Calculate(const FunctionCall& call, const Type& type);
+  Box Call(const FunctionCall& call, std::vector<Box> arguments, Scalar result);
 
   const CheckedTask& task_;
   const Values& values_;

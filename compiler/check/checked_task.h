@@ -23,6 +23,7 @@ struct Unit {
   int8_t kilogram = 0;
   int8_t second = 0;
   int8_t radian = 0;
+  int8_t any = 0;  // inside of a function: of `unit`, which each call says
 
   bool operator==(const Unit&) const = default;
 };
@@ -121,9 +122,12 @@ struct BuiltinCall {
   Builtin function;
   std::vector<CheckedExpressionPtr> arguments;
 };
+// Where the function takes single numbers and is given more, it computes each element of the result
+// by itself; an argument that is a scalar then applies to each.
 struct FunctionCall {
   uint32_t function = 0;                        // index into CheckedTask::functions
   std::vector<CheckedExpressionPtr> arguments;  // of the types that the function declares
+  bool is_each = false;
 };
 // What only a test's `expect` reads; see docs/language.md.
 struct TestRead {

@@ -28,7 +28,9 @@ CheckedWithin CopyOf(const CheckedWithin& node) {
   return {CopyOf(node.left), CopyOf(node.right), CopyOf(node.tolerance), node.is_equal};
 }
 BuiltinCall CopyOf(const BuiltinCall& node) { return {node.function, CopyOf(node.arguments)}; }
-FunctionCall CopyOf(const FunctionCall& node) { return {node.function, CopyOf(node.arguments)}; }
+FunctionCall CopyOf(const FunctionCall& node) {
+  return {node.function, CopyOf(node.arguments), node.is_each};
+}
 Draw CopyOf(const Draw& node) { return {node.distribution, node.site, CopyOf(node.arguments)}; }
 TableRead CopyOf(const TableRead& node) { return {node.table, node.repeats, CopyOf(node.operand)}; }
 IntToReal CopyOf(const IntToReal& node) { return {CopyOf(node.operand)}; }

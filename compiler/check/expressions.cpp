@@ -256,7 +256,8 @@ std::optional<ScaledUnit> CheckUnit(const std::optional<UnitExpression>& unit,
   if (!unit) return product;
   if (unit->is_lost) return std::nullopt;
   for (const UnitFactor& factor : unit->factors) {
-    const auto named = FindUnit(factor.name.text);
+    const auto named =
+        factor.name.text == kAnyUnit ? ScaledUnit{{.any = 1}} : FindUnit(factor.name.text);
     assert(named);  // the names of units are words of the grammar
     product = Multiply(*product, *named, factor.power);
     if (product) continue;

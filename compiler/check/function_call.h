@@ -10,7 +10,8 @@
 
 namespace compiler {
 
-// `arguments` are fitted to the parameters as assigned values are. Reports mistakes and then
+// `arguments` are fitted to the parameters as assigned values are. A function of single values is
+// applied to each element of vectors, matrices and arrays. Reports mistakes and then
 // returns nothing.
 std::optional<CheckedExpression> CheckFunctionCall(const FunctionSignature& function, Span span,
                                                    std::vector<Operand> arguments,

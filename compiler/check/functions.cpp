@@ -12,6 +12,7 @@
 #include "compiler/check/names.h"
 #include "compiler/check/report.h"
 #include "compiler/check/traversal.h"
+#include "compiler/check/unit.h"
 
 namespace compiler {
 namespace {
@@ -33,6 +34,22 @@ bool IsTestName(const Identifier& name, const TaskScope& scope) {
   return true;
 }
 
+// Of a function that leaves a unit open, some parameter must say by itself what it is.
+bool SaysItsUnit(const FunctionDeclaration& function, const FunctionSignature& signature,
+                 const TaskScope& scope) {
+  const auto has_unit = [](const Local& parameter) { return IsAnyUnit(parameter.unit); };
+  if (std::ranges::any_of(signature.parameters, has_unit)) return true;
+  std::optional<Span> open;
+  if (signature.unit.any != 0) open = function.unit->span;
+  for (size_t i = 0; i < signature.parameters.size(); ++i)
+    if (signature.parameters[i].unit.any != 0) open = function.parameters[i].unit->span;
+  if (!open) return true;
+  Report(scope.diagnostics, code::kUnsaidUnit, *open,
+         fmt::format("no parameter of `{}` says what `unit` is", function.name.text),
+         {.help = "a parameter must have it as it is: `x: real [unit]`"});
+  return false;
+}
+
 FunctionSignature SignatureOf(const FunctionDeclaration& function, const TaskScope& scope) {
   FunctionSignature signature{.name = function.name};
   for (const FunctionParameter& parameter : function.parameters) {
@@ -48,6 +65,7 @@ FunctionSignature SignatureOf(const FunctionDeclaration& function, const TaskSco
     signature.result = result->type;
     signature.unit = result->unit;
   }
+  signature.is_valid = signature.is_valid && SaysItsUnit(function, signature, scope);
   return signature;
 }
 
@@ -141,11 +159,11 @@ CheckedFunction CheckBody(const FunctionDeclaration& function, const FunctionSig
 
 // ---- Calls --------------------------------------------------------------------------------------
 
-// Calls `visit` for each call in a function, with its place.
+// Calls `visit` for each call in a function, with the expression that it is.
 template <typename FunctionType, typename Visit>
 void ForEachCall(FunctionType& function, const Visit& visit) {
   const auto visit_call = [&](auto& part) {
-    if (auto* call = std::get_if<FunctionCall>(&part.node)) visit(*call, part.span);
+    if (auto* call = std::get_if<FunctionCall>(&part.node)) visit(*call, part);
   };
   for (auto& let : function.lets) ForEachPart(let.value, visit_call);
   ForEachPart(function.value, visit_call);
@@ -181,12 +199,14 @@ class CallCheck {
     Function& function = functions_[index];
     if (function.state != Function::kUnseen) return;
     function.state = Function::kOpen;
-    ForEachCall(task_.functions[index], [&](const FunctionCall& call, Span span) {
-      way_.push_back({index, span});
-      Follow(call.function);
-      function.calls += 1 + functions_[call.function].calls;
-      way_.pop_back();
-    });
+    ForEachCall(task_.functions[index],
+                [&](const FunctionCall& call, const CheckedExpression& part) {
+                  way_.push_back({index, part.span});
+                  Follow(call.function);
+                  const uint64_t times = call.is_each ? part.type.size() : 1;
+                  function.calls += times * (1 + functions_[call.function].calls);
+                  way_.pop_back();
+                });
     function.state = Function::kDone;
     if (!is_too_large_ && function.calls > kMostCalls)
       ReportTooMany(index, fmt::format("a call of `{}` leads to more than {} other calls",
@@ -300,7 +320,7 @@ void KeepCalledFunctions(CheckedTask& task) {
   const auto keep = [&](const auto& self, uint32_t function) -> void {
     if (new_index[function] != kNotKept) return;
     CheckedFunction& called = task.functions[function];
-    ForEachCall(called, [&](FunctionCall& call, Span) {
+    ForEachCall(called, [&](FunctionCall& call, const CheckedExpression&) {
       self(self, call.function);
       call.function = new_index[call.function];
     });

@@ -218,6 +218,7 @@ void WarnOfUnusedConstants(const SyntaxTree& tree, const NamedConstants& constan
     const auto* constant = std::get_if<ConstDeclaration>(&declaration.node);
     const auto* set = std::get_if<SetDeclaration>(&declaration.node);
     const auto* table = std::get_if<TableDeclaration>(&declaration.node);
+    if (declaration.is_imported) continue;
     if (constant != nullptr && !constants.used.contains(constant->name.text))
       Report(diagnostics, code::kUnusedConst, constant->name.span,
              fmt::format("the const `{}` is never used", constant->name.text));

@@ -52,8 +52,9 @@ std::optional<Unit> Combine(const Unit& left, const Unit& right, int times) {
   const auto kilogram = Power(left.kilogram + times * right.kilogram);
   const auto second = Power(left.second + times * right.second);
   const auto radian = Power(left.radian + times * right.radian);
-  if (!meter || !kilogram || !second || !radian) return std::nullopt;
-  return Unit{*meter, *kilogram, *second, *radian};
+  const auto any = Power(left.any + times * right.any);
+  if (!meter || !kilogram || !second || !radian || !any) return std::nullopt;
+  return Unit{*meter, *kilogram, *second, *radian, *any};
 }
 
 struct Factor {
@@ -167,10 +168,17 @@ std::optional<ScaledUnit> Multiply(const ScaledUnit& left, const ScaledUnit& rig
 }
 
 std::optional<Unit> SquareRoot(const Unit& unit) {
-  for (const int power : {unit.meter, unit.kilogram, unit.second, unit.radian})
+  for (const int power : {unit.meter, unit.kilogram, unit.second, unit.radian, unit.any})
     if (power % 2 != 0) return std::nullopt;
   const auto half = [](int8_t power) { return static_cast<int8_t>(power / 2); };
-  return Unit{half(unit.meter), half(unit.kilogram), half(unit.second), half(unit.radian)};
+  return Unit{half(unit.meter), half(unit.kilogram), half(unit.second), half(unit.radian),
+              half(unit.any)};
+}
+
+std::optional<Unit> WithUnit(const Unit& open, const Unit& said) {
+  Unit rest = open;
+  rest.any = 0;
+  return Combine(rest, said, open.any);
 }
 
 std::optional<ScaledUnit> ParseUnit(std::string_view text) { return UnitReader(text).Read(); }
@@ -180,7 +188,8 @@ std::string ToString(const Unit& unit) {
   // Forces and torques are met far more often than their base units.
   const bool has_force = unit.kilogram == 1 && unit.second <= kNewton.second;
   const int newton = has_force ? 1 : 0;
-  return Write({{"kg", unit.kilogram - newton},
+  return Write({{kAnyUnit, unit.any},
+                {"kg", unit.kilogram - newton},
                 {"N", newton},
                 {"m", unit.meter - newton * kNewton.meter},
                 {"rad", unit.radian},

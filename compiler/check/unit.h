@@ -21,6 +21,8 @@ struct ScaledUnit {
 };
 
 inline bool IsPlain(const Unit& unit) { return unit == Unit{}; }
+// A function's `unit`, as it is.
+inline bool IsAnyUnit(const Unit& unit) { return unit == Unit{.any = 1}; }
 inline bool IsAngle(const Unit& unit) { return unit == Unit{.radian = 1}; }
 
 // The unit called `name`: "m", "deg". Nothing for another name.
@@ -36,6 +38,9 @@ std::optional<ScaledUnit> Multiply(const ScaledUnit& left, const ScaledUnit& rig
 
 // Nothing where a power is odd.
 std::optional<Unit> SquareRoot(const Unit& unit);
+
+// What `open` is where its `unit` is `said`. Nothing where a power leaves the range.
+std::optional<Unit> WithUnit(const Unit& open, const Unit& said);
 
 // Reads the text that ToString writes, and every other product such as "N m" or "m/s^2". Nothing
 // where the text is not a unit.

@@ -133,7 +133,7 @@ void WarnOfUnusedFunctions(const CheckedTask& task, const SyntaxTree& tree,
                            Diagnostics& diagnostics) {
   for (const Declaration& declaration : tree.declarations) {
     const auto* function = std::get_if<FunctionDeclaration>(&declaration.node);
-    if (function == nullptr) continue;
+    if (function == nullptr || declaration.is_imported) continue;
     const auto called =
         std::ranges::find(task.functions, function->name.text, &CheckedFunction::name);
     if (called != task.functions.end()) {

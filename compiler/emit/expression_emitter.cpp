@@ -140,6 +140,7 @@ void ExpressionEmitter::PrepareCall(const CheckedExpression& expression, const B
 }
 
 void ExpressionEmitter::PrepareCall(const CheckedExpression& expression, const FunctionCall& call) {
+  if (call.is_each) return PrepareElementwise(expression);
   for (const CheckedExpressionPtr& argument : call.arguments) {
     Prepare(*argument, Use::kOnce);
     // A function takes an array where it lies.
@@ -211,7 +212,7 @@ void ExpressionEmitter::NameValue(const CheckedExpression& expression) {
 // A result that is an array is written where the caller wants it.
 void ExpressionEmitter::NameResult(const CheckedExpression& expression, const FunctionCall& call) {
   std::string name = names_.Add("part");
-  std::vector<CppText> arguments = Arguments(call);
+  std::vector<CppText> arguments = Arguments(call, {});
   arguments.push_back({name});
   parts_.push_back(Declarator(name, expression.type) + ";");
   parts_.push_back(CallText(values_.functions[call.function], arguments).text + ";");
@@ -296,7 +297,7 @@ CppText ExpressionEmitter::Element(const CheckedExpression& expression, const In
           [&](const CheckedUnary& node) { return ElementOf(node, index); },
           [&](const CheckedBinary& node) { return ElementOf(node, index); },
           [&](const BuiltinCall& node) { return ElementOf(node, expression, index); },
-          [&](const FunctionCall& node) { return Call(node); },
+          [&](const FunctionCall& node) { return Call(node, index); },
           [&](const Draw& node) { return ElementOf(node, expression, index); },
           [&](const TableRead& node) { return ElementOf(node, expression, index); },
           [&](const IntToReal& node) { return AsReal(*node.operand, index); },
@@ -424,15 +425,15 @@ CppText ExpressionEmitter::Chosen(const Draw& node, const CheckedExpression& exp
   return {"(" + text + ")"};
 }
 
-CppText ExpressionEmitter::Call(const FunctionCall& call) {
-  return CallText(values_.functions[call.function], Arguments(call));
+CppText ExpressionEmitter::Call(const FunctionCall& call, const Index& index) {
+  return CallText(values_.functions[call.function], Arguments(call, index));
 }
 
-std::vector<CppText> ExpressionEmitter::Arguments(const FunctionCall& call) {
+std::vector<CppText> ExpressionEmitter::Arguments(const FunctionCall& call, const Index& index) {
   std::vector<CppText> arguments;
   for (const CheckedExpressionPtr& argument : call.arguments) {
-    arguments.push_back(IsScalarValue(*argument) ? Element(*argument, {})
-                                                 : CppText{ArrayOf(*argument)});
+    const bool is_number = call.is_each || IsScalarValue(*argument);
+    arguments.push_back(is_number ? Element(*argument, index) : CppText{ArrayOf(*argument)});
   }
   return arguments;
 }

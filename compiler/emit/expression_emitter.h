@@ -89,8 +89,8 @@ class ExpressionEmitter {
   CppText ElementOf(const Draw& node, const CheckedExpression& expression, const Index& index);
   CppText Chosen(const Draw& node, const CheckedExpression& expression, const Index& index,
                  const std::string& element);
-  CppText Call(const FunctionCall& call);
-  std::vector<CppText> Arguments(const FunctionCall& call);
+  CppText Call(const FunctionCall& call, const Index& index);
+  std::vector<CppText> Arguments(const FunctionCall& call, const Index& index);
   // The C++ array that holds the whole value; empty where there is none.
   std::string ArrayOf(const CheckedExpression& expression) const;
   std::vector<CppText> ArgumentElements(const BuiltinCall& call, const Index& index);

@@ -75,9 +75,22 @@ Value ExpressionEvaluator::Of(const BuiltinCall& node, const Type& type) const {
   return Apply(node.function, EvaluateAll(node.arguments), type);
 }
 
-Value ExpressionEvaluator::Of(const FunctionCall& node, const Type&) const {
+Value ExpressionEvaluator::Of(const FunctionCall& node, const Type& type) const {
   const CheckedFunction& function = task_.functions[node.function];
   const std::vector<Value> arguments = EvaluateAll(node.arguments);
+  if (!node.is_each) return Call(function, arguments);
+  Value result = Filled(type.scalar, type.size(), 0);
+  for (uint32_t i = 0; i < type.size(); ++i) {
+    std::vector<Value> elements;
+    for (const Value& argument : arguments)
+      elements.push_back(SizeOf(argument) == 1 ? argument : Pick(argument, {i}));
+    Assign(AssignOperator::kSet, {i}, Call(function, elements), result);
+  }
+  return result;
+}
+
+Value ExpressionEvaluator::Call(const CheckedFunction& function,
+                                const std::vector<Value>& arguments) const {
   std::vector<Value> locals(function.locals.size());
   const ExpressionEvaluator inside(task_, frame_, locals, arguments, {});
   for (const CheckedLet& let : function.lets) locals[let.local] = inside.Evaluate(let.value);

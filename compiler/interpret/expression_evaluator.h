@@ -35,6 +35,7 @@ class ExpressionEvaluator {
   Value Of(const CheckedWithin& node, const Type& type) const;
   Value Of(const BuiltinCall& node, const Type& type) const;
   Value Of(const FunctionCall& node, const Type& type) const;
+  Value Call(const CheckedFunction& function, const std::vector<Value>& arguments) const;
   Value Of(const Draw& node, const Type& type) const;
   Value Of(const TableRead& node, const Type& type) const;
   Value Of(const TestRead& node, const Type& type) const;

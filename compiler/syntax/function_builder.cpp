@@ -16,11 +16,11 @@ FunctionDeclaration FunctionBuilder::Build(TaskParser::FunctionContext& context)
   function.name = BuildName(*context.name());
   for (TaskParser::ParameterContext* parameter : context.parameter()) {
     TaskParser::TypeContext& type = *parameter->type();
-    function.parameters.push_back(
-        {BuildName(*parameter->name()), BuildType(type), BuildUnitOf(type, report_)});
+    function.parameters.push_back({BuildName(*parameter->name()), BuildType(type),
+                                   BuildUnitOf(type, UnitOwner::kFunction, report_)});
   }
   function.result = BuildType(*context.type());
-  function.unit = BuildUnitOf(*context.type(), report_);
+  function.unit = BuildUnitOf(*context.type(), UnitOwner::kFunction, report_);
   if (context.body() != nullptr) {
     BuildBody(*context.body(), function);
   } else {

@@ -69,6 +69,12 @@ bool IsNameBefore(TokenType word, TokenType next) {
   return FollowsOperand(next) && !(takes_expression && begins_expression);
 }
 
+bool IsPartOfUnit(TokenType type) {
+  return IsUnit(type) || type == TaskParser::ANY_UNIT || type == TaskParser::NUMBER ||
+         type == TaskParser::TIMES || type == TaskParser::DIVIDE || type == TaskParser::POWER ||
+         type == TaskParser::MINUS;
+}
+
 std::string Quoted(TokenType type) { return fmt::format("`{}`", Spelling(type)); }
 
 }  // namespace
@@ -155,6 +161,7 @@ void Layout::MendOperator(antlr4::CommonToken& token, const antlr4::Token* next)
 void Layout::ClassifyWord(antlr4::CommonToken& token, TokenType next) {
   const TokenType type = token.getType();
   if (type == TaskParser::WITHIN && !IsBetweenOperands(next)) token.setType(TaskParser::NAME);
+  if (type == TaskParser::ANY_UNIT && !IsInUnitOfType()) token.setType(TaskParser::NAME);
   if (!IsContextualKeyword(type)) return;
   if (!CanBeginStatement(token) || IsNameBefore(type, next)) token.setType(TaskParser::NAME);
 }
@@ -165,6 +172,25 @@ bool Layout::IsBetweenOperands(TokenType next) const {
                                  next == TaskParser::MINUS || next == TaskParser::WITHIN;
   const bool is_name = FollowsOperand(next) && !may_begin_operand;
   return !is_name && last_ != nullptr && EndsOperand(last_->getType());
+}
+
+// Behind `: real [` or `-> real[4] [`, and what a unit consists of.
+bool Layout::IsInUnitOfType() const {
+  const auto type_before = [this](size_t index) {
+    return index <= result_.tokens.size() ? result_.tokens[result_.tokens.size() - index]->getType()
+                                          : TokenType{0};
+  };
+  size_t at = 1;
+  while (IsPartOfUnit(type_before(at))) ++at;
+  if (type_before(at) != TaskParser::LEFT_BRACKET) return false;
+  // The index of an array, between its own brackets.
+  if (type_before(at + 1) == TaskParser::RIGHT_BRACKET &&
+      type_before(at + 3) == TaskParser::LEFT_BRACKET) {
+    at += 3;
+  }
+  const TokenType behind = type_before(at + 2);
+  return type_before(at + 1) == TaskParser::NAME &&
+         (behind == TaskParser::COLON || behind == TaskParser::ARROW);
 }
 
 bool Layout::CanBeginStatement(const antlr4::CommonToken& token) const {

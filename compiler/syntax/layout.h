@@ -45,6 +45,7 @@ class Layout {
   void ClassifyWord(antlr4::CommonToken& token, TokenType next);
   bool CanBeginStatement(const antlr4::CommonToken& token) const;
   bool IsBetweenOperands(TokenType next) const;
+  bool IsInUnitOfType() const;
   void AddSynthetic(TokenType type);
   void AddDocumentation(const antlr4::Token& token);
 

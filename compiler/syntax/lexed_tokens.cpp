@@ -15,6 +15,7 @@ using grammar::TaskLexer;
 LexedKind KindOf(TokenType type) {
   switch (type) {
     case TaskLexer::NAME:
+    case TaskLexer::ANY_UNIT:  // its place says what it is
       return LexedKind::kName;
     case TaskLexer::NUMBER:
     case TaskLexer::NUMBER_WITHOUT_ZERO:

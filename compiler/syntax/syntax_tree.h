@@ -6,6 +6,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -21,9 +22,12 @@ struct Identifier {
 
 // ---- Units -------------------------------------------------------------------------------------
 
+// Stands in a function's declaration for the unit of what it is given.
+inline constexpr std::string_view kAnyUnit = "unit";
+
 // `N m`, `m/s^2`, `1/s`: a product of named units with integer powers.
 struct UnitFactor {
-  Identifier name;  // "m", "ms", "deg", ...
+  Identifier name;  // "m", "ms", "deg", ...; in a function also kAnyUnit
   int power = 1;
 };
 struct UnitExpression {
@@ -443,6 +447,7 @@ struct Declaration {
                ConstOverride, TableOverride, GoalOverride, RewardOverride, TestDeclaration>
       node;
   std::optional<Span> override_span{};  // of the word `override`, where it stands before it
+  bool is_imported = false;             // of a library, which serves other tasks as well
 };
 
 // `allow W0706, W0712` before a declaration, a statement or the header: these warnings are not

@@ -395,7 +395,7 @@ class TreeBuilder {
   template <typename Declared>
   void SetType(TaskParser::TypeContext& context, Declared& declared) {
     declared.type = BuildType(context);
-    declared.unit = BuildUnitOf(context, report_);
+    declared.unit = BuildUnitOf(context, UnitOwner::kDeclaration, report_);
   }
 
   template <typename Declared>

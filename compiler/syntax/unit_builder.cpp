@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <string>
@@ -50,8 +51,10 @@ UnitExpression BuildFactors(antlr4::ParserRuleContext& context, SyntaxReport& re
     } else if (auto* factor = dynamic_cast<TaskParser::UnitFactorContext*>(child)) {
       const auto power = BuildPower(*factor, report);
       unit.is_lost = unit.is_lost || !power;
-      unit.factors.push_back(
-          {BuildName(*factor->unitName()), is_divisor ? -power.value_or(1) : power.value_or(1)});
+      const Identifier name = factor->unitName() != nullptr
+                                  ? BuildName(*factor->unitName())
+                                  : BuildName(*factor->ANY_UNIT()->getSymbol());
+      unit.factors.push_back({name, is_divisor ? -power.value_or(1) : power.value_or(1)});
       is_divisor = false;
     }
   }
@@ -109,9 +112,20 @@ TypeExpression BuildType(TaskParser::TypeContext& context) {
   return type;
 }
 
-std::optional<UnitExpression> BuildUnitOf(TaskParser::TypeContext& context, SyntaxReport& report) {
+std::optional<UnitExpression> BuildUnitOf(TaskParser::TypeContext& context, UnitOwner owner,
+                                          SyntaxReport& report) {
   if (context.unit() == nullptr) return std::nullopt;
-  return BuildUnit(*context.unit(), report);
+  UnitExpression unit = BuildUnit(*context.unit(), report);
+  const auto any = std::ranges::find(unit.factors, kAnyUnit,
+                                     [](const UnitFactor& factor) { return factor.name.text; });
+  if (owner == UnitOwner::kFunction || any == unit.factors.end()) return unit;
+  Diagnostic diagnostic =
+      MakeDiagnostic(code::kOpenUnit, any->name.span,
+                     "only the parameters and the result of a function leave their unit open");
+  diagnostic.help = "write the unit: `[m/s]`";
+  report.AddMended(std::move(diagnostic));
+  unit.is_lost = true;
+  return unit;
 }
 
 UnitExpression BuildUnit(TaskParser::UnitContext& context, SyntaxReport& report) {

@@ -20,9 +20,10 @@ std::string BuildText(antlr4::Token& token, SyntaxReport& report);
 std::string BuildNeededText(antlr4::Token& token, const char* need, SyntaxReport& report);
 
 TypeExpression BuildType(grammar::TaskParser::TypeContext& context);
-// The unit after a type.
+// The unit after a type, of a declaration or of a function's parameter or result.
+enum class UnitOwner { kDeclaration, kFunction };
 std::optional<UnitExpression> BuildUnitOf(grammar::TaskParser::TypeContext& context,
-                                          SyntaxReport& report);
+                                          UnitOwner owner, SyntaxReport& report);
 UnitExpression BuildUnit(grammar::TaskParser::UnitContext& context, SyntaxReport& report);
 // Nothing, after a message, where the number cannot be represented.
 std::optional<NumberLiteral> BuildNumber(grammar::TaskParser::NumberContext& context,

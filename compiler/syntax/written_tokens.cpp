@@ -65,7 +65,8 @@ TokenRole RoleOf(TerminalNode& node) {
     default:
       break;
   }
-  if (rule == TaskParser::RuleUnitName) return TokenRole::kUnit;
+  const bool is_any_unit = node.getSymbol()->getType() == TaskParser::ANY_UNIT;
+  if (rule == TaskParser::RuleUnitName || is_any_unit) return TokenRole::kUnit;
   return IsReserved(node.getSymbol()->getType()) || EndsOperand(node.getSymbol()->getType())
              ? TokenRole::kWord
              : TokenRole::kOperator;

@@ -46,6 +46,37 @@ TEST(Functions, HaveNamesOfTheirOwnInside) {
   EXPECT_EQ(task.functions[0].locals.at(0).name, "base");
 }
 
+TEST(Functions, TakeTheUnitThatEachCallSays) {
+  const std::string ratio = "fn ratio(x: real [unit], y: real [unit]) -> real = x / y";
+  EXPECT_EQ(TypeOf("ratio(2 m, 3 m)", ratio), "real");
+  EXPECT_EQ(TypeOf("ratio(0, 3 s)", ratio), "real");
+  EXPECT_EQ(CheckText("ratio(0, 3 s)", ratio).unit, Unit{});
+  const std::string speed =
+      "fn speed(way: vec3 [unit], t: real [s], squared: real [unit^2]) -> real [unit/s] =\n"
+      "    norm(way) / t + sqrt(squared) / t";
+  EXPECT_EQ(TypeOf("speed(base.position, 1 s, 4 m^2)", speed), "real [m/s]");
+  EXPECT_EQ(TypeOf("speed(base.angular_velocity, 1 s, 0)", speed), "real [rad/s^2]");
+  // One that leaves it open may call another one.
+  EXPECT_EQ(TypeOf("twice(1 N)",
+                   "fn twice(x: real [unit]) -> real [unit] = once(x) + once(x)\n"
+                   "fn once(x: real [unit]) -> real [unit] = x"),
+            "real [N]");
+}
+
+TEST(Functions, OfSingleValuesApplyToEachElement) {
+  const std::string shaped =
+      "fn shaped(x: real [unit], y: real [unit], up: bool) -> real [unit] =\n"
+      "    select(up, x, y)";
+  EXPECT_EQ(TypeOf("shaped(joint.angle, 0, true)", shaped), "real[joint] [rad]");
+  EXPECT_EQ(TypeOf("shaped(1 m, base.position, true)", shaped), "vec3 [m]");
+  EXPECT_EQ(TypeOf("shaped(link.position[feet].z, 1 m, contact[feet])", shaped), "real[2] [m]");
+  EXPECT_TRUE(
+      std::get<FunctionCall>(CheckText("shaped(1 m, base.position, true)", shaped).node).is_each);
+  const std::string high = "fn high(x: real [unit], n: int) -> bool = n > 2";
+  EXPECT_EQ(TypeOf("high(base.position, 1)", high), "bool[3]");
+  EXPECT_EQ(TypeOf("high(joint.angle, 1)", high), "bool[joint]");
+}
+
 TEST(Tests, KnowTheSensorsThatAreKept) {
   const CheckedTask task = CheckTask(
       TaskText(

@@ -96,17 +96,32 @@ bool RandomExpressions::CanMakeArguments(const Callable& function) {
 std::string RandomExpressions::Call(const Type& type, const Unit& unit, int depth) {
   std::vector<const Callable*> fitting;
   for (const Callable& callable : callable_) {
-    const bool gives_it = callable.type == type && callable.unit == unit;
+    const bool gives_it = callable.type == type && callable.unit == unit && !callable.is_open;
     if (gives_it && CanMakeArguments(callable)) fitting.push_back(&callable);
+    const bool is_real =
+        type.scalar == Scalar::kReal && (IsScalar(type) || IsRow(type)) && !HasVectors(type);
+    if (callable.is_open && is_real && !Read(type, {}).empty()) fitting.push_back(&callable);
   }
   if (fitting.empty()) return "";
   const Callable& function = *random_.OneOf(fitting);
+  if (function.is_open) return CallOfElements(function, type, unit, depth);
   std::string arguments;
   for (const Readable& argument : function.arguments) {
     arguments += arguments.empty() ? "" : ", ";
     arguments += Make(argument.type, argument.unit, depth - 2).text;
   }
   return fmt::format("{}({})", function.name, arguments);
+}
+
+// Rows where the result is one, and single values among them.
+std::string RandomExpressions::CallOfElements(const Callable& function, const Type& type,
+                                              const Unit& unit, int depth) {
+  const auto number = [&](const Unit& of) {
+    const bool is_single = random_.OneIn(3);
+    return Make(is_single ? ScalarType(Scalar::kReal) : type, of, depth - 2).text;
+  };
+  return fmt::format("{}({}, {}, {}, {})", function.name, Variable(type, unit, depth - 2),
+                     number(unit), number({}), MakeBool(depth - 2).text);
 }
 
 RandomExpressions::Text RandomExpressions::Literal(Scalar scalar, const Unit& unit) {

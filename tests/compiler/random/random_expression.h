@@ -24,6 +24,9 @@ struct Callable {
   Type type;  // of the result
   Unit unit;
   std::vector<Readable> arguments;
+  // Takes any unit, and each element of rows: its arguments are reals of one unit, a plain one and
+  // a bool.
+  bool is_open = false;
 };
 
 // A type with a unit, as a declaration writes it: "vec3 [m/s]".
@@ -86,6 +89,8 @@ class RandomExpressions {
   bool CanMakeArguments(const Callable& function);
   // Empty where no function gives this.
   std::string Call(const Type& type, const Unit& unit, int depth);
+  std::string CallOfElements(const Callable& function, const Type& type, const Unit& unit,
+                             int depth);
 
   RandomNumbers& random_;
   const std::vector<Readable>& readable_;

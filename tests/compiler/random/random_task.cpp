@@ -30,6 +30,7 @@ class TaskWriter {
     DeclareTables();
     DeclarePotentials();
     for (int i = 0; i < 4; ++i) DeclareFunction();
+    for (int i = 0; i < 2; ++i) DeclareOpenFunction();
     DeclareMetrics();
     for (const auto& event : kEventNames) {
       if (random_.OneIn(2)) WriteEvent(event.text, event.meaning);
@@ -254,6 +255,29 @@ class TaskWriter {
       Line("  return " + expressions.OfType(function.type, function.unit));
       Line("}");
     }
+    callable_.push_back(function);
+  }
+
+  // Of numbers of any unit, to be applied to rows as well.
+  void DeclareOpenFunction() {
+    const Type real = ScalarType(Scalar::kReal);
+    const std::string a = NewName("a");
+    const std::string b = NewName("a");
+    const Readable plain{NewName("a"), real, {}};
+    const Readable condition{NewName("a"), ScalarType(Scalar::kBool), {}};
+    const Readable whole{NewName("l"), ScalarType(Scalar::kInt), {}};
+    // What divides must not be a constant.
+    const std::vector<Readable> inside = {condition, whole, plain};
+    RandomExpressions expressions(random_, inside, no_callable_);
+    Callable function{NewName("f"), real, {}, {}, true};
+    Line(
+        fmt::format("fn {}({}: real [unit], {}: real [unit], {}: real, {}: bool) -> real [unit] {{",
+                    function.name, a, b, plain.name, condition.name));
+    Line(fmt::format("  let {} = count({})", whole.name, condition.name));
+    Line(fmt::format("  let turn = {}", expressions.OfType(real, {})));
+    Line(fmt::format("  return {} * turn + select({}, {}, max({}, -{}))", a,
+                     expressions.OfType(ScalarType(Scalar::kBool), {}), b, a, b));
+    Line("}");
     callable_.push_back(function);
   }
 
@@ -556,6 +580,7 @@ class TaskWriter {
   RandomNumbers random_;
   std::vector<Readable> readable_;
   std::vector<Callable> callable_;
+  const std::vector<Callable> no_callable_{};
   std::vector<Readable> consts_;
   std::vector<Readable> params_;
   std::vector<Readable> memory_;

@@ -11,7 +11,7 @@ namespace {
 const char* const kWords[] = {"fn",    "import", "extends", "override", "allow", "after_end",
                               "test",  "given",  "fire",    "expect",   "once",  "set",
                               "const", "table",  "log",     "require",  "goal",  "redraw",
-                              "phase", "next",   "return",  "within"};
+                              "phase", "next",   "return",  "within",   "unit"};
 
 class ContextualWord : public testing::TestWithParam<const char*> {};
 
@@ -70,6 +70,17 @@ TEST(ContextualWords, NamePhases) {
     EXPECT_EQ(phase.limit->otherwise.text, word);
     EXPECT_EQ(ToText(phase.body), "next " + word + "; n = 1");
   }
+}
+
+TEST(ContextualWords, UnitIsOneInTheBracketsOfAType) {
+  const SyntaxTree tree = ParseTask(
+      "task t\nfn f(unit: real [unit], x: vec3[4] [m unit^2/s], y: real[4] [1/unit]) -> "
+      "real [s*unit] = unit + x[unit] + real[unit]\n");
+  const auto& function = std::get<FunctionDeclaration>(tree.declarations.at(0).node);
+  EXPECT_EQ(function.parameters.at(0).unit->factors.at(0).name.text, kAnyUnit);
+  EXPECT_EQ(function.parameters.at(1).unit->factors.at(1).power, 2);
+  EXPECT_EQ(function.parameters.at(2).unit->factors.at(0).power, -1);
+  EXPECT_EQ(function.unit->factors.at(1).name.text, kAnyUnit);
 }
 
 TEST(ContextualWords, LogIsAlsoAFunction) {
