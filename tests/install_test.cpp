@@ -67,6 +67,10 @@ class InstallTest : public testing::Test {
     ExpectKnowsNoSources(result.output + result.errors);
   }
 
+  void Write(const std::string& file, const std::string& text) const {
+    std::ofstream(work_ / file) << text;
+  }
+
   void ExpectMade(const std::string& file) const {
     ASSERT_TRUE(std::filesystem::exists(work_ / file)) << file;
     ExpectKnowsNoSources(Contents(work_ / file));
@@ -94,6 +98,10 @@ TEST_F(InstallTest, WhatTheQuickstartBuildsIsAllThatAUserNeeds) {
         "run"});
   Call({"trainer", "show", "run"});
   Call({"taskc", "explain", "E0501"});
+  Write("near.task",
+        "task near for humanoid\nimport \"std/kernels\"\n"
+        "metric near = squared_kernel(norm(base.position), 1 m)\n");
+  Call({"taskc", "build", "near.task", "-o", "near.so"});
   if (!HAS_PAGES) return;
   Call({"trainer", "report", "run"});
   ExpectMade("run/report.html");

@@ -1,6 +1,7 @@
 #include "compiler/compose/compose.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <map>
@@ -13,6 +14,7 @@
 #include "base/file/read.h"
 #include "base/text/nearest_name.h"
 #include "compiler/compose/extend.h"
+#include "compiler/compose/library.h"
 #include "compiler/syntax/parse.h"
 #include "compiler/syntax/read_table.h"
 
@@ -34,11 +36,17 @@ struct Reference {
   std::string written;
   Span span;               // of the path
   std::string_view reads;  // "imports", "extends" or "reads"
+  fs::path beside{};       // of the name of a library: the file that it might be instead
 };
 
 Reference ReferenceIn(const fs::path& file, const std::string& written, Span span,
                       std::string_view reads) {
   return {(file.parent_path() / written).lexically_normal(), written, span, reads};
+}
+
+Reference ImportIn(const fs::path& file, const ImportDeclaration& import) {
+  return {ImportedFile(file, import.path), import.path, import.path_span, "imports",
+          file.parent_path() / (import.path + ".task")};
 }
 
 class Composer {
@@ -109,14 +117,17 @@ class Composer {
         declarations.push_back(std::move(declaration));
         continue;
       }
-      const Reference reference = ReferenceIn(file, import->path, import->path_span, "imports");
+      const Reference reference = ImportIn(file, *import);
       if (imported_.contains(KeyOf(reference.file)) && !IsInChain(reference)) continue;
       std::optional<SyntaxTree> library = Import(reference);
       if (!library) {
         tree.lost.has_imports = true;
         continue;
       }
-      std::ranges::move(library->declarations, std::back_inserter(declarations));
+      for (Declaration& imported : library->declarations) {
+        imported.is_imported = true;
+        declarations.push_back(std::move(imported));
+      }
       std::ranges::move(library->allowances, std::back_inserter(tree.allowances));
       AddLost(std::move(library->lost), tree.lost);
     }
@@ -189,6 +200,10 @@ class Composer {
   }
 
   void ReportMissing(const Reference& reference) {
+    if (reference.reads == "imports" && IsLibraryName(reference.written))
+      return Report(code::kMissingFile, reference.span,
+                    fmt::format("there is no library `{}`", reference.written),
+                    NearestLibrary(reference));
     const std::string name = reference.file.string();
     std::error_code error;
     if (!fs::exists(reference.file, error)) {
@@ -246,6 +261,21 @@ class Composer {
     if (std::exchange(has_reported_limit_, true)) return;
     Report(code::kTooManyFiles, reference.span, message,
            "put the functions that belong together into one file");
+  }
+
+  // "did you mean `std/gait`?"; or a file that is not meant as a library.
+  static Help NearestLibrary(const Reference& reference) {
+    const auto write = [&](std::string_view what, const std::string& path) -> Help {
+      return {fmt::format(fmt::runtime(what), path), {{reference.span, '"' + path + '"'}}};
+    };
+    const std::vector<std::string> names = LibraryNames();
+    if (const auto nearest = text::NearestName(reference.written, names))
+      return write("did you mean `{}`?", *nearest);
+    std::error_code error;
+    if (fs::exists(reference.beside, error))
+      return write("to import the file: `{}`", reference.written + ".task");
+    return fmt::format("the libraries are {}; the path of a file ends with `.task`",
+                       fmt::join(names, ", "));
   }
 
   // "did you mean `shaping.task`?", of the files of its kind in the folder where it should be.

@@ -19,7 +19,8 @@ constexpr const char* kDescription =
 constexpr const char* kFooter =
     "`taskc VERB --help` describes a verb and its options.\n"
     "Environment: CXX, the C++ compiler; TASKC_CACHE, the folder of built plugins;\n"
-    "TASKC_ROBOT_PATH, folders with robots; NO_COLOR, to turn colors off.\n"
+    "TASKC_ROBOT_PATH, folders with robots; TASKC_LIBRARY_PATH, folders with libraries;\n"
+    "NO_COLOR, to turn colors off.\n"
     "Exit status: 0 success, 1 the task has errors, 2 the command line is wrong, "
     "3 internal error.";
 

@@ -13,8 +13,10 @@
 #include "compiler/check/time_functions.h"
 #include "compiler/check/type.h"
 #include "compiler/check/unit.h"
+#include "compiler/compose/library.h"
 #include "compiler/language_server/cursor_place.h"
 #include "compiler/language_server/known_values.h"
+#include "compiler/language_server/library_text.h"
 #include "compiler/language_server/vocabulary.h"
 #include "compiler/source/diagnostic_table.h"
 
@@ -188,7 +190,7 @@ class Completer {
     }
     OfferWords(ValueWords());
     OfferReadsOfPhases();
-    if (!IsInTest()) return OfferTimeFunctions();
+    if (!IsIn(NameKind::kTest)) return OfferTimeFunctions();
     for (const char* word : {"total", "value", "ended"}) {
       Add(word, protocol::kCompleteFunction, "", std::string(ExplanationOf(word)));
     }
@@ -219,10 +221,9 @@ class Completer {
           std::string(each.doc));
   }
 
-  bool IsInTest() const {
+  bool IsIn(NameKind kind) const {
     return std::ranges::any_of(document_.names(), [&](const DeclaredName& name) {
-      return name.kind == NameKind::kTest && name.whole.begin < offset_ &&
-             offset_ <= name.whole.end;
+      return name.kind == kind && name.whole.begin < offset_ && offset_ <= name.whole.end;
     });
   }
 
@@ -278,6 +279,11 @@ class Completer {
     for (const std::string& unit : KnownUnits()) {
       Add(unit, protocol::kCompleteUnit, ToString(FindUnit(unit)->unit));
     }
+    const size_t last = document_.tokens().CountBefore(place_.word.begin);
+    const bool is_behind_number =
+        last > 0 && document_.tokens().KindOf(last - 1) == LexedKind::kNumber;
+    if (!is_behind_number && IsIn(NameKind::kFunction))
+      Add(std::string(kAnyUnit), protocol::kCompleteUnit, "", std::string(ExplanationOf(kAnyUnit)));
   }
 
   void OfferPoses() {
@@ -297,8 +303,13 @@ class Completer {
     }
   }
 
-  // Files beside this one, within the quotes.
+  // Files beside this one, within the quotes; behind `import` also libraries.
   void OfferFiles(std::string_view ending) {
+    const size_t text = document_.tokens().CountBefore(place_.word.begin - 1);
+    if (text > 0 && document_.tokens().Is(text - 1, "import")) {
+      for (const std::string& library : LibraryNames())
+        Add(library, protocol::kCompleteFile, "library", LibraryDoc(library));
+    }
     std::error_code error;
     const std::filesystem::path folder = document_.path().parent_path();
     for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {

@@ -13,6 +13,7 @@
 #include "compiler/language_server/bounds_text.h"
 #include "compiler/language_server/cursor_place.h"
 #include "compiler/language_server/known_values.h"
+#include "compiler/language_server/library_text.h"
 #include "compiler/language_server/vocabulary.h"
 
 namespace compiler {
@@ -37,6 +38,13 @@ class HoverFinder {
         offset_(offset) {}
 
   Json Find() {
+    if (const auto import = ImportAt(document_, offset_)) {
+      shown_ = *import;
+      const std::string doc =
+          LibraryDoc(std::string_view(document_.text())
+                         .substr(import->begin + 1, import->end - import->begin - 2));
+      return doc.empty() ? Json(nullptr) : Shown(doc);
+    }
     if (path_.path.empty()) return nullptr;
     word_ = document_.text().substr(path_.last.begin, path_.last.end - path_.last.begin);
     shown_ = path_.last;

@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "compiler/compose/library.h"
 #include "compiler/language_server/cursor_place.h"
 #include "compiler/language_server/uri.h"
 
@@ -97,7 +98,9 @@ Json FileAt(const Document& document, uint32_t offset) {
         tokens.Is(i - 1, "import") || tokens.Is(i - 1, "extends") || IsFileOfTable(tokens, i);
     if (!is_here || !is_file) continue;
     const std::string_view name = tokens.TextOf(i).substr(1, span.end - span.begin - 2);
-    const std::filesystem::path file = document.path().parent_path() / name;
+    const std::filesystem::path file = tokens.Is(i - 1, "import")
+                                           ? ImportedFile(document.path(), name)
+                                           : document.path().parent_path() / name;
     std::error_code error;
     if (!std::filesystem::exists(file, error)) return nullptr;
     const Json begin = protocol::ToJson(TextPosition{});
@@ -216,6 +219,9 @@ RenameResult Rename(const Document& document, uint32_t offset, const std::string
                     Workspace& workspace) {
   const auto definition = DefinitionAt(document, offset, workspace);
   if (!definition) return {nullptr, "there is nothing here that can be renamed"};
+  if (IsOfLibrary(definition->file) && document.path() != definition->file)
+    return {nullptr, fmt::format("this belongs to the library `{}`, which other tasks use as well",
+                                 definition->file.stem().string())};
   if (!IsWord(name)) {
     return {nullptr,
             fmt::format("`{}` is not a name: a name consists of letters, digits and underscores",

@@ -32,7 +32,8 @@ constexpr auto kDeclarations = std::to_array<ExplainedWord>({
      "A stretch of an episode with rewards and rules of its own: `phase NAME within 3 s else OTHER "
      "{ ... }`. As a value the present one: `phase == NAME`."},
     {"fn", "A function: `fn NAME(ARGUMENT: TYPE) -> TYPE = VALUE`."},
-    {"import", "Imports the functions of another file."},
+    {"import",
+     "Imports the functions of a library: `import \"std/gait\"`, or of a file: `import \"FILE\"`."},
     {"test", "A test without a simulator: `test \"name\" { given ... fire ... expect ... }`."},
     {"override", "Replaces something of the task that this one extends."},
     {"allow", "Silences the warnings with these codes for what follows."},
@@ -135,6 +136,9 @@ constexpr auto kOthers = std::to_array<ExplainedWord>({
     {"mat3", "3 x 3 numbers, indexed by row and column."},
     {"mat4", "4 x 4 numbers, indexed by row and column."},
     {"quat", "A rotation as a quaternion: `.w`, `.x`, `.y`, `.z`."},
+    {"unit",
+     "In the parameters and the result of a function: the unit of what it is given, each time the "
+     "same."},
     {"total", "What a reward term has paid since the test began: `total(TERM)`."},
     {"value",
      "A metric or a log, as it would be recorded if the episode ended now: `value(NAME)`."},

@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
 
+#include "base/file/search_path.h"
 #include "plugins/robot/robot_description.h"
 #include "plugins/robot/toml_value.h"
 
@@ -44,17 +44,7 @@ std::filesystem::path FindRobotFile(std::string_view name,
 }
 
 std::vector<std::filesystem::path> DefaultRobotFolders() {
-  std::vector<std::filesystem::path> folders;
-  if (const char* path = std::getenv("TASKC_ROBOT_PATH")) {
-    for (std::string_view rest = path; !rest.empty();) {
-      const size_t end = rest.find(':');
-      if (end != 0) folders.emplace_back(rest.substr(0, end));
-      rest = end == std::string_view::npos ? std::string_view{} : rest.substr(end + 1);
-    }
-  }
-  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe");
-  folders.push_back(program.parent_path().parent_path() / "share/taskc/robots");
-  return folders;
+  return file::SearchPath("TASKC_ROBOT_PATH", "robots");
 }
 
 }  // namespace robot

@@ -53,6 +53,29 @@ TEST(Override, OfAGoalChangesHowItIsDrawn) {
   EXPECT_EQ(std::get<Constant>(draw.arguments[1]->node).value, 5);
 }
 
+TEST(Library, IsImportedByNameWhereverTheTaskLies) {
+  FileSet files{{"main.task",
+                 "task t\nimport \"std/kernels\"\nsensor x: real [m]\n"
+                 "metric near = squared_kernel(x, 2 m)\n"},
+                // Of that name, but beside the task.
+                {"std/kernels.task", "fn squared_kernel(x: real) -> real = x\n"}};
+  const FileReader beside = ReaderOf(std::move(files));
+  const FileReader read = [&](const std::filesystem::path& file) {
+    return file.is_absolute() ? ReadFromDisk(file) : beside(file);
+  };
+  Sources sources;
+  Diagnostics diagnostics;
+  const auto tree = Compose("main.task", read, sources, diagnostics);
+  ASSERT_TRUE(tree);
+  const auto task = Check(*tree, nullptr, diagnostics);
+  ASSERT_TRUE(task) << Render(sources, diagnostics, false);
+  EXPECT_EQ(task->functions.at(0).arguments.size(), 2u);
+  EXPECT_EQ(sources.files().size(), 2u);
+  EXPECT_TRUE(sources.files()[1].path().ends_with("share/taskc/library/std/kernels.task"));
+  // What a task does not use of a library is no mistake.
+  for (const Diagnostic& diagnostic : diagnostics.list()) EXPECT_EQ(diagnostic.code, "W0707");
+}
+
 std::vector<std::string> FunctionNames(const SyntaxTree& tree) {
   std::vector<std::string> names;
   for (const auto* function : All<FunctionDeclaration>(tree)) names.push_back(function->name.text);

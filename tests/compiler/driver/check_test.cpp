@@ -144,6 +144,16 @@ TEST(Check, FindsRobotsBesideTheTaskAndWhereItIsTold) {
   EXPECT_EQ(taskc.Run("check walk.task", "TASKC_ROBOT_PATH=tasks").status, 0);
 }
 
+TEST(Check, FindsLibrariesWhereItIsTold) {
+  TaskcProcess taskc;
+  taskc.Write("shared/own/walks.task", "fn twice(x: real) -> real = 2 * x\n");
+  taskc.Write("walk.task",
+              "task walk for humanoid\nimport \"own/walks\"\nimport \"std/gait\"\n"
+              "metric x = twice(base.position.x / 1 m) + phase_of(time, 1 s)\n");
+  EXPECT_EQ(taskc.Run("check walk.task").status, 1);
+  EXPECT_EQ(taskc.Run("check walk.task", "TASKC_LIBRARY_PATH=shared").status, 0);
+}
+
 TEST(Check, BlamesABrokenRobotOnItsFile) {
   TaskcProcess taskc;
   taskc.Write("broken/robot.toml", "name = \n");

@@ -341,7 +341,21 @@ TEST(Completion, ReplacesTheWord) {
 TEST(Completion, OffersTaskFiles) {
   Editor editor;
   editor.Write("shaping.task", "fn near(d: real) -> real = d\n");
-  EXPECT_THAT(editor.CompleteAt("task t\nimport \"sh|\"\n"), ElementsAre("shaping.task"));
+  EXPECT_THAT(editor.CompleteAt("task t extends \"sh|\"\n"), ElementsAre("shaping.task"));
+  EXPECT_THAT(editor.CompleteAt("task t\nimport \"sh|\"\n"), Contains("shaping.task"));
+}
+
+TEST(Completion, OffersLibraries) {
+  Editor editor;
+  EXPECT_THAT(editor.CompleteAt("task t\nimport \"st|\"\n"),
+              ElementsAre("std/frames", "std/gait", "std/kernels", "std/tolerance"));
+  EXPECT_THAT(editor.CompleteAt("task t extends \"st|\"\n"), IsEmpty());
+}
+
+TEST(Completion, OffersTheOpenUnitInFunctions) {
+  Editor editor;
+  EXPECT_THAT(editor.CompleteAt("task t\nfn f(x: real [|]) -> real = 1\n"), Contains("unit"));
+  EXPECT_THAT(editor.CompleteAt("task t\nparam p: real [|] = 1\n"), Not(Contains("unit")));
 }
 
 // ---- Navigation ---------------------------------------------------------------------------------
@@ -407,6 +421,28 @@ TEST(Navigation, GoesThroughAllFiles) {
   EXPECT_EQ(edit.at("changes").size(), 3u);
   const MarkedText there("/// How near.\nfn ne|ar(d: real) -> real = exp(-d)\n");
   EXPECT_EQ(editor.AskIn("shaping.task", "references", there).size(), 3u);
+}
+
+TEST(Navigation, GoesToLibraries) {
+  Editor editor;
+  const std::string text = "task t\nimport \"std/gait\"\nmetric a = phase_of(1 s, 2 s)\n";
+  const auto at = [&](std::string_view marked, std::string_view with) {
+    std::string asked = text;
+    return asked.replace(asked.find(marked), marked.size(), with);
+  };
+  const Json file = editor.AskAt("definition", at("std/gait", "std/g|ait"));
+  EXPECT_TRUE(file["uri"].get<std::string>().ends_with("library/std/gait.task")) << file;
+  const Json function = editor.AskAt("definition", at("phase_of", "pha|se_of"));
+  EXPECT_EQ(function["uri"], file["uri"]);
+  const Json hover = editor.AskAt("hover", at("std/gait", "std/g|ait"));
+  EXPECT_THAT(hover["contents"]["value"].get<std::string>(),
+              AllOf(HasSubstr("The rhythm of steps."),
+                    HasSubstr("phase_of(time: real [s], period: real [s]) -> real")));
+  EXPECT_TRUE(editor.AskAt("hover", at("std/gait", "std/g|ate")).is_null());
+  const MarkedText call(at("phase_of", "pha|se_of"));
+  editor.Open("asked.task", call.text);
+  const Json refused = editor.AskIn("asked.task", "rename", call, {{"newName", "part_of"}});
+  EXPECT_THAT(refused["message"].get<std::string>(), HasSubstr("the library `gait`"));
 }
 
 TEST(Navigation, KnowsConstsAndSets) {
