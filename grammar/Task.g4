@@ -157,8 +157,10 @@ branches : IF expression block (ELSE IF expression block)* (ELSE otherwise=block
 // for l in links - feet { ... }, for i in 0..3 { ... }
 loop : FOR name IN items block ;
 
-// once per action if fallen { ... }
-once : ONCE PER scope=NAME IF expression block ;
+// once per action if fallen { ... } else if rolled { ... }; the tree builder rejects `otherwise`.
+once
+    : ONCE PER scope=NAME IF expression block (ELSE IF expression block)* (ELSE otherwise=block)?
+    ;
 
 // reward fall = -4, reward rate forward = base.velocity.x; outside of blocks only
 // reward potential near = -norm(base.position), which the tree builder checks

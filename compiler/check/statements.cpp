@@ -34,7 +34,7 @@ void CollectLocals(const Block& block, TaskScope& scope) {
       CollectLocals(loop->body, scope);
     }
     if (const auto* once = std::get_if<OnceStatement>(&statement.node))
-      CollectLocals(once->body, scope);
+      for (const IfBranch& branch : once->branches) CollectLocals(branch.body, scope);
   }
 }
 
@@ -263,16 +263,25 @@ class EventChecker {
     return false;
   }
 
-  // `if not once#1 and condition { once#1 = true ... }`, with a memory of its own.
+  // `if not once#1 and condition { once#1 = true ... } else if not once#1 and ...`, with one memory
+  // of its own.
   void CheckNode(const OnceStatement& once, Span span, CheckedBlock& block) {
-    auto condition = CheckCondition(once.condition, place_, scope_);
     const uint32_t memory = AddFlag(once.scope, span);
+    CheckedIf checked;
+    for (const IfBranch& branch : once.branches) CheckOnce(branch, span, memory, checked);
+    if (checked.branches.size() == once.branches.size())
+      block.push_back({span, std::move(checked)});
+  }
+
+  void CheckOnce(const IfBranch& branch, Span span, uint32_t memory, CheckedIf& checked) {
+    auto condition = CheckCondition(branch.condition, place_, scope_);
     const auto boolean = [&](auto node) {
-      return CheckedExpression{once.condition.span, ScalarType(Scalar::kBool), {}, std::move(node)};
+      return CheckedExpression{
+          branch.condition.span, ScalarType(Scalar::kBool), {}, std::move(node)};
     };
     CheckedBlock body;
     body.push_back({span, CheckedAssign{memory, {}, AssignOperator::kSet, boolean(Constant{1})}});
-    for (CheckedStatement& statement : Check(once.body)) body.push_back(std::move(statement));
+    for (CheckedStatement& statement : Check(branch.body)) body.push_back(std::move(statement));
     if (!condition) return;
     CheckedUnary is_first{UnaryOperator::kNot,
                           std::make_unique<CheckedExpression>(boolean(MemoryRead{memory}))};
@@ -280,9 +289,7 @@ class EventChecker {
                        std::make_unique<CheckedExpression>(boolean(std::move(is_first))),
                        std::make_unique<CheckedExpression>(std::move(*condition))};
     auto whole = Fold(boolean(std::move(both)), scope_.diagnostics);
-    CheckedIf checked;
     checked.branches.push_back({std::move(*whole), std::move(body)});
-    block.push_back({span, std::move(checked)});
   }
 
   uint32_t AddFlag(MemoryScope scope, Span span) {

@@ -88,7 +88,8 @@ template <typename Visitor>
 void ForEachReward(Statement& statement, const Visitor& visit) {
   if (std::holds_alternative<RewardStatement>(statement.node)) visit(statement);
   if (auto* loop = std::get_if<ForStatement>(&statement.node)) ForEachReward(loop->body, visit);
-  if (auto* once = std::get_if<OnceStatement>(&statement.node)) ForEachReward(once->body, visit);
+  if (auto* once = std::get_if<OnceStatement>(&statement.node))
+    for (IfBranch& branch : once->branches) ForEachReward(branch.body, visit);
   if (auto* branches = std::get_if<IfStatement>(&statement.node)) {
     for (IfBranch& branch : branches->branches) ForEachReward(branch.body, visit);
     if (branches->otherwise) ForEachReward(*branches->otherwise, visit);

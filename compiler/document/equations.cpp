@@ -103,10 +103,17 @@ class TermCollector {
   }
 
   std::optional<Formula> Collect(const OnceStatement& once) const {
-    const auto amount = Collect(once.body);
-    if (!amount) return std::nullopt;
-    Formula condition{TextToLatex(OncePer(once.scope) + ", ") + ToFormula(once.condition).text};
-    return Cases({{condition, *amount}}, {"0"});
+    std::vector<Row> rows;
+    bool is_paid = false;
+    for (const IfBranch& branch : once.branches) {
+      const auto amount = Collect(branch.body);
+      is_paid |= amount.has_value();
+      Formula condition{TextToLatex(OncePer(once.scope) + ", ") + ToFormula(branch.condition).text};
+      rows.push_back({condition, amount.value_or(Formula{"0"})});
+    }
+    if (!is_paid) return std::nullopt;
+    while (rows.back().amount.text == "0") rows.pop_back();
+    return Cases(rows, {"0"});
   }
 
   std::string term_;
@@ -123,6 +130,15 @@ void Visit(const Block& block, const Conditions& conditions, const Visitor& visi
 void VisitBody(const Block& body, Conditions conditions, Formula further, const Visitor& visitor) {
   conditions.push_back(std::move(further));
   Visit(body, conditions, visitor);
+}
+
+void VisitOnce(const OnceStatement& once, Conditions conditions, const Visitor& visitor) {
+  for (const IfBranch& branch : once.branches) {
+    const Formula condition = ToFormula(branch.condition);
+    VisitBody(branch.body, conditions, {TextToLatex(OncePer(once.scope) + " ") + condition.text},
+              visitor);
+    conditions.push_back(Not(condition));  // of what comes behind
+  }
 }
 
 void VisitBranches(const IfStatement& statement, Conditions conditions, const Visitor& visitor) {
@@ -144,8 +160,7 @@ void Visit(const Block& block, const Conditions& conditions, const Visitor& visi
                    ToFormula(loop->items).text};
       VisitBody(loop->body, conditions, each, visitor);
     } else if (const auto* once = std::get_if<OnceStatement>(&statement.node)) {
-      Formula condition{TextToLatex(OncePer(once->scope) + " ") + ToFormula(once->condition).text};
-      VisitBody(once->body, conditions, condition, visitor);
+      VisitOnce(*once, conditions, visitor);
     }
   }
 }

@@ -154,8 +154,17 @@ OnceStatement StatementBuilder::Once(TaskParser::OnceContext& context) {
   OnceStatement statement;
   statement.scope = LookUp(BuildName(*context.scope), kScopeNames, code::kUnknownWord,
                            "a scope of `once`", report_);
-  statement.condition = expressions_.Build(*context.expression());
-  statement.body = Build(*context.block());
+  for (size_t i = 0; i < context.expression().size(); ++i)
+    statement.branches.push_back(
+        {expressions_.Build(*context.expression(i)), Build(*context.block(i))});
+  if (context.otherwise != nullptr) {
+    Diagnostic diagnostic =
+        MakeDiagnostic(code::kUnknownStatement, SpanOf(*context.ELSE().back()->getSymbol()),
+                       "`once` has no `else`");
+    diagnostic.note = "it would run in the first step in which no condition holds";
+    diagnostic.help = "write what is done meanwhile as an `if` of its own";
+    report_.AddMended(std::move(diagnostic));
+  }
   return statement;
 }
 

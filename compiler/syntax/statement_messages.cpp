@@ -38,12 +38,9 @@ Diagnostic Misplaced(const Failure& failure, const std::string& where, std::stri
 }
 
 Diagnostic StrayElse(const Failure& failure) {
-  const auto& children = failure.parser.getContext()->children;
-  auto* before = dynamic_cast<TaskParser::StatementContext*>(children.back());
-  const bool is_once = before != nullptr && before->once() != nullptr;
-  return WithHelp(MakeDiagnostic(code::kUnknownStatement, SpanOf(failure.found),
-                                 is_once ? "`once` has no `else`" : "this `else` has no `if`"),
-                  "`else` follows the closing brace of an `if`");
+  return WithHelp(
+      MakeDiagnostic(code::kUnknownStatement, SpanOf(failure.found), "this `else` has no `if`"),
+      "`else` follows the closing brace of an `if`");
 }
 
 // In the loop over the statements of a block, behind what could be the end of one.

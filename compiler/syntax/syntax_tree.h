@@ -169,10 +169,9 @@ struct ForStatement {  // `for l in links - feet { ... }`, `for i in 0..3 { ... 
 };
 
 enum class MemoryScope { kPerRun, kPerEpisode, kPerAction };
-struct OnceStatement {  // `once per action if fallen { ... }`
+struct OnceStatement {  // `once per action if fallen { ... } else if rolled { ... }`
   MemoryScope scope = MemoryScope::kPerAction;
-  Expression condition;
-  Block body;
+  std::vector<IfBranch> branches;  // of which one runs, once
 };
 
 struct RewardStatement {  // `reward fall = -4`, `reward rate forward = ...`

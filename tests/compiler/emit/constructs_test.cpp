@@ -214,6 +214,26 @@ on end_of_time_step {
   EXPECT_THAT(rewards, ElementsAre(111, 0, 1, 11));
 }
 
+TEST(Constructs, OnceDoesOneOfItsBranches) {
+  CompiledTask task(R"(task t
+memory n: int = 0 per run
+on end_of_time_step {
+  n += 1
+  once per episode if n == 2 or n == 5 { reward a = 1 } else if n == 1 or n == 6 { reward b = 10 }
+  once per episode if n == 2 { reward c = 100 } else if n >= 2 { reward d = 1000 }
+}
+)");
+  Instance instance(task);
+  std::vector<double> rewards;
+  for (int step = 0; step < 6; ++step) {
+    if (step == 3) instance.Fire(TASKC_START_OF_EPISODE, 0);
+    instance.Fire(TASKC_END_OF_TIME_STEP, 0.005);
+    rewards.push_back(instance.reward());
+  }
+  // n is 1, 2, 3, and in the second episode 4, 5, 6.
+  EXPECT_THAT(rewards, ElementsAre(10, 100, 0, 1000, 1, 0));
+}
+
 TEST(Constructs, AGoalMayFollowFromAnother) {
   CompiledTask task(R"(task t
 goal angle: real [rad] = uniform(0 rad, 1 rad)

@@ -406,6 +406,10 @@ class TaskWriter {
         Line(fmt::format("once per {} if {} {{", random_.OneOf({"action", "episode", "run"}),
                          Condition()));
         WriteBlock(1 + random_.Below(3), depth - 1);
+        if (random_.OneIn(2)) {
+          Line(fmt::format("}} else if {} {{", Condition()));
+          WriteBlock(1 + random_.Below(3), depth - 1);
+        }
         return Line("}");
       default:
         return WriteIf(depth);

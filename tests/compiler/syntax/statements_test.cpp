@@ -70,6 +70,8 @@ TEST(Statements, For) {
 TEST(Statements, Once) {
   EXPECT_EQ(ParseToText("once per action if a { n = 1 }"), "once action if a {n = 1}");
   EXPECT_EQ(ParseToText("once per episode if a { }"), "once episode if a {}");
+  EXPECT_EQ(ParseToText("once per action if a { n = 1 }\nelse if b { } else if c { n = 2 }"),
+            "once action if a {n = 1} else if b {} else if c {n = 2}");
   EXPECT_EQ(ParseToText("once per run if a { once per run if b { } }"),
             "once run if a {once run if b {}}");
 }

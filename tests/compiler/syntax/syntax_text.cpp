@@ -121,8 +121,11 @@ std::string ToText(const Statement& statement) {
         return fmt::format("for {} in{} {}", s.variable.text, List(s.items), BracesText(s.body));
       },
       [](const OnceStatement& s) {
-        return fmt::format("once {} if {} {}", NameOf(s.scope, kScopeNames), ToText(s.condition),
-                           BracesText(s.body));
+        std::string text = fmt::format("once {}", NameOf(s.scope, kScopeNames));
+        for (const IfBranch& branch : s.branches)
+          text += fmt::format("{} if {} {}", &branch == s.branches.data() ? "" : " else",
+                              ToText(branch.condition), BracesText(branch.body));
+        return text;
       },
       [](const LogStatement& s) {
         return fmt::format("log {} {} {}", NameOf(s.reduction, kReductionNames), s.name.text,
