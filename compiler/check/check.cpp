@@ -57,7 +57,8 @@ std::optional<CheckedTask> Check(const SyntaxTree& tree, const robot::RobotDescr
                   .references = references,
                   .time_functions = nullptr};
   if (robot != nullptr) scope.sensors = SensorCatalog::OfRobot(*robot, scope.enumerations);
-  if (!knows_robot && !DeclaresSensors(tree)) scope.sensors = SensorCatalog::OfAnyRobot();
+  if (!knows_robot && (tree.robot || !DeclaresSensors(tree)))
+    scope.sensors = SensorCatalog::OfAnyRobot();
 
   CheckedTask task;
   TimeFunctionTable time_functions(task);

@@ -77,6 +77,20 @@ std::optional<Range> CheckRange(const ParamOrSensor& owner, const DeclaredType& 
 
 // ---- Sensors ------------------------------------------------------------------------------------
 
+// What a task declares beside the sensors of its robot must not be mistaken for one of them.
+bool IsOfRobot(const SensorDeclaration& sensor, const Identifier& robot, TaskScope& scope) {
+  const std::string known = ClashWithRobots(sensor.name.text);
+  if (known.empty()) return false;
+  const bool is_same = known == sensor.name.text;
+  Report(
+      scope.diagnostics, code::kSensorOfRobot, sensor.name.span,
+      is_same ? fmt::format("the robot has a sensor `{}`", known)
+              : fmt::format("this could be mistaken for the robot's sensor `{}`", known),
+      {.help = is_same ? "leave out the declaration, and read the robot's" : "choose another name",
+       .labels = {{robot.span, "the robot"}}});
+  return true;
+}
+
 // `seen`: the sensors declared before, which this one is added to.
 void CheckOneSensor(const SensorDeclaration& sensor, std::map<std::string, Span>& seen,
                     TaskScope& scope) {
@@ -200,15 +214,7 @@ void CheckOneMemory(const MemoryDeclaration& memory, TaskScope& scope, CheckedTa
 void CheckSensors(const SyntaxTree& tree, TaskScope& scope) {
   std::map<std::string, Span> seen;
   ForEachDeclared<SensorDeclaration>(tree, [&](const SensorDeclaration& sensor) {
-    if (scope.has_robot && scope.knows_robot) {
-      scope.refused.insert(sensor.name.text.substr(0, sensor.name.text.find('.')));
-      Report(scope.diagnostics, code::kTwoSensorSources, sensor.name.span,
-             "the sensors of this task are those of its robot",
-             {.help = "leave out the declaration, or `for ROBOT` to declare all sensors",
-              .labels = {{tree.robot->span, "the robot"}}});
-    } else {
-      CheckOneSensor(sensor, seen, scope);
-    }
+    if (!tree.robot || !IsOfRobot(sensor, *tree.robot, scope)) CheckOneSensor(sensor, seen, scope);
   });
 }
 

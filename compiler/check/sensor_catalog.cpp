@@ -111,6 +111,18 @@ bool IsSensorOfRobots(std::string_view name) {
              robot::Constants().end();
 }
 
+std::string ClashWithRobots(std::string_view name) {
+  const auto clashes = [name](std::string_view known) {
+    return IsFirstPart(name, known) || IsFirstPart(known, name);
+  };
+  const auto sensor =
+      std::ranges::find_if(robot::Sensors(), clashes, &robot::SensorDescription::name);
+  if (sensor != robot::Sensors().end()) return std::string(sensor->name);
+  const auto constant =
+      std::ranges::find_if(robot::Constants(), clashes, &robot::ConstantDescription::name);
+  return constant != robot::Constants().end() ? std::string(constant->name) : "";
+}
+
 std::string DeclarationOf(std::string_view name) {
   const robot::SensorDescription* sensor = robot::FindSensor(name);
   if (sensor == nullptr || sensor->type.find('[') != std::string_view::npos) return "";

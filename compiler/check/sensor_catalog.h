@@ -45,6 +45,10 @@ class SensorCatalog {
 // Do all robots have a sensor, or a constant, called `name`?
 bool IsSensorOfRobots(std::string_view name);
 
+// The sensor or constant of robots that has this name, or whose name begins with it or it with
+// that; empty where there is none.
+std::string ClashWithRobots(std::string_view name);
+
 // How a task without a robot declares the sensor that robots call `name`: "sensor base.velocity:
 // vec3 [m/s]". Empty where its type needs a robot.
 std::string DeclarationOf(std::string_view name);

@@ -11,7 +11,8 @@ constexpr auto kDeclarations = std::to_array<ExplainedWord>({
     {"after_end",
      "What the task does from the end that it reaches until the episode is over: `after_end "
      "continue`."},
-    {"sensor", "A sensor that the host supplies: `sensor NAME: TYPE [UNIT]`."},
+    {"sensor",
+     "A sensor that no robot has: `sensor NAME: TYPE [UNIT]`. A module or a host fills it."},
     {"param",
      "A number that can be set while the trainer runs: `param NAME: TYPE = VALUE in LOW .. HIGH`."},
     {"const", "A value that never changes: `const NAME: TYPE = VALUE`."},

@@ -72,7 +72,7 @@ enum { TASKC_MEASURE = TASKC_EVENT_COUNT };
 // How one scalar lies in memory: a bool is one byte (0 or 1), an int 8 bytes, a real a double.
 enum { TASKC_BOOL, TASKC_INT, TASKC_REAL };
 
-// A sensor that the task reads. Its `rows * columns` elements are contiguous.
+// A sensor that the task reads, the robot's or its own. `rows * columns` contiguous elements.
 typedef struct taskc_sensor {
   const char* name;      // as the task writes it: "base.velocity"
   const char* type;      // as the task writes it: "vec3", "bool[link]"; compared when binding

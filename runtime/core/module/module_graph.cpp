@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "runtime/base/suggestion.h"
+#include "runtime/core/module/connections.h"
 
 namespace runtime {
 namespace {
@@ -181,6 +182,7 @@ void ModuleGraph::Disconnect(std::string_view first, std::string_view second) {
 }
 
 void ModuleGraph::Start() {
+  for (const auto& module : modules_) ConnectSensors(*module, *this);
   for (const auto& module : modules_) module->Start();
 }
 

@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <charconv>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "plugins/robot/sensors.h"
@@ -19,17 +22,6 @@ namespace {
   throw UserError(fmt::format("{}: {}", plugin.table().sources[0].file, reason));
 }
 
-const robot::SensorDescription& FindSensor(const Plugin& plugin, const char* name,
-                                           const robot::RobotDescription& robot) {
-  std::vector<std::string> names;
-  for (const robot::SensorDescription& sensor : robot::Sensors()) {
-    if (sensor.name == name) return sensor;
-    names.emplace_back(sensor.name);
-  }
-  Refuse(plugin, fmt::format("the task reads the sensor `{}`, which the robot `{}` does not have{}",
-                             name, robot.name, Suggestion(name, names)));
-}
-
 // A task that is written for no robot in particular knows the number of joints, not their names:
 // "real[17]" for "real[joint]".
 std::string TypeWithCount(const robot::SensorDescription& sensor,
@@ -40,9 +32,44 @@ std::string TypeWithCount(const robot::SensorDescription& sensor,
   return fmt::format("{}[{}]", sensor.type.substr(0, bracket), count);
 }
 
+// How many elements a value of the type has, as `taskc` writes it; 0: there is no such type.
+size_t ElementsOf(std::string_view type, const robot::RobotDescription& robot) {
+  constexpr std::pair<std::string_view, size_t> kTypes[] = {
+      {"bool", 1}, {"int", 1},  {"real", 1}, {"vec2", 2}, {"vec3", 3},
+      {"vec4", 4}, {"quat", 4}, {"mat2", 4}, {"mat3", 9}, {"mat4", 16}};
+  const size_t bracket = std::min(type.find('['), type.size());
+  const auto* entry = std::ranges::find(kTypes, type.substr(0, bracket),
+                                        [](const auto& each) { return each.first; });
+  if (entry == std::end(kTypes)) return 0;
+  if (bracket == type.size()) return entry->second;
+  const std::string_view index = type.substr(bracket);
+  size_t count = 0;
+  if (index == "[joint]") count = robot.joints.size();
+  if (index == "[link]") count = robot.links.size();
+  if (count == 0) std::from_chars(index.data() + 1, index.data() + index.size() - 1, count);
+  return entry->second * count;
+}
+
+// The module that offers a sensor of this type has as many elements.
+void CheckOwnSensor(const Plugin& plugin, const taskc_sensor& sensor,
+                    const robot::RobotDescription& robot) {
+  const std::string_view type = sensor.type;
+  const taskc_int32 scalar = type.starts_with("bool")  ? TASKC_BOOL
+                             : type.starts_with("int") ? TASKC_INT
+                                                       : TASKC_REAL;
+  const size_t elements = size_t{sensor.rows} * sensor.columns;
+  if (scalar == sensor.scalar && ElementsOf(type, robot) == elements) return;
+  Refuse(plugin, fmt::format("the task was built for another `{}`: its sensor `{}` has {} "
+                             "elements, which no `{}` has; build it again with `taskc build`",
+                             robot.name, sensor.name, elements, type));
+}
+
+// One that no robot has comes from another module.
 void CheckSensor(const Plugin& plugin, const taskc_sensor& wanted,
                  const robot::RobotDescription& robot) {
-  const robot::SensorDescription& offered = FindSensor(plugin, wanted.name, robot);
+  const robot::SensorDescription* known = robot::FindSensor(wanted.name);
+  if (known == nullptr) return CheckOwnSensor(plugin, wanted, robot);
+  const robot::SensorDescription& offered = *known;
   const int count = robot::ElementCount(offered, robot);
   const bool same_type =
       offered.type == wanted.type || TypeWithCount(offered, robot) == wanted.type;

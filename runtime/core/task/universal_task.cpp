@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "plugins/robot/sensors.h"
+#include "runtime/base/suggestion.h"
 #include "runtime/core/module/connections.h"
 #include "runtime/core/task/robot_check.h"
 #include "runtime/core/task/saved_values.h"
@@ -21,25 +23,59 @@ std::span<const taskc_sensor> SensorsOf(const taskc_plugin& table) {
   return {table.sensors, table.sensor_count};
 }
 
-// The first out port of the graph that offers the sensor, or null.
-Port* FindOffer(const ModuleGraph& graph, const taskc_sensor& sensor) {
-  const PortType type = TypeOf(sensor);
+bool IsOfRobots(const taskc_sensor& sensor) { return robot::FindSensor(sensor.name) != nullptr; }
+
+// A module is called like its sensor, but names of modules have no dots.
+std::string ModuleNameFor(std::string sensor) {
+  std::ranges::replace(sensor, '.', '_');
+  return sensor;
+}
+
+// How an agent, or a run, gets a module that offers the sensor.
+std::string Remedy(const taskc_sensor& sensor) {
+  if (IsOfRobots(sensor)) return "";
+  const std::string_view type = sensor.type;
+  const bool is_small = type == "real" || type.starts_with("vec");
+  if (!is_small || type.find('[') != std::string_view::npos)
+    return "; add a module that has one to the agent";
+  return fmt::format(
+      "\n  help: add one to the agent file:\n    [modules.{0}]\n    type = \"SignalGenerator\"\n"
+      "    sensor = \"{1}\"\n    shape = \"{2}\"\n    unit = \"{3}\"\n"
+      "  or, while a run goes on: trainer ctl module add SignalGenerator {0} sensor={1} shape={2} "
+      "'unit={3}'",
+      ModuleNameFor(sensor.name), sensor.name, type, sensor.unit);
+}
+
+[[noreturn]] void ThrowNotOffered(const taskc_plugin& table, const taskc_sensor& sensor,
+                                  const std::string& hint) {
+  throw UserError(fmt::format(
+      "the task `{}` reads the sensor `{}`, and no module has an out port `{}` of the type `{}`{}",
+      table.name, sensor.name, sensor.name, TypeOf(sensor).text,
+      hint.empty() ? Remedy(sensor) : hint));
+}
+
+// One of the same name and another type, or one of nearly the same name; "" where there is none.
+std::string NearOffer(const ModuleGraph& graph, const taskc_sensor& sensor) {
+  std::vector<std::string> names;
   for (const auto& module : graph.modules()) {
-    for (Port* port : module->ports()) {
-      if (port->kind() == PortKind::kOut && port->name() == sensor.name && port->type() == type) {
-        return port;
-      }
+    for (const Port* port : module->ports()) {
+      if (port->kind() != PortKind::kOut || port->type().cpp != typeid(SensorData)) continue;
+      if (port->name() == sensor.name)
+        return fmt::format("; `{}` is of the type `{}`", port->full_name(), port->type().text);
+      // The compiler knows what robots offer: such a name is no misspelled one.
+      if (robot::FindSensor(port->name()) == nullptr) names.push_back(port->name());
     }
   }
-  return nullptr;
+  if (IsOfRobots(sensor) || names.empty()) return "";
+  std::string suggestion = Suggestion(sensor.name, names);
+  const bool is_near = suggestion.starts_with(':');  // else it lists all
+  return is_near ? suggestion : "";
 }
 
 void CheckIsOffered(const ModuleGraph& graph, const taskc_sensor& sensor,
                     const taskc_plugin& table) {
-  if (FindOffer(graph, sensor) != nullptr) return;
-  throw UserError(fmt::format(
-      "the task `{}` reads the sensor `{}`, and no module has an out port `{}` of the type `{}`",
-      table.name, sensor.name, sensor.name, TypeOf(sensor).text));
+  if (FindOut(graph, sensor.name, TypeOf(sensor)) == nullptr)
+    ThrowNotOffered(table, sensor, NearOffer(graph, sensor));
 }
 
 std::unique_ptr<TaskInstance> FirstInstance(const std::string& name, const Context& context) {
@@ -66,7 +102,13 @@ void UniversalTask::Set(std::string_view parameter, const ParameterValue& value)
   instance_->PassParams();
 }
 
-void UniversalTask::Start() { RequireConnections(*this); }
+void UniversalTask::Start() {
+  for (size_t i = 0; i < sensors_.size(); ++i) {
+    const taskc_sensor& sensor = plugin().sensors[i];
+    if (!sensors_[i]->connected() && !IsOfRobots(sensor)) ThrowNotOffered(plugin(), sensor, "");
+  }
+  RequireConnections(*this);
+}
 
 UniversalTask::Sensors::const_iterator UniversalTask::FindSensor(const taskc_sensor& sensor) const {
   const PortType type = TypeOf(sensor);
@@ -124,10 +166,7 @@ void UniversalTask::CheckCanSwap(const Plugin& plugin, const ModuleGraph& graph)
 }
 
 void UniversalTask::ConnectSensors(const ModuleGraph& graph) {
-  for (size_t i = 0; i < sensors_.size(); ++i) {
-    if (sensors_[i]->connected()) continue;
-    Port::Connect(*FindOffer(graph, plugin().sensors[i]), *sensors_[i]);
-  }
+  runtime::ConnectSensors(*this, graph);
 }
 
 void UniversalTask::Swap(std::unique_ptr<TaskInstance> next, const ModuleGraph& graph) {

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "runtime/core/module/connections.h"
 #include "runtime/core/module/context.h"
 #include "runtime/core/module/graph_text.h"
 #include "tests/runtime/core/module/test_modules.h"
@@ -276,6 +277,16 @@ TEST(ModuleTypes, UnknownTypeGetsTheNearestOne) {
   } catch (const UserError& error) {
     EXPECT_STREQ(error.what(), "there is no module type `Recoder`: did you mean `Recorder`?");
   }
+}
+
+TEST(ConnectSensors, TakesTheSensorOfThisNameAndTypeFromAnyModule) {
+  ModuleGraph graph;
+  graph.Add(std::make_unique<Source>("anything"));
+  Module& sink = graph.Add(std::make_unique<Sink>("sink"));
+  ConnectSensors(sink, graph);
+  EXPECT_TRUE(static_cast<Sink&>(sink).velocity.connected());
+  EXPECT_FALSE(static_cast<Sink&>(sink).position.connected());
+  EXPECT_FALSE(static_cast<Sink&>(sink).level.connected());  // no sensor
 }
 
 }  // namespace

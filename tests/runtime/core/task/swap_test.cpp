@@ -152,6 +152,33 @@ TEST_F(SwapTest, ATaskThatDoesNotFitChangesNothing) {
   EXPECT_EQ(task_->previous(), nullptr);
 }
 
+// A module that is no environment, and offers one sensor.
+class Ball : public Module {
+ public:
+  Ball() : Module("toy") {}
+  double place[3] = {4, 5, 6};
+
+ private:
+  SensorData data_{place};
+  SensorOut out_{this, "ball.position", &data_, "vec3 [m]"};
+};
+
+TEST_F(SwapTest, ASensorThatNoRobotHasComesFromWhateverModuleOffersIt) {
+  const std::string message = MessageOf([&] { task_->Swap(Instance("own_sensor", 2), graph_); });
+  EXPECT_THAT(message, testing::StartsWith(
+                           "the task `test` reads the sensor `ball.position`, and no module has "
+                           "an out port `ball.position` of the type `vec3 [m]`\n  help: add one to "
+                           "the agent file:\n    [modules.ball_position]\n"));
+  EXPECT_THAT(message, testing::HasSubstr("module add SignalGenerator ball_position "
+                                          "sensor=ball.position shape=vec3 'unit=m'"));
+  graph_.Add(std::make_unique<Ball>());
+  task_->Swap(Instance("own_sensor", 2), graph_);
+  TakeRewards();
+  task_->on_start_of_episode();
+  task_->on_end_of_time_step(0.5);
+  EXPECT_THAT(TakeRewards(), ElementsAre(4));
+}
+
 TEST_F(SwapTest, AThousandSwapsLeaveOnlyTwoTasksLoaded) {
   std::vector<std::weak_ptr<const Plugin>> plugins;
   for (int i = 0; i < 1000; ++i) {

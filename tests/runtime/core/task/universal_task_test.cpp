@@ -66,6 +66,14 @@ TEST_F(UniversalTaskTest, RefusesToStartWithASensorThatIsNotConnected) {
             "[m/s]`");
 }
 
+TEST_F(UniversalTaskTest, SaysWhatToAddForASensorThatNoRobotHas) {
+  context_.task = LoadTask("own_sensor");
+  UniversalTask task("task", context_);
+  EXPECT_THAT(MessageOf([&] { task.Start(); }),
+              testing::AllOf(testing::HasSubstr("reads the sensor `ball.position`"),
+                             testing::HasSubstr("type = \"SignalGenerator\"")));
+}
+
 TEST_F(UniversalTaskTest, RefusesAPluginForAnotherRobot) {
   context_.task = LoadTask("other_robot");
   EXPECT_EQ(MessageOf([&] { UniversalTask("other", context_); }),
