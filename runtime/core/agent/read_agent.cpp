@@ -208,6 +208,18 @@ toml::table Parse(std::string_view text, const AgentReader& reader) {
   }
 }
 
+// A parameter called `file` names a file beside the agent file.
+void NameFilesFrom(const std::filesystem::path& folder, Agent& agent) {
+  for (ModuleSetting& module : agent.modules) {
+    for (ParameterSetting& parameter : module.parameters) {
+      auto* path = std::get_if<std::string>(&parameter.value);
+      if (parameter.name != "file" || path == nullptr || path->empty()) continue;
+      *path = (folder / *path).lexically_normal().string();
+    }
+  }
+  for (CompositeSetting& composite : agent.composites) NameFilesFrom(folder, composite.inside);
+}
+
 // Reads files one inside the other.
 class FileReader {
  public:
@@ -220,7 +232,9 @@ class FileReader {
       agent = Joined(std::move(agent), ReadIncluded(file.parent_path() / include.file, include));
     }
     open_.pop_back();
-    return Joined(std::move(agent), reader.Read(root));
+    Agent own = reader.Read(root);
+    NameFilesFrom(file.parent_path(), own);
+    return Joined(std::move(agent), own);
   }
 
  private:

@@ -83,6 +83,12 @@ class Assignment {
 
   void operator()(std::vector<double>* target) const {
     const auto* list = std::get_if<std::vector<double>>(&value_);
+    double buffer = 0;
+    if (const double* one = AsReal(value_, buffer)) {  // a list of one
+      parameter_.CheckRange(name_, *one);
+      *target = {*one};
+      return;
+    }
     if (list == nullptr) ThrowWrongType(name_, "a list of numbers", value_);
     for (const double element : *list) parameter_.CheckRange(name_, element);
     *target = *list;

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "runtime/base/suggestion.h"
+#include "runtime/core/module/connections.h"
 
 namespace runtime {
 namespace {
@@ -200,6 +201,21 @@ void LiveGraph::CheckIsStillPaid(const Port& a, const Port& b) const {
       a.full_name(), b.full_name()));
 }
 
+std::vector<std::pair<std::string, ParameterValue>> LiveGraph::Resolved(
+    const std::string& type, const std::string& name,
+    const std::vector<std::pair<std::string, ParameterValue>>& parameters) const {
+  const std::unique_ptr<Module> fresh = types_.Make(type, name, context_);
+  const std::unique_ptr<Module> module = types_.Make(type, name, context_);
+  for (const auto& [parameter, value] : parameters) module->Set(parameter, value);
+  std::vector<std::pair<std::string, ParameterValue>> resolved;
+  for (const Parameter& parameter : module->parameters()) {
+    ParameterValue value = module->Get(parameter.name);
+    if (value != fresh->Get(parameter.name))
+      resolved.emplace_back(parameter.name, std::move(value));
+  }
+  return resolved;
+}
+
 void LiveGraph::AddModule(const std::string& type, const std::string& name,
                           const std::vector<std::pair<std::string, ParameterValue>>& parameters) {
   std::unique_ptr<Module> module = types_.Make(type, name, context_);
@@ -207,7 +223,7 @@ void LiveGraph::AddModule(const std::string& type, const std::string& name,
     throw UserError(fmt::format("`{}` is a task module: load a task under this name", name));
   }
   for (const auto& [parameter, value] : parameters) module->Set(parameter, value);
-  graph_.Add(std::move(module));
+  ConnectSensors(graph_.Add(std::move(module)), graph_);
   not_started_[name] = "";
   StartWhatCan();
 }

@@ -58,6 +58,11 @@ class LiveGraph {
   // Refuses to leave an in port without a value, or the learner without a task.
   void Disconnect(const std::string& first, const std::string& second);
 
+  // What these parameters make of a new module: all that are not as they are by default. A file
+  // that one of them names is read here, and not again where this is repeated.
+  std::vector<std::pair<std::string, ParameterValue>> Resolved(
+      const std::string& type, const std::string& name,
+      const std::vector<std::pair<std::string, ParameterValue>>& parameters) const;
   // Starts it as soon as its in ports are connected. Task modules come by Load().
   void AddModule(const std::string& type, const std::string& name,
                  const std::vector<std::pair<std::string, ParameterValue>>& parameters);

@@ -259,6 +259,7 @@ Json LiveRun::ModuleAdd(const QueuedRequest& request) {
   for (const auto& [name, value] : parameters.items()) {
     add.parameters.emplace_back(name, ValueFromJson(value, name));
   }
+  add.parameters = graph_.Resolved(add.type, add.module, add.parameters);
   return MakeNow(add);
 }
 

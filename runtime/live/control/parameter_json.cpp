@@ -18,8 +18,10 @@ bool IsWhole(const Parameter& parameter) {
          std::holds_alternative<int64_t*>(parameter.target);
 }
 
-bool IsNumber(const Parameter& parameter) {
-  return IsWhole(parameter) || std::holds_alternative<double*>(parameter.target);
+// A list takes one as a list of one.
+bool TakesNumber(const Parameter& parameter) {
+  return IsWhole(parameter) || std::holds_alternative<double*>(parameter.target) ||
+         std::holds_alternative<std::vector<double>*>(parameter.target);
 }
 
 // JSON does not tell 3.0 from 3.
@@ -71,7 +73,7 @@ std::vector<double> NumbersIn(const ParameterValue& value, const std::string& na
 ParameterValue FitTo(const Parameter& parameter, ParameterValue value, const std::string& name) {
   if (const double* real = std::get_if<double>(&value)) return NumberFor(parameter, *real);
   const std::string* text = std::get_if<std::string>(&value);
-  if (text == nullptr || !IsNumber(parameter)) return value;
+  if (text == nullptr || !TakesNumber(parameter)) return value;
   return NumberFor(parameter, NumberWithUnit(*text, parameter.unit, name));
 }
 

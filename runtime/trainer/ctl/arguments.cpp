@@ -141,7 +141,10 @@ void DeclareModuleAdd(Command& command, const CommandSpec& spec, json& arguments
       if (equals == std::string::npos) {
         throw CallError("`" + setting + "`: write `PARAMETER=VALUE`");
       }
-      arguments["parameters"][setting.substr(0, equals)] = ValueOfWord(setting.substr(equals + 1));
+      const std::string name = setting.substr(0, equals);
+      const std::string value = setting.substr(equals + 1);
+      // As in agent files, a parameter called `file` names a file.
+      arguments["parameters"][name] = name == "file" ? json(Absolute(value)) : ValueOfWord(value);
     }
   };
   command

@@ -2,6 +2,7 @@
 
 #include "runtime/core/task/universal_task.h"
 #include "runtime/training/learning/module_types.h"
+#include "runtime/training/signal/signal_generator.h"
 #include "runtime/training/simulation/robot_environment.h"
 
 namespace runtime {
@@ -11,6 +12,7 @@ const ModuleTypes& ProgramModuleTypes() {
     ModuleTypes all;
     all.Add<RobotEnvironment>(RobotEnvironment::kType);
     all.Add<UniversalTask>("UniversalTask");
+    all.Add<SignalGenerator>(SignalGenerator::kType);
     AddLearningModules(all);
     return all;
   }();

@@ -72,10 +72,10 @@ TEST_F(CtlTest, CommandLinesBecomeRequests) {
   EXPECT_EQ(Asked({"release", "task.velocity"}), Question("release", {{"name", "task.velocity"}}));
   EXPECT_EQ(Asked({"connect", "task.reward", "learner.reward"}),
             Question("connect", {{"first", "task.reward"}, {"second", "learner.reward"}}));
-  EXPECT_EQ(Asked({"module", "add", "NgNet", "net", "units=20", "file=x"}),
+  EXPECT_EQ(Asked({"module", "add", "NgNet", "net", "units=20", "file=a.task"}),
             Question("module_add", {{"type", "NgNet"},
                                     {"name", "net"},
-                                    {"parameters", {{"units", 20}, {"file", "x"}}}}));
+                                    {"parameters", {{"units", 20}, {"file", file}}}}));
   EXPECT_EQ(Asked({"module", "remove", "net"}), Question("module_remove", {{"name", "net"}}));
   EXPECT_EQ(Asked({"step"}), Question("step", json::object()));
   EXPECT_EQ(Asked({"step", "10", "--episodes"}),

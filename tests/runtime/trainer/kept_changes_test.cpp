@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <cstdlib>
+#include <fstream>
 #include <random>
 #include <thread>
 
@@ -32,6 +33,32 @@ class KeptChangesTest : public LiveTest {
     ASSERT_EQ(prlimit(process, RLIMIT_FSIZE, &limit, nullptr), 0);
   }
 };
+
+TEST_F(KeptChangesTest, ASignalIsAddedForATaskThatReadsIt) {
+  const std::string task = (folder() / "wishing.task").string();
+  std::ofstream(task)
+      << "task wishing for humanoid\nsensor wish: real [m/s]\n"
+         "on end_of_time_step {\n  reward rate near = -abs(wish - base.velocity.x)\n"
+         "  if time > 0.3 s { truncate_episode \"time is up\" }\n}\n";
+  const std::string file = (folder() / "wish.csv").string();
+  std::ofstream(file) << "time [s], wish [m/s]\n0, 0.1\n0.3, 0.4\n";
+  Serve(100, {"--checkpoint-every", "0", "--record-every", "1"});
+  EXPECT_THAT(Refusal({"swap", "task", task}),
+              AllOf(HasSubstr("reads the sensor `wish`, and no module has an out port `wish`"),
+                    HasSubstr("module add SignalGenerator wish sensor=wish")));
+  Ask({"module", "add", "SignalGenerator", "wish", "sensor=wish", "unit=m/s", "signal=samples",
+       "file=" + file});
+  std::filesystem::remove(file);
+  Ask({"swap", "task", task, "--now"});
+  RunEpisodes(2);
+  Ask({"set", "wish.signal", "constant"});
+  Ask({"set", "wish.value", "0.25 m/s"});
+  EXPECT_THAT(Refusal({"set", "wish.sensor", "other"}), HasSubstr("has no effect any more"));
+  EXPECT_THAT(Refusal({"module", "remove", "wish"}), HasSubstr("is read by `task.wish`"));
+  RunEpisodes(2);
+  Stop();
+  ExpectTheSameFromTheRecord(8);
+}
 
 TEST_F(KeptChangesTest, AChangeThatTakesEffectLaterSurvivesTheNextKill) {
   Serve(100, {"--checkpoint-every", "0", "--record-every", "1"});
