@@ -1,22 +1,12 @@
 #include "runtime/training/learning/dof_state.h"
 
-#include <fmt/format.h>
-
 #include <utility>
-#include <vector>
 
-#include "runtime/base/suggestion.h"
 #include "runtime/core/module/connections.h"
+#include "runtime/training/learning/dof_configuration.h"
+#include "runtime/training/learning/robot_sensor_in.h"
 
 namespace runtime {
-namespace {
-
-SensorIn MakeSensorIn(Module* owner, robot::SensorId id) {
-  const robot::SensorDescription& sensor = robot::Sensors()[static_cast<size_t>(id)];
-  return SensorIn(owner, std::string(sensor.name), SensorTypeText(sensor.type, sensor.unit));
-}
-
-}  // namespace
 
 DofState::DofState(std::string name, const Context& context)
     : Module(std::move(name)),
@@ -40,12 +30,7 @@ void DofState::Start() {
 }
 
 const robot::DofConfiguration& DofState::dof() const {
-  if (const robot::DofConfiguration* found = robot_.FindDof(dof_name_)) return *found;
-  std::vector<std::string> names;
-  for (const robot::DofConfiguration& dof : robot_.dof_configurations) names.push_back(dof.name);
-  throw UserError(fmt::format("`{}.dof`: the robot `{}` has no DoF configuration `{}`{}",
-                              Module::name(), robot_.name, dof_name_,
-                              Suggestion(dof_name_, names)));
+  return FindDof(robot_, dof_name_, name() + ".dof");
 }
 
 const Eigen::VectorXd& DofState::Read() const {

@@ -2,16 +2,22 @@
 
 #include "runtime/training/learning/dcob.h"
 #include "runtime/training/learning/dof_state.h"
+#include "runtime/training/learning/joint_offsets.h"
 #include "runtime/training/learning/ng_net.h"
+#include "runtime/training/learning/observation.h"
 #include "runtime/training/learning/peng_q_lambda.h"
+#include "runtime/training/learning/ppo.h"
 
 namespace runtime {
 
 void AddLearningModules(ModuleTypes& types) {
   types.Add<DofState>("DofState");
   types.Add<NgNet>("NgNet");
+  types.Add<Observation>("Observation");
   types.Add<Dcob>("Dcob");
   types.Add<PengQLambda>("PengQLambda");
+  types.Add<JointOffsets>("JointOffsets");
+  types.Add<Ppo>("Ppo");
 }
 
 }  // namespace runtime

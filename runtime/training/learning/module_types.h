@@ -4,7 +4,8 @@
 
 namespace runtime {
 
-// Adds the modules of this folder: DofState, NgNet, Dcob, PengQLambda.
+// Adds the modules of this folder: DofState, NgNet, Dcob, PengQLambda, JointOffsets,
+// Ppo.
 void AddLearningModules(ModuleTypes& types);
 
 }  // namespace runtime

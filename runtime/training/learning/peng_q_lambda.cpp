@@ -8,6 +8,7 @@
 
 #include "runtime/core/module/connections.h"
 #include "runtime/training/learning/exponential_schedule.h"
+#include "runtime/training/learning/terminal_end.h"
 
 namespace runtime {
 namespace {
@@ -19,8 +20,6 @@ constexpr double kLowestTemperature = 1e-300;
 
 constexpr const char* kFormat = "peng_q_lambda_1";  // of a checkpoint
 constexpr int64_t kMostElements = int64_t{1} << 31;
-
-bool IsTerminal(EndKind kind) { return kind == EndKind::kSuccess || kind == EndKind::kFailure; }
 
 }  // namespace
 

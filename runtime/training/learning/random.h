@@ -1,8 +1,10 @@
 // The source of all randomness in learning: equal seeds give equal numbers on every machine.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <istream>
+#include <numbers>
 #include <ostream>
 #include <random>
 
@@ -16,6 +18,13 @@ class Random {
 
   // Uniform in [0, 1), with 53 random bits.
   double Uniform() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
+
+  // Standard normal, of two uniform numbers (Box and Muller), so that nothing is kept but the
+  // engine.
+  double Normal() {
+    const double length = std::sqrt(-2 * std::log(1 - Uniform()));
+    return length * std::cos(2 * std::numbers::pi * Uniform());
+  }
 
   friend std::ostream& operator<<(std::ostream& out, const Random& random) {
     return out << random.engine_;

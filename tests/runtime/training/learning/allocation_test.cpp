@@ -6,8 +6,11 @@
 #include <cstdlib>
 
 #include "runtime/core/module/module_graph.h"
+#include "runtime/training/learning/joint_offsets.h"
 #include "runtime/training/learning/module_types.h"
 #include "runtime/training/learning/peng_q_lambda.h"
+#include "runtime/training/learning/ppo.h"
+#include "tests/runtime/training/learning/continuous_world.h"
 #include "tests/runtime/training/learning/fake_sensors.h"
 #include "tests/runtime/training/learning/fake_world.h"
 
@@ -130,6 +133,40 @@ TEST(Agent, AllocatesNothingPerStepNorPerAction) {
   const auto probe = std::make_unique<int>(1);  // the count counts
   EXPECT_GT(allocations, after);
   EXPECT_EQ(*probe, 1);
+}
+
+// The same of PPO and its action space; the batch grows where it was never as large before.
+TEST(Ppo, AllocatesNothingPerStepNorPerAction) {
+  if (!COUNTS_ALLOCATIONS) GTEST_SKIP() << "a sanitizer has its own malloc";
+  ContinuousWorld world(79, 17);
+  JointOffsets action_space("action_space", HumanoidContext());
+  Ppo learner("learner", HumanoidContext());
+  Signal<double> end_of_time_step(&world, "end_of_time_step");
+  for (const char* port : {"observation", "start_of_episode", "reward", "end_of_episode"}) {
+    Connect(world, port, learner, port);
+  }
+  Connect(action_space, "action_size", learner, "action_size");
+  Connect(learner, "execute", action_space, "execute");
+  Connect(action_space, "end_of_action", learner, "end_of_action");
+  Connect(world, "end_of_time_step", action_space, "end_of_time_step");
+  action_space.Start();
+  learner.Start();
+  const auto run_episode = [&](int steps) {
+    world.start_of_episode();
+    int64_t before = 0;
+    for (int step = 0; step < steps; ++step) {
+      if (step == 50) before = allocations;  // after the first actions
+      world.observation[step % 79] += 0.1;
+      world.reward(0.1);
+      end_of_time_step(kTimeStep);
+    }
+    const int64_t count = allocations - before;
+    world.end_of_episode(kTimeIsUp);
+    return count;
+  };
+  run_episode(4000);
+  EXPECT_EQ(run_episode(4000), 0);
+  EXPECT_EQ(learner.state().batch.decisions(), 1002);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <sstream>
 
 namespace runtime {
@@ -28,6 +29,21 @@ TEST(Random, StaysBelowOneAndFillsTheInterval) {
   EXPECT_LT(largest, 1);
   EXPECT_GT(largest, 0.999);
   EXPECT_NEAR(sum / 10000, 0.5, 0.01);  // 3.5 standard deviations of the mean
+}
+
+TEST(Random, NormalNumbersHaveMeanZeroAndVarianceOne) {
+  Random random(1);
+  double sum = 0, squares = 0, fourths = 0;
+  constexpr int kCount = 20000;
+  for (int i = 0; i < kCount; ++i) {
+    const double normal = random.Normal();
+    sum += normal;
+    squares += normal * normal;
+    fourths += std::pow(normal, 4);
+  }
+  EXPECT_NEAR(sum / kCount, 0, 0.03);  // 4 standard deviations
+  EXPECT_NEAR(squares / kCount, 1, 0.04);
+  EXPECT_NEAR(fourths / kCount, 3, 0.3);
 }
 
 TEST(Random, GoesOnWhereItWasSaved) {

@@ -1,0 +1,67 @@
+#include "runtime/training/learning/joint_offsets.h"
+
+#include <fmt/format.h>
+
+#include <limits>
+#include <utility>
+
+#include "runtime/training/learning/dof_configuration.h"
+
+namespace runtime {
+
+JointOffsets::JointOffsets(std::string name, const Context& context)
+    : Module(std::move(name)), robot_(*context.robot) {
+  AddParameter({.name = "dof",
+                .doc = "what the elements of an action move: a DoF configuration of the robot, or "
+                       "\"all\" joints",
+                .target = &dof_,
+                .is_live = false});
+  AddParameter({.name = "hold",
+                .doc = "time steps that an action lasts",
+                .target = &hold_,
+                .minimum = 1,
+                .maximum = std::numeric_limits<int>::max()});
+  AddParameter({.name = "scale",
+                .doc = "how far an action of 1 moves a target",
+                .target = &scale_,
+                .minimum = 0,
+                .unit = "rad"});
+}
+
+const int& JointOffsets::ActionSize() {
+  if (action_size_ == 0) Prepare();
+  return action_size_;
+}
+
+void JointOffsets::Prepare() {
+  const auto joints = static_cast<Eigen::Index>(robot_.joints.size());
+  const robot::DofConfiguration dof = FindDofOrAll(robot_, dof_, name() + ".dof");
+  mapping_ = DofMapping(dof, static_cast<int>(joints));
+  rest_ = Eigen::Map<const Eigen::VectorXd>(robot_.poses.front().joint_angles.data(), joints);
+  low_.resize(joints);
+  high_.resize(joints);
+  for (Eigen::Index i = 0; i < joints; ++i) {
+    low_[i] = robot_.joints[static_cast<size_t>(i)].low;
+    high_[i] = robot_.joints[static_cast<size_t>(i)].high;
+  }
+  targets_ = rest_;
+  action_size_ = dof.dof();
+}
+
+void JointOffsets::Execute(const Eigen::VectorXd& action) {
+  if (action.size() != action_size_) {
+    throw UserError(fmt::format(
+        "`{}` gets an action of {} elements, and its actions have {}: take their size from it",
+        name(), action.size(), action_size_));
+  }
+  mapping_.Apply(action, targets_);
+  targets_ = (rest_ + scale_ * targets_).cwiseMax(low_).cwiseMin(high_);
+  steps_left_ = hold_;
+}
+
+void JointOffsets::EndOfTimeStep(double) {
+  if (steps_left_ == 0 || --steps_left_ > 0) return;
+  end_of_action_();  // usually starts the next action
+}
+
+}  // namespace runtime

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <string>
+
+#include "runtime/core/module/context.h"
+#include "runtime/core/module/module.h"
+#include "runtime/core/module/values.h"
+#include "runtime/training/learning/dof_mapping.h"
+
+namespace runtime {
+
+// An action space whose actions are vectors: how far the joints' targets are from the robot's rest
+// pose, its first one. Each element moves a coordinate of a DoF configuration, or a joint, by
+// `scale` [rad]; targets go no farther than the joints' stops. They are held for `hold` time steps;
+// then the action is over.
+class JointOffsets : public Module {
+ public:
+  JointOffsets(std::string name, const Context& context);
+
+  void Start() override { ActionSize(); }
+
+ private:
+  void Execute(const Eigen::VectorXd& action);
+  void EndOfTimeStep(double time_step);
+  const int& ActionSize();
+
+  // When the action's size is first asked for: modules may be started in any order.
+  void Prepare();
+
+  const robot::RobotDescription& robot_;
+  std::string dof_ = "all";
+  int hold_ = 8;
+  double scale_ = 1;
+
+  int action_size_ = 0;
+  DofMapping mapping_;
+  Eigen::VectorXd rest_;
+  Eigen::VectorXd low_;  // stops
+  Eigen::VectorXd high_;
+  Eigen::VectorXd targets_;
+  int steps_left_ = 0;
+
+  Out<Eigen::VectorXd> joint_targets_{this, "joint_targets", &targets_};
+  Out<int> action_size_out_{this, "action_size", Bind<&JointOffsets::ActionSize>{}};
+  Slot<const Eigen::VectorXd&> execute_{this, "execute", Bind<&JointOffsets::Execute>{}};
+  Slot<double> end_of_time_step_{this, "end_of_time_step", Bind<&JointOffsets::EndOfTimeStep>{}};
+  Signal<> end_of_action_{this, "end_of_action"};
+};
+
+}  // namespace runtime

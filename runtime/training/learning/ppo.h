@@ -1,0 +1,78 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "runtime/core/module/context.h"
+#include "runtime/core/module/values.h"
+#include "runtime/training/learning/learner.h"
+#include "runtime/training/learning/ppo_update.h"
+
+namespace runtime {
+
+// Proximal policy optimization (runtime/training/learning/ppo_update.h). Actions are vectors, drawn
+// from a normal distribution whose mean is what a network makes of the observation.
+//
+// The policy changes between episodes only: after the first one with which there are at least
+// `batch` decisions that were not learned from. An episode ends at once. What its last state is
+// worth counts where a limit has cut it off, and not where it has succeeded or failed; a diverged
+// episode is not learned from at all.
+class Ppo : public Learner {
+ public:
+  Ppo(std::string name, const Context& context);
+
+  void Start() override;
+  void Save(std::ostream& out) const override;
+  // Throws UserError if the stream holds something else, and changes nothing then. Whether what was
+  // learned fits the agent shows when the next episode starts.
+  void Load(std::istream& in) override;
+
+  bool ends_at_once() const override { return true; }
+  // Decisions of another task, and the action that runs, are not learned from.
+  void ForgetCredit() override;
+  void Forget() override;
+  // The action is the mean, and nothing is collected.
+  void StopLearning() override { learns_ = false; }
+
+  const PpoState& state() const { return state_; }
+
+ private:
+  void SelectFirst() override;
+  void Execute() override { execute_(action_out_); }
+  void LearnAndSelect(double reward) override;
+  void LearnFromEnd(double reward, const EpisodeEnd& end) override;
+  void FinishEpisode() override;
+
+  std::vector<int> HiddenSizes() const;
+  // Makes the networks before the first episode. Throws UserError where what was learned has other
+  // sizes than the observation and the action.
+  void PrepareState();
+  void Observe();
+  void Select();
+  void Collect(double reward);
+
+  std::vector<double> hidden_ = {64, 64};
+  int batch_ = 1024;
+  std::string deviation_mode_;
+  PpoSettings settings_;
+
+  Random random_;
+  PpoState state_;
+  PpoUpdate update_;
+  bool learns_ = true;
+  bool has_credit_ = false;  // the action that runs is learned from
+
+  Eigen::VectorXf observation_;  // that the action was selected for
+  Eigen::MatrixXf normalized_;   // the same for the network, a column
+  Mlp<float>::Pass pass_;
+  Eigen::VectorXf action_;
+  Eigen::VectorXd action_out_;
+  PpoFigures shown_;
+
+  In<Eigen::VectorXd> observation_in_{this, "observation"};
+  In<int> action_size_in_{this, "action_size"};
+  Signal<const Eigen::VectorXd&> execute_{this, "execute"};
+};
+
+}  // namespace runtime

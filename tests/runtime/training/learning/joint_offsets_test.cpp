@@ -1,0 +1,141 @@
+#include "runtime/training/learning/joint_offsets.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/runtime/training/learning/fake_state.h"
+#include "tests/runtime/training/learning/user_error_of.h"
+
+namespace runtime {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+constexpr double kStep = 0.005;
+
+// Gives vectors to an action space, and hears of the ends of its actions.
+class VectorCommander : public Module {
+ public:
+  VectorCommander() : Module("commander") {}
+
+  Signal<const Eigen::VectorXd&> execute{this, "execute"};
+  Signal<double> end_of_time_step{this, "end_of_time_step"};
+  In<Eigen::VectorXd> joint_targets{this, "joint_targets"};
+  In<int> action_size{this, "action_size"};
+  int ended = 0;
+
+ private:
+  void EndOfAction() { ++ended; }
+  Slot<> end_of_action_{this, "end_of_action", Bind<&VectorCommander::EndOfAction>{}};
+};
+
+class JointOffsetsTest : public testing::Test {
+ protected:
+  explicit JointOffsetsTest(const robot::RobotDescription& robot = Humanoid())
+      : offsets_("action_space", {.robot = &robot, .task = {}, .seed = 1}) {
+    for (const char* port : {"execute", "end_of_time_step"}) {
+      Connect(commander_, port, offsets_, port);
+    }
+    for (const char* port : {"joint_targets", "action_size", "end_of_action"}) {
+      Connect(offsets_, port, commander_, port);
+    }
+  }
+  void Use(const std::string& dof) {
+    offsets_.Set("dof", dof);
+    offsets_.Start();
+  }
+  // Where a joint is told to go.
+  double TargetOf(const char* joint) const {
+    return commander_.joint_targets()[*Humanoid().FindJoint(joint)];
+  }
+
+  VectorCommander commander_;
+  JointOffsets offsets_;
+};
+
+TEST_F(JointOffsetsTest, MovesTheJointsOfADofConfiguration) {
+  Use("6");
+  ASSERT_EQ(commander_.action_size(), 6);
+  EXPECT_TRUE(commander_.joint_targets().isZero(0));  // at rest
+  Eigen::VectorXd action(6);
+  action << 0.1, 0.2, -0.3, 0.4, -0.5, 0.6;
+  commander_.execute(action);
+  EXPECT_EQ(TargetOf("left_shoulder_pitch"), 0.1);
+  EXPECT_EQ(TargetOf("right_shoulder_pitch"), 0.1);
+  EXPECT_EQ(TargetOf("left_hip_roll"), -0.3);
+  EXPECT_EQ(TargetOf("right_hip_roll"), 0.3);
+  EXPECT_EQ(TargetOf("right_ankle_pitch"), 0.6);
+  EXPECT_EQ(TargetOf("neck_yaw"), 0);
+}
+
+TEST_F(JointOffsetsTest, MovesEachJointByItself) {
+  Use("all");
+  ASSERT_EQ(commander_.action_size(), 17);
+  commander_.execute(Eigen::VectorXd::LinSpaced(17, -0.08, 0.08));
+  EXPECT_EQ(TargetOf("neck_yaw"), -0.08);
+  EXPECT_EQ(TargetOf("right_ankle_roll"), 0.08);
+}
+
+TEST_F(JointOffsetsTest, ScalesActionsAndStopsAtTheStops) {
+  offsets_.Set("scale", 0.5);
+  Use("5");
+  Eigen::VectorXd action(5);
+  action << 0.5, 100, 0, -100, 0;
+  commander_.execute(action);
+  EXPECT_EQ(TargetOf("left_shoulder_pitch"), 0.25);
+  EXPECT_EQ(TargetOf("left_elbow_pitch"), Humanoid().joints[3].high);
+  EXPECT_EQ(TargetOf("left_knee_pitch"), Humanoid().joints[9].low);
+}
+
+TEST_F(JointOffsetsTest, HoldsTargetsForSomeTimeSteps) {
+  offsets_.Set("hold", int64_t{3});
+  Use("5");
+  commander_.end_of_time_step(kStep);  // nothing runs yet
+  commander_.execute(Eigen::VectorXd::Constant(5, 0.1));
+  for (int step = 0; step < 2; ++step) commander_.end_of_time_step(kStep);
+  EXPECT_EQ(commander_.ended, 0);
+  commander_.end_of_time_step(kStep);
+  EXPECT_EQ(commander_.ended, 1);
+  commander_.end_of_time_step(kStep);
+  EXPECT_EQ(commander_.ended, 1);
+  EXPECT_EQ(TargetOf("left_hip_pitch"), 0.1);
+}
+
+TEST_F(JointOffsetsTest, AnActionOfAnotherSizeIsRefused) {
+  Use("5");
+  EXPECT_THAT(UserErrorOf([&] { commander_.execute(Eigen::VectorXd::Zero(4)); }),
+              AllOf(HasSubstr("`action_space` gets an action of 4 elements"), HasSubstr("have 5")));
+}
+
+TEST_F(JointOffsetsTest, AnUnknownDofConfigurationIsRefused) {
+  EXPECT_THAT(UserErrorOf([&] { Use("al"); }),
+              AllOf(HasSubstr("`action_space.dof`: the robot `humanoid`"), HasSubstr("`all`")));
+}
+
+// Of which the first pose is another one.
+robot::RobotDescription Crouching() {
+  robot::RobotDescription robot = Humanoid();
+  robot.poses.front().joint_angles.assign(17, 0.05);
+  return robot;
+}
+
+class CrouchingJointOffsetsTest : public JointOffsetsTest {
+ protected:
+  CrouchingJointOffsetsTest() : JointOffsetsTest(Robot()) {}
+  static const robot::RobotDescription& Robot() {
+    static const robot::RobotDescription robot = Crouching();
+    return robot;
+  }
+};
+
+TEST_F(CrouchingJointOffsetsTest, OffsetsAreFromTheRestPose) {
+  Use("5");
+  EXPECT_EQ(TargetOf("neck_yaw"), 0.05);
+  commander_.execute(Eigen::VectorXd::Constant(5, 0.1));
+  EXPECT_NEAR(TargetOf("left_hip_pitch"), 0.15, 1e-15);
+  EXPECT_EQ(TargetOf("neck_yaw"), 0.05);
+}
+
+}  // namespace
+}  // namespace runtime

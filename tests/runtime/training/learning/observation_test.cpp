@@ -1,0 +1,111 @@
+#include "runtime/training/learning/observation.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "runtime/core/module/sensor_data.h"
+#include "tests/runtime/training/learning/fake_state.h"
+#include "tests/runtime/training/learning/user_error_of.h"
+
+namespace runtime {
+namespace {
+
+using testing::DoubleNear;
+using testing::HasSubstr;
+using testing::Pointwise;
+
+constexpr int kLinks = 18;
+
+// All sensors of the humanoid.
+class AllSensors : public Module {
+ public:
+  AllSensors() : Module("environment") {
+    for (const robot::SensorDescription& description : robot::Sensors()) {
+      auto sensor = std::make_unique<Sensor>(this, description);
+      sensors_.push_back(std::move(sensor));
+    }
+    reals(robot::SensorId::kBaseOrientation)[0] = 1;
+  }
+  void ConnectTo(Module& module) {
+    for (Port* port : module.ports()) {
+      if (port->type().cpp != std::type_index(typeid(SensorData))) continue;
+      Port::Connect(FindPort(port->name()), *port);
+    }
+  }
+  std::vector<double>& reals(robot::SensorId id) {
+    return sensors_[static_cast<size_t>(id)]->reals;
+  }
+  bool* flags(robot::SensorId id) { return sensors_[static_cast<size_t>(id)]->flags; }
+
+ private:
+  struct Sensor {
+    Sensor(Module* owner, const robot::SensorDescription& description)
+        : reals(static_cast<size_t>(robot::ElementCount(description, Humanoid()))),
+          data{description.type.starts_with("bool") ? static_cast<const void*>(flags)
+                                                    : reals.data()},
+          port(owner, std::string(description.name), &data,
+               SensorTypeText(description.type, description.unit)) {}
+    std::vector<double> reals;
+    bool flags[kLinks] = {};
+    SensorData data;
+    SensorOut port;
+  };
+  std::vector<std::unique_ptr<Sensor>> sensors_;
+};
+
+class ObservationTest : public testing::Test {
+ protected:
+  std::vector<double> Read() {
+    const Eigen::VectorXd& values = observation_.Read();
+    return {values.begin(), values.end()};
+  }
+
+  AllSensors sensors_;
+  Observation observation_{"observation", HumanoidContext()};
+};
+
+// Turned by 90 degrees about x, so that its y axis points up: what moves up in the world moves
+// along its y.
+TEST_F(ObservationTest, TheRobotsVectorsAreInItsOwnFrame) {
+  sensors_.ConnectTo(observation_);
+  observation_.Start();
+  const double half = std::sqrt(0.5);
+  sensors_.reals(robot::SensorId::kBasePosition) = {5, 6, 0.25};
+  sensors_.reals(robot::SensorId::kBaseOrientation) = {half, half, 0, 0};
+  sensors_.reals(robot::SensorId::kBaseVelocity) = {1, 0, 2};
+  sensors_.reals(robot::SensorId::kBaseAngularVelocity) = {0, 3, 0};
+  const std::vector<double> values = Read();
+  const std::vector<double> of_base(values.begin(), values.begin() + 10);
+  EXPECT_THAT(of_base,
+              Pointwise(DoubleNear(1e-15), {0.25, 0.0, 1.0, 0.0, 1.0, 2.0, 0.0, 0.0, 0.0, -3.0}));
+}
+
+TEST_F(ObservationTest, TheRobotsJointsAreSeenFromItsFirstPose) {
+  sensors_.ConnectTo(observation_);
+  observation_.Start();
+  const double rest = Humanoid().poses.front().joint_angles[3];
+  sensors_.reals(robot::SensorId::kJointAngle)[3] = 0.5;
+  sensors_.reals(robot::SensorId::kJointVelocity)[3] = 7;
+  sensors_.reals(robot::SensorId::kJointTarget)[3] = -0.25;
+  sensors_.flags(robot::SensorId::kContact)[2] = true;
+  const std::vector<double> values = Read();
+  EXPECT_EQ(values.size(), 61u + kLinks);
+  EXPECT_EQ(values[10 + 3], 0.5 - rest);
+  EXPECT_EQ(values[27 + 3], 7);
+  EXPECT_EQ(values[44 + 3], -0.25 - rest);
+  EXPECT_EQ(values[61 + 2], 1);
+  EXPECT_EQ(values[61 + 3], 0);
+}
+
+TEST_F(ObservationTest, WhatIsNotConnectedIsNamed) {
+  EXPECT_THAT(UserErrorOf([&] { observation_.Start(); }),
+              HasSubstr("`observation.base.position` is not connected"));
+}
+
+}  // namespace
+}  // namespace runtime

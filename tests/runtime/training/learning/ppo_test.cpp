@@ -1,0 +1,267 @@
+#include "runtime/training/learning/ppo.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <sstream>
+
+#include "tests/runtime/training/learning/continuous_world.h"
+#include "tests/runtime/training/learning/user_error_of.h"
+
+namespace runtime {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+// A learner in a world whose observations follow from its actions.
+class PpoTrainee {
+ public:
+  explicit PpoTrainee(uint64_t seed = 1, int observation_size = 3)
+      : world_(observation_size, 2),
+        learner_("learner", {.robot = &Humanoid(), .task = {}, .seed = seed}) {
+    learner_.Set("hidden", std::vector<double>{8, 8});
+    learner_.Set("batch", int64_t{40});
+    learner_.Set("minibatch", int64_t{16});
+    learner_.Set("deviation", 0.5);
+    learner_.Set("deviation_decisions", int64_t{1000});
+    world_.ConnectTo(learner_);
+    learner_.Start();
+  }
+
+  void Train(int episodes) {
+    for (int i = 0; i < episodes; ++i) PlayEpisode(15, i % 2 == 0 ? kTimeIsUp : kFall);
+  }
+  void PlayEpisode(int actions, const EpisodeEnd& end) {
+    world_.observation.setZero();
+    world_.start_of_episode();
+    for (int i = 0; i < actions; ++i) {
+      trace_.push_back(world_.action[0]);
+      Move();
+      if (i + 1 == actions) world_.end_of_episode(end);
+      world_.end_of_action();
+    }
+  }
+
+  std::string Saved() const {
+    std::ostringstream stream;
+    learner_.Save(stream);
+    return stream.str();
+  }
+  void Load(const std::string& checkpoint) {
+    std::istringstream stream(checkpoint);
+    learner_.Load(stream);
+  }
+
+  ContinuousWorld& world() { return world_; }
+  Ppo& learner() { return learner_; }
+  // The first element of all actions.
+  std::vector<double>& trace() { return trace_; }
+
+ private:
+  void Move() {
+    const double place = world_.observation[0] + world_.action.sum();
+    for (Eigen::Index i = 0; i < world_.observation.size(); ++i) {
+      world_.observation[i] = std::sin(static_cast<double>(i + 1) * place);
+    }
+    world_.reward(-std::abs(place));
+  }
+
+  ContinuousWorld world_;
+  Ppo learner_;
+  std::vector<double> trace_;
+};
+
+TEST(Ppo, LearnsAfterTheEpisodeThatFillsABatch) {
+  PpoTrainee trainee;
+  trainee.Train(2);
+  EXPECT_EQ(trainee.learner().state().batch.decisions(), 30);
+  EXPECT_EQ(trainee.learner().state().decisions, 0);
+  trainee.Train(1);
+  EXPECT_EQ(trainee.learner().state().batch.decisions(), 0);
+  EXPECT_EQ(trainee.learner().state().decisions, 45);
+  EXPECT_EQ(trainee.learner().passed_over_count(), 0);
+}
+
+TEST(Ppo, ADivergedEpisodeIsNotLearnedFrom) {
+  PpoTrainee trainee;
+  trainee.PlayEpisode(10, kTimeIsUp);
+  trainee.PlayEpisode(20, kBlownUp);
+  EXPECT_EQ(trainee.learner().state().batch.decisions(), 10);
+}
+
+TEST(Ppo, AnEpisodeThatEndsAtItsStartHasNothingToLearnFrom) {
+  PpoTrainee trainee;
+  trainee.world().end_of_episode(kFall);
+  trainee.world().start_of_episode();
+  EXPECT_TRUE(trainee.learner().episode_over());
+  EXPECT_EQ(trainee.learner().state().batch.decisions(), 0);
+}
+
+TEST(Ppo, DeviationFallsWithTheDecisionsThatWereLearnedFrom) {
+  PpoTrainee trainee;
+  const auto deviation = [&] {
+    return std::exp(trainee.learner().state().policy.log_deviations[0]);
+  };
+  trainee.Train(1);
+  EXPECT_NEAR(deviation(), 0.5, 1e-6);
+  trainee.Train(3);  // 45 of 1000 decisions were learned from, 15 were not
+  EXPECT_NEAR(deviation(), 0.5 - 0.4 * 0.045, 1e-6);
+  trainee.Train(80);
+  EXPECT_NEAR(deviation(), 0.1, 1e-6);
+}
+
+TEST(Ppo, DeviationCanBeLearned) {
+  PpoTrainee trainee;
+  trainee.learner().Set("deviation_mode", std::string("learned"));
+  trainee.learner().Start();
+  trainee.Train(9);
+  const Eigen::VectorXf& logs = trainee.learner().state().policy.log_deviations;
+  EXPECT_NE(logs[0], logs[1]);
+  EXPECT_GE(logs.minCoeff(), std::log(0.1f));
+}
+
+TEST(Ppo, WithoutLearningActsByTheMeanAndChangesNothing) {
+  PpoTrainee trainee;
+  trainee.Train(6);
+  trainee.learner().StopLearning();
+  const std::string before = trainee.Saved();
+  trainee.trace().clear();
+  trainee.Train(1);
+  const std::vector<double> once = trainee.trace();
+  trainee.trace().clear();
+  trainee.Train(1);
+  EXPECT_EQ(trainee.trace(), once);
+  EXPECT_EQ(trainee.Saved(), before);
+  const PpoState& state = trainee.learner().state();
+  Eigen::MatrixXf observation = Eigen::MatrixXf::Zero(3, 1);
+  state.Normalize(observation);
+  Mlp<float>::Pass pass;
+  EXPECT_EQ(once.front(), state.policy.mean.Forward(observation, pass)(0, 0));
+}
+
+TEST(Ppo, AnotherTaskIsNotPaidWithDecisionsOfTheOldOne) {
+  PpoTrainee trainee;
+  trainee.Train(2);
+  trainee.world().start_of_episode();
+  trainee.world().PlayAction(1);
+  trainee.learner().ForgetCredit();
+  EXPECT_EQ(trainee.learner().state().batch.decisions(), 0);
+  trainee.world().PlayAction(1);  // was selected before
+  trainee.world().PlayAction(2);
+  trainee.world().end_of_episode(kTimeIsUp);
+  ASSERT_EQ(trainee.learner().state().batch.decisions(), 2);
+  EXPECT_EQ(trainee.learner().state().batch.rewards()[0], 2);
+}
+
+TEST(Ppo, ForgetsAllButTheRandomNumbers) {
+  PpoTrainee trainee;
+  trainee.Train(6);
+  const std::string before = trainee.Saved();
+  trainee.learner().Forget();
+  trainee.Train(1);
+  const PpoState& state = trainee.learner().state();
+  EXPECT_EQ(state.decisions, 0);
+  EXPECT_EQ(state.batch.decisions(), 15);
+  EXPECT_NEAR(std::exp(state.policy.log_deviations[0]), 0.5, 1e-6);
+  PpoTrainee first;
+  first.Train(1);
+  EXPECT_NE(first.trace().front(), trainee.trace().back());
+  EXPECT_NE(first.learner().state().policy.mean.weights(), state.policy.mean.weights());
+}
+
+TEST(Ppo, LearningRateFollowsTheDivergence) {
+  PpoTrainee trainee;
+  trainee.learner().Set("kl_target", 1e3);  // never reached
+  trainee.Train(3);
+  EXPECT_DOUBLE_EQ(trainee.learner().state().rate_factor, 1.5);
+  trainee.learner().Set("kl_target", 1e-9);
+  trainee.Train(3);
+  EXPECT_DOUBLE_EQ(trainee.learner().state().rate_factor, 1);
+  trainee.learner().Set("kl_target", 0.0);
+  trainee.Train(3);
+  EXPECT_DOUBLE_EQ(trainee.learner().state().rate_factor, 1);
+  EXPECT_EQ(trainee.learner().state().figures.learning_rate, 3e-4);
+}
+
+TEST(Ppo, WhatIsNotFiniteIsPassedOver) {
+  PpoTrainee trainee;
+  trainee.world().start_of_episode();
+  for (int i = 0; i < 48; ++i) {
+    trainee.world().observation.setConstant(1e300);
+    if (i == 47) trainee.world().end_of_episode(kTimeIsUp);
+    trainee.world().PlayAction(i % 2 == 0 ? 1e300 : -1e300);
+  }
+  EXPECT_EQ(trainee.learner().state().decisions, 48);
+  EXPECT_TRUE(trainee.learner().state().policy.mean.weights().allFinite());
+  EXPECT_TRUE(trainee.learner().state().value.weights().allFinite());
+  trainee.Train(3);
+  EXPECT_TRUE(std::isfinite(trainee.trace().back()));
+}
+
+TEST(Ppo, HiddenSizesAreWholeNumbers) {
+  Ppo learner("learner", HumanoidContext());
+  ContinuousWorld world(1, 1);
+  world.ConnectTo(learner);
+  learner.Set("hidden", std::vector<double>{64, 2.5});
+  EXPECT_THAT(UserErrorOf([&] { learner.Start(); }), HasSubstr("`learner.hidden`"));
+}
+
+TEST(Ppo, DeviationDoesNotRise) {
+  Ppo learner("learner", HumanoidContext());
+  ContinuousWorld world(1, 1);
+  world.ConnectTo(learner);
+  learner.Set("deviation_min", 1.0);
+  EXPECT_THAT(UserErrorOf([&] { learner.Start(); }),
+              AllOf(HasSubstr("`learner.deviation_min` is 1"), HasSubstr("0.3")));
+}
+
+TEST(PpoCheckpoint, TrainingGoesOnBitForBit) {
+  PpoTrainee trainee(1);
+  trainee.Train(5);  // two of them wait for the next update
+  const std::string checkpoint = trainee.Saved();
+  trainee.trace().clear();
+  trainee.Train(5);
+
+  PpoTrainee resumed(2);  // another seed: the numbers come from the checkpoint
+  resumed.Load(checkpoint);
+  EXPECT_EQ(resumed.Saved(), checkpoint);
+  resumed.Train(5);
+  EXPECT_EQ(resumed.trace(), trainee.trace());
+  EXPECT_EQ(resumed.Saved(), trainee.Saved());
+}
+
+TEST(PpoCheckpoint, HoldsALearnerThatHasNotLearned) {
+  PpoTrainee trainee(1);
+  PpoTrainee resumed(2);
+  resumed.Load(trainee.Saved());
+  trainee.Train(4);
+  resumed.Train(4);
+  EXPECT_EQ(resumed.Saved(), trainee.Saved());
+}
+
+TEST(PpoCheckpoint, OneOfAnotherAgentIsRefused) {
+  PpoTrainee trainee;
+  trainee.Train(1);
+  PpoTrainee other(1, 4);
+  other.Load(trainee.Saved());
+  EXPECT_THAT(
+      UserErrorOf([&] { other.Train(1); }),
+      AllOf(HasSubstr("observations of 3 elements and actions of 2"), HasSubstr("has 4 and 2")));
+}
+
+TEST(PpoCheckpoint, ADamagedOneIsRefusedAndChangesNothing) {
+  PpoTrainee trainee;
+  trainee.Train(4);
+  const std::string checkpoint = trainee.Saved();
+  for (const std::string& damaged :
+       {std::string(), std::string("something else"), "x" + checkpoint,
+        checkpoint.substr(0, checkpoint.size() - 1), checkpoint.substr(0, 8000)}) {
+    EXPECT_THAT(UserErrorOf([&] { trainee.Load(damaged); }), HasSubstr("`learner` is damaged"));
+  }
+  EXPECT_EQ(trainee.Saved(), checkpoint);
+}
+
+}  // namespace
+}  // namespace runtime
