@@ -96,7 +96,7 @@ const std::map<std::string, Folders> kMayInclude = {
       "runtime/live/server", "runtime/live/workers", "runtime/trainer", "runtime/trainer/setup",
       "runtime/training/run"}},
     {"runtime/trainer/train",
-     {"base/text", "runtime/core/agent", "runtime/core/module", "runtime/trainer",
+     {"base/text", "plugins/robot", "runtime/core/agent", "runtime/core/module", "runtime/trainer",
       "runtime/trainer/runs", "runtime/trainer/setup", "runtime/training/run"}},
     {"runtime/trainer/ctl",
      {"base/command_line", "base/text", "base/watch", "runtime/base", "runtime/live/client",

@@ -76,11 +76,6 @@ Option& Option::OneOf(const std::vector<std::string>& words) {
   return *this;
 }
 
-Option& Option::ExistingFile() {
-  option_->check(CLI::ExistingFile);
-  return *this;
-}
-
 Option& Option::Count(int least, int most) {
   option_->expected(least, most == 0 ? CLI::detail::expected_max_vector_size : most);
   return *this;

@@ -51,7 +51,6 @@ class Option {
   Option& Positive();
   // One of these words, which become the value's name: "text|json".
   Option& OneOf(const std::vector<std::string>& words);
-  Option& ExistingFile();
 
   // How many values a list takes: from `least` to `most`, where 0 means any number.
   Option& Count(int least, int most);

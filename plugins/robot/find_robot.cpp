@@ -4,6 +4,7 @@
 
 #include "base/file/search_path.h"
 #include "plugins/robot/robot_description.h"
+#include "plugins/robot/robot_names.h"
 #include "plugins/robot/toml_value.h"
 
 namespace robot {
@@ -11,7 +12,9 @@ namespace {
 
 constexpr const char* kFileName = "robot.toml";
 
-std::vector<std::string> RobotsIn(const std::vector<std::filesystem::path>& folders) {
+}  // namespace
+
+std::vector<std::string> RobotNames(const std::vector<std::filesystem::path>& folders) {
   std::vector<std::string> names;
   for (const std::filesystem::path& folder : folders) {
     std::error_code ignored;  // a folder that cannot be read has no robots
@@ -26,8 +29,6 @@ std::vector<std::string> RobotsIn(const std::vector<std::filesystem::path>& fold
   return names;
 }
 
-}  // namespace
-
 std::filesystem::path FindRobotFile(std::string_view name,
                                     const std::vector<std::filesystem::path>& folders) {
   for (const std::filesystem::path& folder : folders) {
@@ -35,7 +36,7 @@ std::filesystem::path FindRobotFile(std::string_view name,
     std::error_code ignored;
     if (std::filesystem::exists(file, ignored)) return file;
   }
-  const std::vector<std::string> names = RobotsIn(folders);
+  const std::vector<std::string> names = RobotNames(folders);
   std::string places;
   for (const std::filesystem::path& folder : folders) places += fmt::format(" {}", folder.string());
   throw DescriptionError(fmt::format(

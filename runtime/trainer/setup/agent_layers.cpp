@@ -8,6 +8,7 @@
 
 #include "base/command_line/command.h"
 #include "runtime/base/user_error.h"
+#include "runtime/trainer/setup/agent_presets.h"
 #include "runtime/training/simulation/robot_environment.h"
 
 namespace runtime {
@@ -81,23 +82,30 @@ Agent ParseSetting(const std::string& setting) {
   }
 }
 
+void AgentLayers::AddTaskFile(const std::string& extension, Agent& merged) const {
+  std::filesystem::path file = task_file;
+  file.replace_extension(extension);
+  if (std::filesystem::exists(file)) merged = Changed(std::move(merged), ReadAgent(file));
+}
+
 Agent AgentLayers::Merge() const {
-  Agent agent = ReadAgent(robot_file.parent_path() / "agent.toml");
-  std::filesystem::path task_agent = task_file;
-  task_agent.replace_extension(".agent.toml");
-  if (std::filesystem::exists(task_agent)) agent = Changed(std::move(agent), ReadAgent(task_agent));
-  if (!file.empty()) agent = Changed(std::move(agent), ReadAgent(file));
+  Agent merged = ReadAgent(robot_file.parent_path() / "agent.toml");
+  AddTaskFile(".agent.toml", merged);
+  if (!agent.empty()) {
+    merged = Changed(std::move(merged), ReadAgent(FindAgentFile(agent, robot_file)));
+    if (!IsAgentFile(agent)) AddTaskFile(fmt::format(".{}.agent.toml", agent), merged);
+  }
   if (!profile.empty()) {
-    agent = WithEnvironment(agent, "profile", profile, "--profile " + profile);
+    merged = WithEnvironment(merged, "profile", profile, "--profile " + profile);
   }
   for (const std::string& setting : settings) {
-    agent = Changed(std::move(agent), ParseSetting(setting));
+    merged = Changed(std::move(merged), ParseSetting(setting));
   }
-  return agent;
+  return merged;
 }
 
 std::vector<Setting> AgentLayers::SettingsIn(const Agent& merged) const {
-  Agent changes = file.empty() ? Agent{} : ReadAgent(file);
+  Agent changes = IsAgentFile(agent) ? ReadAgent(agent) : Agent{};
   for (const std::string& setting : settings) {
     changes = Joined(std::move(changes), ParseSetting(setting));
   }

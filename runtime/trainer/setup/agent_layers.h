@@ -15,18 +15,25 @@ namespace runtime {
 Agent ParseSetting(const std::string& setting);
 
 // In this order, later ones win: robot's agent.toml, agent file of the task (NAME.agent.toml beside
-// NAME.task, if it is there), `file` ("": none), `profile` ("": none), `settings`.
+// NAME.task, if it is there), `agent` as FindAgentFile() finds it ("": none), where that is one of
+// the robot's what the task changes in it (NAME.AGENT.agent.toml beside NAME.task, if it is there),
+// `profile` ("": none), `settings`.
 struct AgentLayers {
   std::filesystem::path robot_file;
   std::filesystem::path task_file;  // .task or .so
-  std::filesystem::path file;
+  std::string agent;
   std::string profile;
   std::vector<std::string> settings;
 
+  // Throws UserError, or CallError where there is no such agent.
   Agent Merge() const;
-  // What `file` and `settings` set, with the values of `merged`; not what another layer has set
-  // differently after them.
+  // What the user's file, if `agent` is one, and `settings` set, with the values of `merged`; not
+  // what another layer has set differently after them.
   std::vector<Setting> SettingsIn(const Agent& merged) const;
+
+ private:
+  // Changes it by the file beside the task's with this extension, if it is there.
+  void AddTaskFile(const std::string& extension, Agent& merged) const;
 };
 
 }  // namespace runtime

@@ -30,7 +30,9 @@ std::vector<std::string> CallOf(const TaskOptions& options, const RunPlan& plan)
     words.insert(words.end(), {option, std::move(value)});
   };
   if (!options.robot.empty()) add("--robot", options.robot);
-  if (!options.agent.empty()) add("--agent", options.agent.lexically_normal().string());
+  if (!options.agent.empty()) {
+    add("--agent", std::filesystem::path(options.agent).lexically_normal().string());
+  }
   for (const std::string& setting : options.settings) add("--set", setting);
   if (plan.record_every != RunPlan{}.record_every) {
     add("--record-every", std::to_string(plan.record_every));

@@ -8,6 +8,7 @@
 
 #include "runtime/base/suggestion.h"
 #include "runtime/base/user_error.h"
+#include "runtime/trainer/setup/agent_presets.h"
 #include "runtime/training/run/run_files.h"
 
 namespace runtime {
@@ -53,7 +54,8 @@ class StudyReader {
     if (key == "task") {
       experiment.task.task = file_.parent_path() / Text(node);
     } else if (key == "agent") {
-      experiment.task.agent = file_.parent_path() / Text(node);
+      const std::string agent = Text(node);
+      experiment.task.agent = IsAgentFile(agent) ? (file_.parent_path() / agent).string() : agent;
     } else if (key == "profile") {
       experiment.task.profile = Text(node);
     } else if (key == "robot") {

@@ -80,8 +80,11 @@ command_line::Option AddProfileOption(command_line::Command& command, std::strin
 void TaskOptions::AddTo(command_line::Command& command) {
   command.AddOption("TASK", task, "a .task file, or a .so that taskc built from one").Required();
   AddProfileOption(command, profile);
-  command.AddOption("--agent", agent, "agent file that changes the robot's default agent")
-      .ExistingFile();
+  command
+      .AddOption("--agent", agent,
+                 "how to learn: one of the robot's agents (`trainer agent list`), or an agent file "
+                 "that changes its default agent")
+      .ValueName("NAME|FILE.toml");
   command.AddOption("--robot", robot, "the robot, for a task that names none");
   command
       .AddOption("--set", settings, "change a parameter, MODULE.PARAMETER=VALUE; may be repeated")

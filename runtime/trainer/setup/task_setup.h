@@ -26,7 +26,7 @@ command_line::Option AddProfileOption(command_line::Command& command, std::strin
 struct TaskOptions {
   std::filesystem::path task;  // .task or .so
   std::string profile;
-  std::filesystem::path agent;
+  std::string agent;  // a name or a file (FindAgentFile)
   std::string robot;
   std::vector<std::string> settings;
 

@@ -1,9 +1,14 @@
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "base/text/print.h"
+#include "plugins/robot/robot_description.h"
+#include "plugins/robot/robot_names.h"
 #include "runtime/core/module/graph_text.h"
 #include "runtime/trainer/commands.h"
+#include "runtime/trainer/setup/agent_presets.h"
 #include "runtime/trainer/setup/task_setup.h"
 
 namespace runtime {
@@ -29,16 +34,49 @@ int ShowAgent(const AgentOptions& options) {
   return kSuccess;
 }
 
+struct ListOptions {
+  std::string robot;
+  bool json = false;
+};
+
+nlohmann::ordered_json ToJson(const AgentPreset& preset, const std::string& robot) {
+  return {{"name", preset.name}, {"robot", robot}, {"doc", preset.doc}};
+}
+
+int ListAgents(const ListOptions& options) {
+  const std::vector<std::filesystem::path> folders = robot::DefaultRobotFolders();
+  const std::vector<std::string> robots =
+      options.robot.empty() ? robot::RobotNames(folders) : std::vector{options.robot};
+  auto list = nlohmann::ordered_json::array();
+  for (const std::string& robot : robots) {
+    for (const AgentPreset& preset : AgentPresetsOf(robot::FindRobotFile(robot, folders))) {
+      list.push_back(ToJson(preset, robot));
+      if (!options.json) text::Print("{:<16} {:<16} {}\n", preset.name, robot, preset.doc);
+    }
+  }
+  if (options.json) text::Print("{}\n", list.dump());
+  return kSuccess;
+}
+
+void AddListCommand(command_line::Command& agent) {
+  const auto options = std::make_shared<ListOptions>();
+  command_line::Command& list =
+      agent.AddCommand("list", "Prints the agents that come with each robot, for `--agent`.");
+  list.AddOption("--robot", options->robot, "only those of this robot");
+  list.AddFlag("--json", options->json, "print JSON");
+  list.OnRun([options] { return ListAgents(*options); });
+}
+
 }  // namespace
 
 void AddAgentCommand(command_line::Command& program) {
   const auto options = std::make_shared<AgentOptions>();
-  command_line::Command& show =
-      program.AddCommand("agent", "Inspects agents.")
-          .AddCommand(
-              "show",
-              "Prints the complete agent that would learn a task, as an agent file that says where "
-              "each line comes from; or its modules and connections, as text, JSON or Graphviz.");
+  command_line::Command& agent = program.AddCommand("agent", "Lists and inspects agents.");
+  AddListCommand(agent);
+  command_line::Command& show = agent.AddCommand(
+      "show",
+      "Prints the complete agent that would learn a task, as an agent file that says where each "
+      "line comes from; or its modules and connections, as text, JSON or Graphviz.");
   options->task.AddTo(show);
   const command_line::Option format =
       show.AddOption("--format", options->format,

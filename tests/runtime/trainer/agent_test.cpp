@@ -6,8 +6,10 @@
 namespace runtime {
 namespace {
 
+using testing::AllOf;
 using testing::ContainsRegex;
 using testing::HasSubstr;
+using testing::IsSupersetOf;
 using testing::StartsWith;
 
 class AgentShowTest : public TrainerTest {
@@ -46,6 +48,48 @@ TEST_F(AgentShowTest, AWholeAgentTakesThePlaceOfTheRobots) {
   std::ofstream(file) << world << "start_pose = \"lying\"\n";
   EXPECT_THAT(Show({"--agent", file}).output,
               ContainsRegex("start_pose = \"lying\" +# .*mine.toml:4:1\n"));
+}
+
+TEST_F(AgentShowTest, OneOfTheRobotsAgentsIsFoundByItsName) {
+  const ProgramResult result = Show({"--agent", "ppo"});
+  ASSERT_EQ(result.exit_status, 0) << result.errors;
+  EXPECT_THAT(result.output, ContainsRegex("type = \"Ppo\" +# .*ppo.agent.toml:[0-9]+:1\n"));
+  EXPECT_THAT(Show({"--agent", "paper"}).output, HasSubstr("type = \"PengQLambda\""));
+  EXPECT_THAT(Show({}).output, HasSubstr("type = \"PengQLambda\""));
+}
+
+TEST_F(AgentShowTest, ATaskChangesEachOfTheRobotsAgentsByAFileOfItsOwn) {
+  const std::filesystem::path task = folder() / "mine.task";
+  std::filesystem::copy_file(TaskFile("leaning"), task);
+  std::ofstream(folder() / "mine.ppo.agent.toml") << "[modules.action_space]\ndof = \"all\"\n";
+  const auto show = [&](const std::string& agent) {
+    return Trainer({"agent", "show", task.string(), "--agent", agent}).output;
+  };
+  EXPECT_THAT(show("ppo"), ContainsRegex("dof = \"all\" +# .*mine.ppo.agent.toml:2:1\n"));
+  EXPECT_THAT(show("paper"), HasSubstr("dof = \"5\""));
+  const std::string file = (folder() / "other.toml").string();
+  std::ofstream(file) << "[modules.learner]\ndiscount = 0.5\n";
+  EXPECT_THAT(show(file), AllOf(HasSubstr("discount = 0.5"), HasSubstr("dof = \"5\"")));
+}
+
+TEST_F(AgentShowTest, UnknownAgentsShowTheNearestName) {
+  const ProgramResult name = Show({"--agent", "pppo"});
+  EXPECT_EQ(name.exit_status, 2);
+  EXPECT_THAT(name.errors, HasSubstr("--agent pppo: the robot has no such agent"));
+  EXPECT_THAT(name.errors, HasSubstr("`ppo`"));
+  const ProgramResult file = Show({"--agent", "nowhere.toml"});
+  EXPECT_EQ(file.exit_status, 2);
+  EXPECT_THAT(file.errors, HasSubstr("--agent nowhere.toml: there is no such file"));
+}
+
+TEST_F(AgentShowTest, AgentsAreListed) {
+  EXPECT_THAT(Trainer({"agent", "list"}).output,
+              ContainsRegex("ppo +humanoid +Proximal policy optimization"));
+  const auto json = nlohmann::json::parse(Trainer({"agent", "list", "--json"}).output);
+  std::vector<std::string> names;
+  for (const auto& agent : json) names.push_back(agent["name"]);
+  EXPECT_THAT(names, IsSupersetOf({"paper", "ppo"}));
+  EXPECT_EQ(json.at(0)["robot"], "humanoid");
 }
 
 TEST_F(AgentShowTest, MistakeInASettingNamesTheSetting) {

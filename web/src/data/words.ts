@@ -66,6 +66,11 @@ const kModuleWords: Record<string, (module: AgentModule) => string> = {
   PengQLambda: () => "Peng’s Q(λ)",
   Dcob: (module) => (module["target"] === "state" ? "DCOB" : "DCOB-Q"),
   NgNet: (module) => `Gaussian network ${text(module["net"])}`.trim(),
+  Ppo: () => "PPO",
+  JointOffsets: (module) => {
+    const dof = text(module["dof"]);
+    return dof === "all" ? "offsets of all joints" : `joint offsets, DoF configuration ${dof}`;
+  },
   DofState: (module) => `DoF configuration ${text(module["dof"])}`.trim(),
 };
 

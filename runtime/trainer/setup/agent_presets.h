@@ -1,0 +1,28 @@
+// The agents that come with a robot: NAME.agent.toml beside its robot.toml is its agent `NAME`, for
+// `--agent NAME`.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace runtime {
+
+struct AgentPreset {
+  std::string name;
+  std::string doc;  // the first line of the file, if that is a comment
+  std::filesystem::path file;
+};
+
+// In alphabetical order.
+std::vector<AgentPreset> AgentPresetsOf(const std::filesystem::path& robot_file);
+
+// What `--agent` names: one of the robot's agents or, where there is a '/' in it or ".toml" at its
+// end, a file. "" for none. Throws CallError where there is neither.
+std::filesystem::path FindAgentFile(const std::string& agent,
+                                    const std::filesystem::path& robot_file);
+
+// Whether it names a file and not one of the robot's agents.
+bool IsAgentFile(const std::string& agent);
+
+}  // namespace runtime
