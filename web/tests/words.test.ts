@@ -76,5 +76,12 @@ test("an agent is put into words, a type without words by its name", () => {
     agentInWords(modules),
     "Sarsa · DCOB-Q · Gaussian network bq01 · DoF configuration 5",
   );
+  assert.equal(
+    agentInWords({
+      learner: { type: "MotionSearch" },
+      action_space: { type: "MotionPlayer", kind: "one_shot", dof: "all" },
+    }),
+    "motion search (CMA-ES) · motions done once of all joints",
+  );
   assert.equal(agentInWords({}), "");
 });

@@ -72,7 +72,7 @@ class Learner : public Module {
   virtual void StopLearning() = 0;
 
  protected:
-  // ---- what a learner does. Nothing here allocates once an episode has been run.
+  // ---- what a learner does. Within an episode nothing here allocates once one has been run.
 
   // An episode starts: selects its first action. Throws UserError where what was learned does not
   // fit the agent.

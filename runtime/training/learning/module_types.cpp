@@ -3,6 +3,8 @@
 #include "runtime/training/learning/dcob.h"
 #include "runtime/training/learning/dof_state.h"
 #include "runtime/training/learning/joint_offsets.h"
+#include "runtime/training/learning/motion_player.h"
+#include "runtime/training/learning/motion_search.h"
 #include "runtime/training/learning/ng_net.h"
 #include "runtime/training/learning/observation.h"
 #include "runtime/training/learning/peng_q_lambda.h"
@@ -18,6 +20,8 @@ void AddLearningModules(ModuleTypes& types) {
   types.Add<PengQLambda>("PengQLambda");
   types.Add<JointOffsets>("JointOffsets");
   types.Add<Ppo>("Ppo");
+  types.Add<MotionPlayer>("MotionPlayer");
+  types.Add<MotionSearch>("MotionSearch");
 }
 
 }  // namespace runtime

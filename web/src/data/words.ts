@@ -64,6 +64,12 @@ const text = (value: unknown): string => String(value ?? "");
 
 const kModuleWords: Record<string, (module: AgentModule) => string> = {
   PengQLambda: () => "Peng’s Q(λ)",
+  MotionSearch: () => "motion search (CMA-ES)",
+  MotionPlayer: (module) => {
+    const kind = module["kind"] === "one_shot" ? "motions done once" : "periodic motions";
+    const dof = text(module["dof"]);
+    return dof === "all" ? `${kind} of all joints` : `${kind}, DoF configuration ${dof}`;
+  },
   Dcob: (module) => (module["target"] === "state" ? "DCOB" : "DCOB-Q"),
   NgNet: (module) => `Gaussian network ${text(module["net"])}`.trim(),
   Ppo: () => "PPO",

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/runtime/training/learning/test_robot.h"
+#include "tests/runtime/training/learning/vector_of.h"
 
 namespace runtime {
 namespace {
@@ -17,34 +18,28 @@ VectorXd Targets(const std::string& dof, const VectorXd& coordinates) {
   return targets;
 }
 
-VectorXd Vector(std::initializer_list<double> elements) {
-  VectorXd vector(static_cast<Eigen::Index>(elements.size()));
-  std::copy(elements.begin(), elements.end(), vector.begin());
-  return vector;
-}
-
 // J1=J4=a0; J3=J6=a1; J8=J13=a2; J9=J14=a3; J10=J15=a4; the others 0.
 TEST(DofMapping, FiveCoordinatesMoveBothSidesAlike) {
-  EXPECT_EQ(Targets("5", Vector({1, 2, 3, 4, 5})),
-            Vector({0, 1, 0, 2, 1, 0, 2, 0, 3, 4, 5, 0, 0, 3, 4, 5, 0}));
+  EXPECT_EQ(Targets("5", VectorOf({1, 2, 3, 4, 5})),
+            VectorOf({0, 1, 0, 2, 1, 0, 2, 0, 3, 4, 5, 0, 0, 3, 4, 5, 0}));
 }
 
 // J1=J3=a0; J4=J6=a1; J8=a2, J9=-a2, J10=a2; J13=a3, J14=-a3, J15=a3.
 TEST(DofMapping, FourAsymmetricCoordinatesMoveOneLimbEach) {
-  EXPECT_EQ(Targets("4asym", Vector({1, 2, 3, 4})),
-            Vector({0, 1, 0, 1, 2, 0, 2, 0, 3, -3, 3, 0, 0, 4, -4, 4, 0}));
+  EXPECT_EQ(Targets("4asym", VectorOf({1, 2, 3, 4})),
+            VectorOf({0, 1, 0, 1, 2, 0, 2, 0, 3, -3, 3, 0, 0, 4, -4, 4, 0}));
 }
 
 // J1=J4=a0; J2=a1,J5=-a1; J3=J6=a2; J7=a3,J12=-a3; J8=J13=a4; J9=J14=a5; J10=J15=a6.
 TEST(DofMapping, SevenCoordinatesSpreadArmsAndLegs) {
-  EXPECT_EQ(Targets("7", Vector({1, 2, 3, 4, 5, 6, 7})),
-            Vector({0, 1, 2, 3, 1, -2, 3, 4, 5, 6, 7, 0, -4, 5, 6, 7, 0}));
+  EXPECT_EQ(Targets("7", VectorOf({1, 2, 3, 4, 5, 6, 7})),
+            VectorOf({0, 1, 2, 3, 1, -2, 3, 4, 5, 6, 7, 0, -4, 5, 6, 7, 0}));
 }
 
 // As 3 but J10=J15=-0.5 a2.
 TEST(DofMapping, CouplingsHaveFactors) {
-  EXPECT_EQ(Targets("3d", Vector({1, 2, 3})),
-            Vector({0, 1, 0, 1, 1, 0, 1, 0, 2, 3, -1.5, 0, 0, 2, 3, -1.5, 0}));
+  EXPECT_EQ(Targets("3d", VectorOf({1, 2, 3})),
+            VectorOf({0, 1, 0, 1, 1, 0, 1, 0, 2, 3, -1.5, 0, 0, 2, 3, -1.5, 0}));
 }
 
 TEST(DofMapping, CouplingsOfOneJointAddUp) {
@@ -53,8 +48,8 @@ TEST(DofMapping, CouplingsOfOneJointAddUp) {
   dof.couplings = {{0, 0, 1}, {1, 1, 1}, {2, 0, 0.5}, {2, 1, -2}};
   const DofMapping mapping(dof, 3);
   VectorXd targets(3);
-  mapping.Apply(Vector({4, 1}), targets);
-  EXPECT_EQ(targets, Vector({4, 1, 0}));
+  mapping.Apply(VectorOf({4, 1}), targets);
+  EXPECT_EQ(targets, VectorOf({4, 1, 0}));
 }
 
 }  // namespace
