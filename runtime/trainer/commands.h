@@ -14,6 +14,7 @@ void AddResumeCommand(command_line::Command& program);
 void AddAgentCommand(command_line::Command& program);
 void AddServeCommand(command_line::Command& program);
 void AddStudyCommand(command_line::Command& program);
+void AddProbeCommand(command_line::Command& program);
 void AddCtlCommand(command_line::Command& program);
 void AddShowCommand(command_line::Command& program);
 void AddEvaluateCommand(command_line::Command& program);

@@ -20,6 +20,7 @@ void Declare(command_line::Command& program) {
   AddResumeCommand(program);
   AddServeCommand(program);
   AddStudyCommand(program);
+  AddProbeCommand(program);
   AddCtlCommand(program);
   AddShowCommand(program);
   AddReportCommand(program);

@@ -1,7 +1,7 @@
-// The pages in a real browser: browser.mjs FULL_PAGE FIRST_PAGE TUNED_PAGE STUDY_PAGE SCREENSHOTS,
-// where FULL_PAGE shows a run with recordings, FIRST_PAGE one with a single episode and none,
-// TUNED_PAGE one with changes and a shadow, and STUDY_PAGE many runs. CHROMIUM names the browser;
-// without it the exit status is 77 (skipped).
+// The pages in a real browser: browser.mjs FULL_PAGE FIRST_PAGE TUNED_PAGE STUDY_PAGE PROBE_PAGE
+// SCREENSHOTS, where FULL_PAGE shows a run with recordings, FIRST_PAGE one with a single episode and
+// none, TUNED_PAGE one with changes and a shadow, STUDY_PAGE many runs, and PROBE_PAGE searches.
+// CHROMIUM names the browser; without it the exit status is 77 (skipped).
 
 import assert from "node:assert/strict";
 import { existsSync, mkdirSync } from "node:fs";
@@ -9,7 +9,7 @@ import { pathToFileURL } from "node:url";
 
 import { chromium, type Browser, type BrowserContextOptions, type Page } from "playwright-core";
 
-const [fullPage = "", firstPage = "", tunedPage = "", studyPage = "", screenshots = "."] =
+const [fullPage = "", firstPage = "", tunedPage = "", studyPage = "", probePage = "", screenshots = "."] =
   process.argv.slice(2);
 const kBrowser = process.env["CHROMIUM"] ?? "";
 const kSoftwareGl = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
@@ -236,6 +236,26 @@ const replaysAGroup: Check = async (page) => {
   assert.ok(await page.locator("#stage").isHidden());
 };
 
+const showsWhatATaskPaysFor: Check = async (page) => {
+  assert.equal(await textOf(page, "h1"), "What crawling pays for");
+  const finds = page.locator(".find");
+  assert.equal(await finds.count(), 3);
+  assert.match(await textOf(page, ".find:nth-of-type(2)"), /Found by 2 of 4 searches/);
+  assert.equal(await page.locator(".astray").count(), 1);
+  assert.match(await textOf(page, ".find:nth-of-type(3) .astray"), /a speed of 13\.\d m\/s/);
+  assert.equal(await finds.first().locator(".terms-table tbody tr").count(), 2);
+  const picture = ".find:nth-of-type(1) .snapshots img";
+  assert.ok((await colorfulPixels(page, picture)) > 8 * 300, "the robot is drawn");
+};
+
+const replaysAFind: Check = async (page) => {
+  await page.locator(".find button.text").first().click();
+  await page.locator('#play[data-state="playing"]').waitFor();
+  assert.match(await textOf(page, "#replay-heading"), /^A: seed 3, episode 40$/);
+  await page.locator("#close").click();
+  assert.ok(await page.locator("#stage").isHidden());
+};
+
 const staysAtRest: Check = async (page) => {
   await page.locator(".mark").first().click();
   await page.waitForTimeout(200);
@@ -309,6 +329,18 @@ async function checkStudyPage(browser: Browser): Promise<void> {
   });
 }
 
+async function checkProbePage(browser: Browser): Promise<void> {
+  await onPage(browser, probePage, { colorScheme: "light" }, async (page) => {
+    for (const check of [showsWhatATaskPaysFor, replaysAFind, fitsItsWidth]) await check(page);
+    await screenshot("probe")(page);
+  });
+  await onPage(browser, probePage, { colorScheme: "dark" }, screenshot("probe-dark"));
+  await onPage(browser, probePage, { viewport: { width: 390, height: 844 } }, async (page) => {
+    await screenshot("probe-narrow")(page);
+    await fitsItsWidth(page);
+  });
+}
+
 if (!existsSync(kBrowser)) {
   console.log("skipped: there is no Chromium (Debian: apt install chromium)");
   process.exit(77);
@@ -335,6 +367,7 @@ await inBrowser(kSoftwareGl, async (browser) => {
     await fitsItsWidth(page);
   });
   await checkStudyPage(browser);
+  await checkProbePage(browser);
 });
 await inBrowser(["--disable-3d-apis"], async (browser) => {
   await onPage(browser, fullPage, {}, async (page) => {

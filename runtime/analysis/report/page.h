@@ -8,7 +8,7 @@
 
 namespace runtime {
 
-// share/taskc/NAME beside the running program's folder; "report" and "study" are there.
+// share/taskc/NAME beside the running program's folder; "report", "study" and "probe" are there.
 std::filesystem::path PageFolder(std::string_view name);
 
 // template.html of `folder` with page.css, page.js and `data` in it; data.title is the title.

@@ -33,14 +33,6 @@ std::vector<RecordingEntry> ListRecordings(const RunDatabase& database,
   return entries;
 }
 
-// Throws UserError where the recording is damaged.
-json EncodeRecording(const Recording& recording, size_t link_count) {
-  const std::vector<float> poses = ReadPoses(recording, link_count);
-  return {{"frames", poses.size() / (link_count * Recorder::kFloatsPerLink)},
-          {"interval", recording.frame_interval},
-          {"poses", EncodeFloats(poses)}};
-}
-
 // The sizes in the page instead of the numbers of frames.
 std::vector<RecordingEntry> WithSizes(std::vector<RecordingEntry> entries, size_t frame_size) {
   for (RecordingEntry& entry : entries) {
@@ -51,6 +43,13 @@ std::vector<RecordingEntry> WithSizes(std::vector<RecordingEntry> entries, size_
 }
 
 }  // namespace
+
+json EncodeRecording(const Recording& recording, size_t link_count) {
+  const std::vector<float> poses = ReadPoses(recording, link_count);
+  return {{"frames", poses.size() / (link_count * Recorder::kFloatsPerLink)},
+          {"interval", recording.frame_interval},
+          {"poses", EncodeFloats(poses)}};
+}
 
 void AddRecordings(const RunDatabase& database, const RunRecord& run,
                    const std::vector<EpisodeRecord>& episodes, json& data) {

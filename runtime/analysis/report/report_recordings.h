@@ -8,6 +8,10 @@
 
 namespace runtime {
 
+// {"frames", "interval", "poses"} of a robot with `link_count` links. Throws UserError where the
+// recording is damaged.
+nlohmann::json EncodeRecording(const Recording& recording, size_t link_count);
+
 // Sets data.body, data.recordings and data.notes: the links' shapes, as many recordings as fit into
 // the page, each with what the robot was told meanwhile, and in sentences what is missing from the
 // page. A recording that is damaged costs itself, never the page.

@@ -46,23 +46,6 @@ std::vector<std::filesystem::path> FoldersBelow(const std::filesystem::path& fol
   return found;
 }
 
-// How far the `runs` of `folder` are; those that are not finished wait.
-std::vector<RunProgress> RunsToTrain(const std::filesystem::path& folder,
-                                     const std::vector<std::filesystem::path>& runs) {
-  std::vector<RunProgress> found;
-  for (const std::filesystem::path& run : runs) {
-    RunProgress& progress = found.emplace_back(ReadProgressOrFailure(run, folder));
-    const bool is_over = progress.state == RunProgressState::kFinished ||
-                         progress.state == RunProgressState::kFailed;
-    if (!is_over) progress.state = RunProgressState::kWaiting;
-  }
-  return found;
-}
-
-std::vector<std::string> WordsToTrain(const RunProgress& run) {
-  return {"resume", run.folder.string(), "--json"};
-}
-
 }  // namespace
 
 std::filesystem::path SeedFolder(const std::filesystem::path& folder, uint64_t seed) {
@@ -109,6 +92,22 @@ void AddJobsOption(command_line::Command& command, int& jobs, const std::string&
 
 int JobsOrCores(int jobs) {
   return jobs > 0 ? jobs : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+}
+
+std::vector<RunProgress> RunsToTrain(const std::filesystem::path& folder,
+                                     const std::vector<std::filesystem::path>& runs) {
+  std::vector<RunProgress> found;
+  for (const std::filesystem::path& run : runs) {
+    RunProgress& progress = found.emplace_back(ReadProgressOrFailure(run, folder));
+    const bool is_over = progress.state == RunProgressState::kFinished ||
+                         progress.state == RunProgressState::kFailed;
+    if (!is_over) progress.state = RunProgressState::kWaiting;
+  }
+  return found;
+}
+
+std::vector<std::string> WordsToTrain(const RunProgress& run) {
+  return {"resume", run.folder.string(), "--json"};
 }
 
 int TrainRuns(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& runs,

@@ -33,6 +33,12 @@ RunProgress ReadProgressOrFailure(const std::filesystem::path& run,
 void AddJobsOption(command_line::Command& command, int& jobs, const std::string& verb);
 int JobsOrCores(int jobs);
 
+// How far these runs of `folder` are; those that are not over wait.
+std::vector<RunProgress> RunsToTrain(const std::filesystem::path& folder,
+                                     const std::vector<std::filesystem::path>& runs);
+// What a worker is called with that trains a run on from its last checkpoint.
+std::vector<std::string> WordsToTrain(const RunProgress& run);
+
 // Trains these runs of `folder` to their end, in this order, from their last checkpoints, `jobs` at
 // a time; returns the exit status.
 int TrainRuns(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& runs,

@@ -1,5 +1,4 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <iterator>
@@ -10,7 +9,7 @@
 #include "runtime/trainer/runs/many_runs.h"
 #include "runtime/trainer/setup/create_run.h"
 #include "runtime/trainer/setup/study_file.h"
-#include "runtime/trainer/train/run_difference.h"
+#include "runtime/trainer/train/prepare_runs.h"
 
 namespace runtime {
 namespace {
@@ -21,23 +20,6 @@ struct StudyOptions {
   int jobs = 0;
   OutputOptions output;
 };
-
-// A run that is there already belongs to the study as it is, if it is of the same task and agent.
-// Only its number of episodes can grow.
-void TakeOver(const std::filesystem::path& folder, const RunRecord& wanted,
-              const std::string& place) {
-  const RunRecord run = RunDatabase::OpenToRead(folder).ReadRun();
-  const std::vector<std::string> differences = DifferencesOf(run, wanted);
-  if (!differences.empty()) {
-    throw UserError(fmt::format(
-        "{}: {} holds a run that differs from this experiment: {}; give this experiment another "
-        "`name`",
-        place, folder.string(), fmt::join(differences, ", ")));
-  }
-  if (run.episodes_planned < wanted.episodes_planned) {
-    RunDatabase::Open(folder).SetEpisodesPlanned(wanted.episodes_planned);
-  }
-}
 
 // Makes the runs of an experiment that are not there yet, and returns the folders of all. `names`:
 // the experiments' folders taken before.
@@ -56,16 +38,8 @@ std::vector<std::filesystem::path> Prepare(const Experiment& experiment,
                                 experiment.place, name));
   }
   setup.graph.Start();
-  std::vector<std::filesystem::path> folders;
-  for (const uint64_t seed : experiment.seeds) {
-    const std::filesystem::path folder = folders.emplace_back(SeedFolder(out / name, seed));
-    if (RunDatabase::Exists(folder)) {
-      TakeOver(folder, run, experiment.place);
-    } else {
-      PrepareRun(folder, setup, run, seed);
-    }
-  }
-  return folders;
+  return PrepareRuns(setup, run, experiment.seeds, out / name, experiment.place,
+                     "give this experiment another `name`");
 }
 
 int Study(const StudyOptions& options) {

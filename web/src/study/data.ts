@@ -3,6 +3,7 @@
 import { decodeFloats } from "../data/base64.ts";
 import type { Estimate } from "../data/estimate.ts";
 import type { AgentModule, BodyLink, Setting } from "../data/report_data.ts";
+import type { Strip } from "../page/snapshots.ts";
 import type { Replay } from "../replay/motion.ts";
 
 export interface Metric {
@@ -43,12 +44,6 @@ export interface StudyRun {
   metrics: Record<string, number>;
   group: number | null; // index
   curve: Float32Array; // moving average at the experiment's episodes; shorter where the run is
-}
-
-/** Pictures of a replay, side by side. */
-export interface Strip {
-  times: number[]; // [s]
-  png: string; // base64
 }
 
 /** Runs that ended in the same behavior. */

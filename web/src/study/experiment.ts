@@ -8,6 +8,7 @@ import { figure } from "../page/figure.ts";
 import { remainsBar, wholePercent } from "../page/remains.ts";
 import { settingsOf } from "../page/settings.ts";
 import { row, table } from "../page/table.ts";
+import { termRow } from "../page/term_row.ts";
 import { Curves } from "./curves.ts";
 import type { Evaluation, Experiment, Group, StudyRun, Term } from "./data.ts";
 import { GroupCards } from "./groups.ts";
@@ -55,16 +56,7 @@ function keyFigures(experiment: Experiment): HTMLElement {
   return list;
 }
 
-/** What a term paid at the end, and a bar for its share: to the right paid, to the left taken. */
-function termRow({ name, doc, value, share }: Term): HTMLTableRowElement {
-  const bar = element("span", { class: "share-bar" });
-  const part = element("span", { class: (share ?? 0) < 0 ? "taken" : "paid" });
-  part.style.width = `${50 * Math.abs(share ?? 0)}%`;
-  bar.append(part);
-  const title = element("span", doc ? { title: doc } : {}, name);
-  const percent = share === null ? "–" : `${formatNumber(100 * share)} %`;
-  return row([title, bar, percent, mean(value)]);
-}
+const termRowOf = ({ value, ...term }: Term): HTMLTableRowElement => termRow(term, mean(value));
 
 /** A profile, what the runs' policies earn there, and a bar for what remains of the learned return. */
 function evaluationRow(evaluation: Evaluation, learnedIn: string): HTMLTableRowElement {
@@ -98,7 +90,7 @@ function evaluationTable({ evaluations, profile }: Experiment): HTMLElement[] {
 }
 
 function termTable(experiment: Experiment): HTMLElement {
-  const rows = experiment.terms.map(termRow);
+  const rows = experiment.terms.map(termRowOf);
   const heads = ["Term", "", "Share", "Per episode"];
   const host = table(heads, rows);
   host.classList.add("terms-table");

@@ -1,9 +1,9 @@
 // The groups of behaviors in which the runs ended, a card each.
 
 import { mean, range } from "../data/estimate.ts";
-import { formatTime } from "../data/words.ts";
 import { element } from "../page/dom.ts";
-import type { Experiment, Group, Strip } from "./data.ts";
+import { snapshots } from "../page/snapshots.ts";
+import type { Experiment, Group } from "./data.ts";
 import { colorOf, shareOf } from "./words.ts";
 
 export interface GroupActions {
@@ -79,21 +79,6 @@ export class GroupCards {
       element("code", {}, `"${run}" = "What it does."`),
     );
   }
-}
-
-/** The pictures side by side, each above its time. */
-function snapshots({ times, png }: Strip): HTMLElement {
-  const last = times.at(-1) ?? 0;
-  const captions = times.map((time) => element("li", {}, `${formatTime(time, last).trim()} s`));
-  return element(
-    "figure",
-    { class: "snapshots" },
-    element("img", {
-      src: `data:image/png;base64,${png}`,
-      alt: `${times.length} snapshots from 0 to ${last.toFixed(2)} s`,
-    }),
-    element("ol", {}, ...captions),
-  );
 }
 
 function figures(group: Group): HTMLElement {

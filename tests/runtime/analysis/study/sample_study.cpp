@@ -42,6 +42,7 @@ void WriteStudyRun(const std::filesystem::path& folder, const SampleStudyRun& sa
     std::optional<Recording> recording;
     if (number == sample.episodes && sample.is_recorded) {
       recording = SampleRecording(4 + 0.2 * static_cast<double>(sample.seed), sample.speed);
+      recording->is_best = sample.is_best;
     }
     database.AddEpisode(Episode(number, sample), recording, std::nullopt);
   }

@@ -16,6 +16,7 @@ struct SampleStudyRun {
   int64_t episodes = 40;
   int64_t planned = 40;
   bool is_recorded = true;  // its last episode
+  bool is_best = false;     // that episode is better than all before it, and so noted
 };
 
 // A run of `crawling` in `folder` whose return grows from 0 toward 1000 times its speed.

@@ -1,0 +1,73 @@
+#include "runtime/analysis/probe/probe_page.h"
+
+#include <algorithm>
+#include <optional>
+#include <span>
+
+#include "runtime/analysis/picture/snapshot_strip.h"
+#include "runtime/analysis/probe/probe_figures.h"
+#include "runtime/analysis/report/agent_modules.h"
+#include "runtime/analysis/report/base64.h"
+#include "runtime/analysis/report/page.h"
+#include "runtime/analysis/report/report_recordings.h"
+#include "runtime/training/learning/parametric_motion.h"
+#include "runtime/training/run/body_json.h"
+#include "runtime/training/run/iso_time.h"
+
+namespace runtime {
+namespace {
+
+using nlohmann::json;
+
+constexpr int kStripHeight = 208;  // [px]: sharp where the page shows it half as large
+
+json Strip(const Motion& motion, const std::vector<robot::Link>& links,
+           const StripOptions& options) {
+  const std::string png = SnapshotStrip(motion, links, options);
+  return {{"times", SnapshotTimes(motion, options)},
+          {"png", EncodeBase64(std::as_bytes(std::span(png)))}};
+}
+
+bool IsRepeated(const json& modules) {
+  return std::ranges::any_of(modules, [](const json& module) {
+    return module.value("kind", json()) == ParametricMotion::kPeriodic;
+  });
+}
+
+// Pictures all over an episode do not show what happens several times a second.
+std::optional<StripOptions> OneRepetition(const Find& find, const json& modules) {
+  const double seconds = find.episode.simulated_seconds;
+  const double period = 1 / find.frequency().value_or(0);
+  if (!IsRepeated(modules) || !(2 * period < seconds)) return std::nullopt;
+  const double from = seconds / 2;
+  return StripOptions{.height = kStripHeight, .from = from, .to = from + period};
+}
+
+// Sets the pictures and the replay of a find.
+void AddMotion(const Find& find, const std::vector<robot::Link>& links, json& data) {
+  const Motion motion = ReadMotion(find.recording, static_cast<int>(links.size()));
+  data["modules"] = AgentModules(find.agent);
+  data["strip"] = Strip(motion, links, {.height = kStripHeight});
+  const auto repetition = OneRepetition(find, data["modules"]);
+  data["repetition"] = repetition ? Strip(motion, links, *repetition) : json();
+  data["recording"] = EncodeRecording(find.recording, links.size());
+  data["recording"]["episode"] = find.episode.number;
+}
+
+}  // namespace
+
+void WriteProbePage(const ProbeResults& results, const std::filesystem::path& file) {
+  json data = ProbeFigures(results);
+  const TaskRecord& task = results.task();
+  data["title"] = task.task + " – what it pays for";
+  data["madeAt"] = IsoTimeNow();
+  data["source"] = task.sources.front().text;
+  data["body"] = json::parse(results.record.body);
+  const std::vector<robot::Link> links = ParseBody(results.record.body).value();
+  for (size_t i = 0; i < results.finds.size(); ++i) {
+    AddMotion(results.finds[i], links, data["finds"][i]);
+  }
+  WritePage(file, MakePage(data, PageFolder("probe")));
+}
+
+}  // namespace runtime

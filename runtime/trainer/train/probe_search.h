@@ -1,0 +1,26 @@
+// The searches of a probe: runs that are trained side by side, always as far as each other.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+#include "runtime/training/run/progress.h"
+#include "runtime/training/run/stop_request.h"
+
+namespace runtime {
+
+struct ProbeBudget {
+  int64_t episodes = 0;  // of each search, with those that it has already; 0: `seconds` count
+  double seconds = 90;   // of this call
+};
+
+enum class ProbeEnd { kDone, kStopped, kFailed };
+
+// Trains these runs of `folder`, `jobs` at a time. Each gets the same number of episodes, so that
+// what is found does not depend on how many run at a time: where seconds count, they are trained in
+// rounds of so many episodes that the last round ends about then.
+ProbeEnd Search(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& runs,
+                const ProbeBudget& budget, int jobs, ProgressStyle style, const StopRequest& stop);
+
+}  // namespace runtime
