@@ -171,6 +171,20 @@ TEST_F(LiveRunTest, ASwapToWhatIsToComeChangesNothing) {
   EXPECT_EQ(task["previous"]["task"], "steady");
 }
 
+TEST_F(LiveRunTest, ListTellsWhichPhaseIsThePresentOneAndWhatEachWas) {
+  Trainer& run = Begin(100);
+  run.Run(6, "step");  // of 10 ms
+  const json phases = run.Ask("list")["tasks"][0]["phases"];
+  ASSERT_EQ(phases.size(), 2u);
+  EXPECT_EQ(phases[0]["name"], "early");
+  EXPECT_EQ(phases[0]["doc"], "20 ms");
+  EXPECT_EQ(phases[0]["present"], false);
+  EXPECT_NEAR(phases[0]["time"].get<double>(), 0.02, 1e-9);
+  EXPECT_EQ(phases[1]["present"], true);
+  EXPECT_NEAR(phases[1]["time"].get<double>(), 0.04, 1e-9);
+  EXPECT_NEAR(phases[1]["return"].get<double>(), 0.04, 1e-9);
+}
+
 TEST_F(LiveRunTest, WhatWasLearnedCanBeForgottenWithoutAnotherTask) {
   Trainer& run = Begin(100);
   run.Run(5, "step");
