@@ -14,6 +14,7 @@ programs=(
   libode-dev libeigen3-dev                         # the simulation and the learner
   libfmt-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libmd-dev
   libsqlite3-dev libzstd-dev                       # the runs' records
+  libprotobuf-dev protobuf-compiler zlib1g-dev     # what other programs read of them
   libboost-dev                                     # Beast: talking to a running trainer
   gnuplot-nox                                      # curves in documents
   libnlopt-cxx-dev                                 # fitting weights to preferences

@@ -19,6 +19,7 @@ void AddCtlCommand(command_line::Command& program);
 void AddShowCommand(command_line::Command& program);
 void AddEvaluateCommand(command_line::Command& program);
 void AddReportCommand(command_line::Command& program);
+void AddExportCommand(command_line::Command& program);
 void AddSnapshotsCommand(command_line::Command& program);
 void AddPreferCommand(command_line::Command& program);
 void AddCompletionCommand(command_line::Command& program);

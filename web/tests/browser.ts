@@ -240,7 +240,7 @@ const showsWhatATaskPaysFor: Check = async (page) => {
   assert.equal(await textOf(page, "h1"), "What crawling pays for");
   const finds = page.locator(".find");
   assert.equal(await finds.count(), 3);
-  assert.match(await textOf(page, ".find:nth-of-type(2)"), /Found by 2 of 4 searches/);
+  assert.match(await textOf(page, ".find:nth-of-type(2)"), /found by 2 of 4 searches/);
   assert.equal(await page.locator(".astray").count(), 1);
   assert.match(await textOf(page, ".find:nth-of-type(3) .astray"), /a speed of 13\.\d m\/s/);
   assert.equal(await finds.first().locator(".terms-table tbody tr").count(), 2);

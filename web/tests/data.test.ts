@@ -28,6 +28,7 @@ test("series and poses of a report are decoded", () => {
       metrics: [],
       logs: [curve],
       goals: [curve],
+      phases: [curve],
       learner: [{ name: "temperature", unit: "", doc: "", values: one }],
       shadows: [{ module: "careful", tasks: [1], values: one }],
       recordings: [recording],

@@ -7,14 +7,15 @@
 #include <utility>
 #include <vector>
 
+#include "runtime/analysis/curves/goal_curves.h"
+#include "runtime/analysis/curves/learner_curves.h"
+#include "runtime/analysis/curves/task_curves.h"
 #include "runtime/analysis/report/agent_modules.h"
 #include "runtime/analysis/report/base64.h"
-#include "runtime/analysis/report/goal_curves.h"
-#include "runtime/analysis/report/learner_curves.h"
+#include "runtime/analysis/report/encoded_curves.h"
 #include "runtime/analysis/report/page.h"
 #include "runtime/analysis/report/report_changes.h"
 #include "runtime/analysis/report/report_recordings.h"
-#include "runtime/analysis/report/task_curves.h"
 #include "runtime/base/user_error.h"
 #include "runtime/training/run/estimate.h"
 #include "runtime/training/run/iso_time.h"
@@ -127,12 +128,12 @@ json CollectReportData(const std::filesystem::path& run_dir) {
   data["episode"] = EncodeSeries(episodes, [](const EpisodeRecord& e) { return e.number; });
   data["returns"] =
       EncodeSeries(episodes, [](const EpisodeRecord& e) { return e.active.episode_return; });
-  data["terms"] = TermCurves(run, episodes);
-  data["metrics"] = MetricCurves(run, episodes);
-  data["logs"] = LogCurves(run, episodes);
-  data["goals"] = GoalCurves(run, episodes);
-  data["phases"] = PhaseCurves(run, episodes);
-  data["learner"] = LearnerCurves(database.ReadLearnerCurves(), episodes);
+  data["terms"] = EncodeCurves(TermCurves(run, episodes));
+  data["metrics"] = EncodeCurves(MetricCurves(run, episodes));
+  data["logs"] = EncodeCurves(LogCurves(run, episodes));
+  data["goals"] = EncodeCurves(GoalCurves(run, episodes));
+  data["phases"] = EncodeCurves(PhaseCurves(run, episodes));
+  data["learner"] = EncodeCurves(LearnerCurves(database.ReadLearnerCurves(), episodes));
   AddEnds(episodes, data);
   AddTotals(episodes, data);
   AddChanges(run, episodes, database.ReadChanges(), data);

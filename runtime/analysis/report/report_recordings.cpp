@@ -6,7 +6,7 @@
 
 #include "runtime/analysis/report/base64.h"
 #include "runtime/analysis/report/choose_recordings.h"
-#include "runtime/analysis/report/goal_curves.h"
+#include "runtime/analysis/report/goals_told.h"
 #include "runtime/base/user_error.h"
 #include "runtime/training/run/recorded_poses.h"
 #include "runtime/training/run/recorder.h"

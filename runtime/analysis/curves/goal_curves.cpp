@@ -1,4 +1,4 @@
-#include "runtime/analysis/report/goal_curves.h"
+#include "runtime/analysis/curves/goal_curves.h"
 
 #include <fmt/format.h>
 
@@ -6,12 +6,8 @@
 #include <map>
 #include <string>
 
-#include "runtime/analysis/report/task_curves.h"
-
 namespace runtime {
 namespace {
-
-using nlohmann::json;
 
 // By the task's id: how many elements each of its goals has.
 using Sizes = std::map<int64_t, std::vector<size_t>>;
@@ -85,24 +81,11 @@ std::vector<double> Means(const EpisodeRecord& episode, const std::vector<size_t
 
 }  // namespace
 
-json GoalCurves(const RunRecord& run, const std::vector<EpisodeRecord>& episodes) {
+std::vector<Curve> GoalCurves(const RunRecord& run, const std::vector<EpisodeRecord>& episodes) {
   const Sizes sizes = SizesOfGoals(run, episodes);
   return TaskCurves(
       run, episodes, [&](const TaskRecord& task) { return Elements(task, sizes.at(task.id)); },
       [&](const EpisodeRecord& episode) { return Means(episode, sizes.at(episode.active.task)); });
-}
-
-json GoalsTold(const TaskRecord& task, const Evaluation& evaluation) {
-  json told = json::array();
-  for (const GoalDraw& draw : evaluation.goals) {
-    const GoalRecord& goal = task.goals[draw.goal];
-    told.push_back({{"time", draw.time},
-                    {"name", goal.name},
-                    {"type", goal.type},
-                    {"unit", goal.unit},
-                    {"value", draw.value}});
-  }
-  return told;
 }
 
 }  // namespace runtime

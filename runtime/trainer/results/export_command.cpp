@@ -1,0 +1,130 @@
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "base/text/print.h"
+#include "runtime/analysis/export/csv.h"
+#include "runtime/analysis/export/episode_table.h"
+#include "runtime/analysis/export/mcap_episode.h"
+#include "runtime/analysis/export/tensorboard.h"
+#include "runtime/trainer/commands.h"
+#include "runtime/trainer/results/recorded_episode.h"
+#include "runtime/trainer/runs/many_runs.h"
+#include "runtime/training/run/run_files.h"
+
+namespace runtime {
+namespace {
+
+using command_line::CallError;
+using Files = std::vector<std::filesystem::path>;
+
+struct ExportOptions {
+  std::filesystem::path folder;
+  std::filesystem::path csv;
+  std::filesystem::path tensorboard;
+  std::filesystem::path mcap;
+  int64_t episode = 0;  // 0: the last that was recorded
+  bool json = false;
+};
+
+// The runs with their names in `folder`; of a run itself the name is ".".
+std::vector<TableOfRun> ReadTables(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> runs = FindRuns(folder);
+  if (runs.empty()) runs = {folder};
+  std::vector<TableOfRun> tables;
+  for (const std::filesystem::path& run : runs) {
+    tables.push_back(
+        {run.lexically_relative(folder).string(), ReadEpisodeTable(RunDatabase::OpenToRead(run))});
+  }
+  return tables;
+}
+
+// Each run in a folder of its own, which TensorBoard takes for the run's name.
+Files WriteEvents(const std::filesystem::path& folder, const std::vector<TableOfRun>& runs) {
+  Files files;
+  for (const auto& [run, table] : runs) {
+    const std::filesystem::path file = (folder / run / kEventFile).lexically_normal();
+    MakeRunFolder(file.parent_path());
+    WriteOutput(file, "the events", TensorBoardEvents(table));
+    files.push_back(file);
+  }
+  return files;
+}
+
+std::string ReadMcap(const std::filesystem::path& folder, int64_t wanted) {
+  const RunDatabase database = RunDatabase::OpenToRead(folder);
+  const int64_t number = ChooseRecordedEpisode(folder, database, wanted);
+  const std::vector<EpisodeRecord> episodes = database.ReadEpisodes();
+  const RunRecord run = database.ReadRun();
+  const std::vector<robot::Link> links = ReadBody(folder, run);
+  const Motion motion = ReadRecordedMotion(folder, database, number, links.size());
+  return McapOf(run, episodes.at(static_cast<size_t>(number - 1)), motion, links);
+}
+
+void Print(const Files& files, bool is_json) {
+  if (is_json) {
+    nlohmann::json names = nlohmann::json::array();
+    for (const std::filesystem::path& file : files) names.push_back(file.string());
+    const nlohmann::json json = {{"files", names}};
+    text::Print("{}\n", json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+    return;
+  }
+  for (const std::filesystem::path& file : files) text::Print("{}\n", file.string());
+}
+
+void Export(const ExportOptions& options) {
+  if (options.csv.empty() && options.tensorboard.empty() && options.mcap.empty())
+    throw CallError("say what to write: --csv FILE, --tensorboard DIR or --mcap FILE");
+  if (options.episode != 0 && options.mcap.empty())
+    throw CallError("--episode says which one --mcap writes, which is not given");
+  Files files;
+  if (!options.csv.empty() || !options.tensorboard.empty()) {
+    const std::vector<TableOfRun> runs = ReadTables(options.folder);
+    if (!options.csv.empty()) {
+      WriteOutput(options.csv, "the table", CsvOf(runs));
+      files.push_back(options.csv);
+    }
+    if (!options.tensorboard.empty()) {
+      const Files events = WriteEvents(options.tensorboard, runs);
+      files.insert(files.end(), events.begin(), events.end());
+    }
+  }
+  if (!options.mcap.empty()) {
+    WriteOutput(options.mcap, "the episode", ReadMcap(options.folder, options.episode));
+    files.push_back(options.mcap);
+  }
+  Print(files, options.json);
+}
+
+}  // namespace
+
+void AddExportCommand(command_line::Command& program) {
+  const auto options = std::make_shared<ExportOptions>();
+  command_line::Command& command = program.AddCommand(
+      "export", "Writes what a run has recorded for other programs: tables, TensorBoard, MCAP.");
+  command.AddOption("DIR", options->folder, "folder of the run, or of many runs").Required();
+  command
+      .AddOption("--csv", options->csv,
+                 "write every number of every episode as comma-separated values")
+      .ValueName("FILE");
+  command
+      .AddOption("--tensorboard", options->tensorboard,
+                 "write the same as events for TensorBoard into this folder")
+      .ValueName("DIR");
+  command
+      .AddOption("--mcap", options->mcap,
+                 "write a recorded episode of the run as MCAP, for Foxglove and others")
+      .ValueName("FILE");
+  command
+      .AddOption("--episode", options->episode,
+                 "number of the episode for --mcap; by default the last that is recorded")
+      .Positive();
+  command.AddFlag("--json", options->json, "print the files' names as JSON");
+  command.OnRun([options] {
+    Export(*options);
+    return kSuccess;
+  });
+}
+
+}  // namespace runtime
