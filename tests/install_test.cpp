@@ -43,7 +43,7 @@ class InstallTest : public testing::Test {
                                                  HAS_PAGES ? "-DTASKC_WEB=ON" : "-DTASKC_WEB=OFF"});
     ASSERT_EQ(configured.exit_status, 0) << configured.errors;
     for (const char* part : {"bin/taskc", "bin/trainer", "share/taskc/report", "share/taskc/study",
-                             "share/taskc/document"}) {
+                             "share/taskc/document", "share/taskc/probe"}) {
       if (!std::filesystem::exists(std::filesystem::path(BUILD_DIR) / part)) continue;
       std::filesystem::create_directories((build_ / part).parent_path());
       std::filesystem::copy(std::filesystem::path(BUILD_DIR) / part, build_ / part,

@@ -232,6 +232,8 @@ const Mistake kMistakes[] = {
      "43:9: error: `high` of net `g3` is not above its `low`\n"
      "  help: give one `low` and one greater `high` for each coordinate"},
 
+    {"NoSpeed", "max_torque = 3", "max_torque = 3, max_speed = 0",
+     "17:75: error: `max_speed` of `controller` is not positive\n  help: give a number above 0"},
     {"RangeOfNoSensor", "\"joint.velocity\" =", "\"joint.velocty\" =",
      "47:1: error: `joint.velocty` is not a sensor whose range can be given\n"
      "  help: did you mean `joint.velocity`?"},

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace robot {
@@ -31,7 +32,7 @@ TEST(RobotDescription, KeepsWhatTheFileSays) {
   EXPECT_EQ(robot.controller.stiffness, 20);
   EXPECT_EQ(robot.controller.damping, 0.5);
   EXPECT_EQ(robot.controller.max_torque, 3);
-  EXPECT_EQ(robot.controller.max_speed, 12);
+  EXPECT_EQ(robot.controller.max_speed, std::numeric_limits<double>::infinity());
   EXPECT_EQ(robot.controller.time_step, 0.01);
 }
 

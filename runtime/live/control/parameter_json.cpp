@@ -19,9 +19,13 @@ bool IsWhole(const Parameter& parameter) {
 }
 
 // A list takes one as a list of one.
+bool IsList(const Parameter& parameter) {
+  return std::holds_alternative<std::vector<double>*>(parameter.target);
+}
+
 bool TakesNumber(const Parameter& parameter) {
   return IsWhole(parameter) || std::holds_alternative<double*>(parameter.target) ||
-         std::holds_alternative<std::vector<double>*>(parameter.target);
+         IsList(parameter);
 }
 
 // JSON does not tell 3.0 from 3.
@@ -33,15 +37,18 @@ ParameterValue NumberFor(const Parameter& parameter, double number) {
   return number;
 }
 
-// "20 s", where `unit` is "s".
-double NumberWithUnit(const std::string& text, const std::string& unit, const std::string& name) {
+// "20 s", where the parameter's unit is "s".
+double NumberWithUnit(const std::string& text, const Parameter& parameter,
+                      const std::string& name) {
+  const std::string& unit = parameter.unit;
   double number = 0;
   const char* const end = text.data() + text.size();
   const auto [rest, error] = std::from_chars(text.data(), end, number);
   const char* word = rest;
   while (word != end && *word == ' ') ++word;
   if (error != std::errc() || (word != end && std::string(word, end) != unit)) {
-    throw UserError(fmt::format("`{}` is a number{}, and `{}` is not one", name,
+    throw UserError(fmt::format("`{}` is a {}{}, and `{}` is not one", name,
+                                IsList(parameter) ? "list of numbers" : "number",
                                 unit.empty() ? "" : fmt::format(" in {}", unit), text));
   }
   return number;
@@ -74,7 +81,7 @@ ParameterValue FitTo(const Parameter& parameter, ParameterValue value, const std
   if (const double* real = std::get_if<double>(&value)) return NumberFor(parameter, *real);
   const std::string* text = std::get_if<std::string>(&value);
   if (text == nullptr || !TakesNumber(parameter)) return value;
-  return NumberFor(parameter, NumberWithUnit(*text, parameter.unit, name));
+  return NumberFor(parameter, NumberWithUnit(*text, parameter, name));
 }
 
 nlohmann::json ParameterJson(const Module& module, const Parameter& parameter) {

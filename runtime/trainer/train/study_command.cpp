@@ -42,7 +42,7 @@ std::vector<std::filesystem::path> Prepare(const Experiment& experiment,
                      "give this experiment another `name`");
 }
 
-int Study(const StudyOptions& options) {
+int RunStudy(const StudyOptions& options) {
   const std::vector<Experiment> experiments = ReadStudy(options.file);
   const std::filesystem::path out =
       options.out.empty() ? std::filesystem::path("runs") / options.file.stem() : options.out;
@@ -66,7 +66,7 @@ void AddStudyCommand(command_line::Command& program) {
       .ValueName("DIR");
   AddJobsOption(command, options->jobs, "train");
   options->output.AddTo(command);
-  command.OnRun([options] { return Study(*options); });
+  command.OnRun([options] { return RunStudy(*options); });
 }
 
 }  // namespace runtime

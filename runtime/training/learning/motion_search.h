@@ -30,6 +30,7 @@ class MotionSearch : public Learner {
   // found fits the agent shows when the next episode starts.
   void Load(std::istream& in) override;
 
+  const double& discount() const override { return discount_; }
   bool ends_at_once() const override { return true; }
   void ForgetCredit() override;
   void Forget() override;
@@ -54,6 +55,7 @@ class MotionSearch : public Learner {
   void CheckFits(const Eigen::VectorXd& standstill) const;
   void NoteCurves();
 
+  const double discount_ = 1;  // what counts is the return, a plain sum
   BoxSearch::Settings settings_{.least_step = 1e-3};
   std::string new_task_ = "restart";
   std::string plays_ = "best";

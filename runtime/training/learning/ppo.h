@@ -28,6 +28,7 @@ class Ppo : public Learner {
   // learned fits the agent shows when the next episode starts.
   void Load(std::istream& in) override;
 
+  const double& discount() const override { return settings_.discount; }
   bool ends_at_once() const override { return true; }
   // Decisions of another task, and the action that runs, are not learned from.
   void ForgetCredit() override;

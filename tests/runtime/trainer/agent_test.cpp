@@ -53,7 +53,7 @@ TEST_F(AgentShowTest, AWholeAgentTakesThePlaceOfTheRobots) {
 TEST_F(AgentShowTest, OneOfTheRobotsAgentsIsFoundByItsName) {
   const ProgramResult result = Show({"--agent", "ppo"});
   ASSERT_EQ(result.exit_status, 0) << result.errors;
-  EXPECT_THAT(result.output, ContainsRegex("type = \"Ppo\" +# .*ppo.agent.toml:[0-9]+:1\n"));
+  EXPECT_THAT(result.output, ContainsRegex("batch = 1024 +# .*ppo.agent.toml:[0-9]+:1\n"));
   EXPECT_THAT(Show({"--agent", "paper"}).output, HasSubstr("type = \"PengQLambda\""));
   EXPECT_THAT(Show({}).output, HasSubstr("type = \"PengQLambda\""));
 }

@@ -68,12 +68,12 @@ TEST_F(PpoRunTest, KeepsWhatItLearnedWhenTheTaskIsSwappedUnlessItIsToldToForget)
 TEST_F(PpoRunTest, IsEvaluatedByItsMeanActions) {
   ASSERT_EQ(Train("run", 6), 0);
   const std::vector<double> returns = Evaluate("run", 3).returns;
-  // All else being equal, the task pays 0.125 more in each episode.
-  EXPECT_NEAR(returns[1] - returns[0], 0.125, 1e-9);
-  EXPECT_NEAR(returns[2] - returns[1], 0.125, 1e-9);
+  // All else being equal, the task pays 0.125 more for each of the eight actions of an episode.
+  EXPECT_NEAR(returns[1] - returns[0], 1, 1e-9);
+  EXPECT_NEAR(returns[2] - returns[1], 1, 1e-9);
   EXPECT_EQ(Evaluate("run", 3).returns, returns);
   const std::vector<double> learned = ReturnsOf("run");
-  EXPECT_GT(std::abs(learned[5] - learned[4] - 0.125), 1e-6);
+  EXPECT_GT(std::abs(learned[5] - learned[4] - 1), 1e-6);
 }
 
 }  // namespace

@@ -108,7 +108,7 @@ TEST_F(ProbeTest, DoesNotMixSearchesOfDifferentAgents) {
   ASSERT_EQ(Probe("probe", {"--episodes", "2"}).exit_status, 0);
   const ProgramResult result = Probe("probe", {"--episodes", "2", "--set", "action_space.dof=all"});
   EXPECT_EQ(result.exit_status, 1);
-  EXPECT_THAT(result.errors, AllOf(HasSubstr("`action_space.dof` is 5 there and all here"),
+  EXPECT_THAT(result.errors, AllOf(HasSubstr("`action_space.dof` is \"5\" there and \"all\" here"),
                                    HasSubstr("give another `--out`")));
 }
 

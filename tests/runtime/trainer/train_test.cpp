@@ -124,11 +124,11 @@ TEST_F(TrainTest, PrintsOneJsonObjectPerEpisode) {
   std::istringstream lines(result.output);
   int episodes = 0;
   for (std::string line; std::getline(lines, line);) {
-    const nlohmann::json json = nlohmann::json::parse(line);
-    EXPECT_EQ(json["episode"], ++episodes);
-    EXPECT_TRUE(json["terms"].contains("forward"));
-    EXPECT_TRUE(json["metrics"].contains("leaning"));
-    EXPECT_TRUE(json["logs"]["height"].is_number());
+    const nlohmann::json shown = nlohmann::json::parse(line);
+    EXPECT_EQ(shown["episode"], ++episodes);
+    EXPECT_TRUE(shown["terms"].contains("forward"));
+    EXPECT_TRUE(shown["metrics"].contains("leaning"));
+    EXPECT_TRUE(shown["logs"]["height"].is_number());
   }
   EXPECT_EQ(episodes, 2);
 }
@@ -163,13 +163,13 @@ TEST_F(TrainTest, ShowsLogsAndViolations) {
   EXPECT_THAT(text.output,
               AllOf(HasSubstr("log        height: 0."), HasSubstr("log        late: "),
                     HasSubstr("violations "), HasSubstr("1 truncated: requirement: it is early")));
-  const nlohmann::json json =
+  const nlohmann::json shown =
       nlohmann::json::parse(Trainer({"show", RunFolder("run"), "--json"}).output);
-  EXPECT_GT(json["logs"]["height"].get<double>(), 0.1);
-  EXPECT_GT(json["violations"].get<int>(), 0);
+  EXPECT_GT(shown["logs"]["height"].get<double>(), 0.1);
+  EXPECT_GT(shown["violations"].get<int>(), 0);
 }
 
-TEST_F(TrainTest, NamesTheTasksOwnFileWhereItDoesNotFitTheRobot) {
+TEST_F(TrainTest, SaysWhatWouldFillASensorThatNoRobotHas) {
   std::ofstream(folder() / "foreign.task")
       << "task foreign\nsensor wind: real [m/s]\non end_of_time_step {\n"
          "  if wind > 3 m/s { truncate_episode \"stormy\" }\n}\n";
@@ -177,7 +177,9 @@ TEST_F(TrainTest, NamesTheTasksOwnFileWhereItDoesNotFitTheRobot) {
   const ProgramResult result =
       Trainer({"train", task, "--robot", "humanoid", "--quiet", "--out", RunFolder("run")});
   EXPECT_EQ(result.exit_status, 1);
-  EXPECT_THAT(result.errors, HasSubstr(task + ": the task reads the sensor `wind`"));
+  EXPECT_THAT(
+      result.errors,
+      HasSubstr("the task `foreign` reads the sensor `wind`, and no module has an out port"));
   EXPECT_EQ(result.errors.find("task.so"), std::string::npos) << result.errors;
 }
 

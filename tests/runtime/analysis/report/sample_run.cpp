@@ -23,10 +23,12 @@ const robot::RobotDescription& Humanoid() {
   return robot;
 }
 
-std::string CrawlingSource() {
-  std::ifstream in(SOURCE_DIR "/tasks/crawling.task");
+std::string TextOf(const char* file) {
+  std::ifstream in(file);
   return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
 }
+
+std::string CrawlingSource() { return TextOf(SOURCE_DIR "/tasks/crawling.task"); }
 
 constexpr const char* kAgent = R"([modules.state]
 type = "DofState"
@@ -97,6 +99,7 @@ RunRecord SampleRunRecord() {
   run.agent = kAgent;
   run.profile = "paper";
   run.version = "0.1.0";
+  run.robot_description = TextOf(SOURCE_DIR "/plugins/humanoid/robot.toml");
   run.body = BodyJson(Humanoid());
   run.settings = SettingsText({{"task.fall_penalty", "8.0", "--set"}});
   run.call = CallText({"tasks/crawling.task", "--set", "task.fall_penalty=8"});

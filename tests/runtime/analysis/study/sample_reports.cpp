@@ -35,7 +35,7 @@ void WriteStudySample(const std::filesystem::path& folder) {
 void WriteProbeSample(const std::filesystem::path& folder) {
   std::filesystem::remove_all(folder);
   std::vector<std::filesystem::path> runs;
-  for (const double speed : {0.2, 0.21, 0.5, 13.0}) {
+  for (const double speed : {0.1, 0.11, 0.5, 13.0}) {
     const uint64_t seed = runs.size() + 1;
     runs.push_back(folder / ("seed" + std::to_string(seed)));
     runtime::WriteStudyRun(runs.back(), {.seed = seed, .speed = speed, .is_best = true});

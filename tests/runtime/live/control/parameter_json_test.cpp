@@ -79,7 +79,7 @@ TEST_F(ParameterJsonTest, AnotherTypeIsRefused) {
   EXPECT_EQ(Refusal("strict", "true"), "`mind.strict` is true or false, and \"true\" is not one");
   EXPECT_EQ(Refusal("strict", 1), "`mind.strict` is true or false, and 1 is not one");
   EXPECT_EQ(Refusal("weights", "1, 2"),
-            "`mind.weights` is a list of numbers, and \"1, 2\" is not one");
+            "`mind.weights` is a list of numbers, and `1, 2` is not one");
   EXPECT_EQ(Refusal("weights", json({0.5, 2})),
             "`mind.weights` must lie in -inf .. 1, and 2 does not");
 }
