@@ -141,8 +141,7 @@ typedef struct taskc_pose {
 //                                             touches the ground as in the pose, and then lifts it
 //                                             by what z has grown
 //   "base.roll", "base.pitch", "base.yaw"     the robot is turned by these about the world's x,
-//   then
-//                                             y, then z axis [rad]; before, 0
+//                                             then y, then z axis [rad]; before, 0
 //   "base.velocity", "base.angular_velocity"  x, y, z in the world [m/s], [rad/s]
 // What the task does not list stays as in the pose, at rest.
 typedef struct taskc_start_value {
