@@ -85,6 +85,7 @@ std::vector<std::string> TaskWords() {
           "head",
           "time_step",
           "reward",
+          "onboard",
           "x",
           "0",
           "1",

@@ -26,7 +26,7 @@ file : (allow | header | declaration)* EOF ;
 header : TASK name (EXTENDS base=STRING)? (FOR robot=name)? LINE_END? ;
 
 declaration
-    : ( start | afterEnd | sensor | param | memory | goal | metric | reward | constant
+    : ( start | afterEnd | sensor | param | memory | goal | observation | metric | reward | constant
       | namedSet | table | event | phase | function | imported | test | change ) LINE_END?
     ;
 
@@ -50,6 +50,9 @@ memory : MEMORY name ':' type '=' expression (PER scope=NAME)? ;
 
 // goal side: int = choose(0, 1), goal velocity: vec2 [m/s] = uniform(-1 m/s, 1 m/s) per 3 s .. 8 s
 goal : GOAL name ':' type '=' value=expression (PER shortest=expression ('..' longest=expression)?)? ;
+
+// observe base.up, observe clock = sin(angle), observe onboard
+observation : OBSERVE (name ('.' name)* '=')? expression ;
 
 // metric max height = base.position.z
 metric : METRIC reduction=word? name '=' expression ;
@@ -92,8 +95,8 @@ bodyStatement : ( let | RETURN expression ) LINE_END? ;
 
 change
     : OVERRIDE
-      ( start | afterEnd | newDefault | newConstant | namedSet | newTable | newGoal | metric | reward
-      | event | phase | function )
+      ( start | afterEnd | newDefault | newConstant | namedSet | newTable | newGoal | newObservation
+      | metric | reward | event | phase | function )
     ;
 
 // override param direction = -1
@@ -107,6 +110,9 @@ newTable : TABLE name '=' STRING ;
 
 // override goal velocity = uniform(0 m/s, 2 m/s)
 newGoal : GOAL name '=' value=expression (PER shortest=expression ('..' longest=expression)?)? ;
+
+// override observe clock = cos(angle), override observe base.up = base.forward
+newObservation : OBSERVE name ('.' name)* '=' expression ;
 
 // ---- Tests --------------------------------------------------------------------------------------
 
@@ -296,6 +302,7 @@ LOG : 'log' ;
 REQUIRE : 'require' ;
 GOAL : 'goal' ;
 REDRAW : 'redraw' ;
+OBSERVE : 'observe' ;
 PHASE : 'phase' ;
 NEXT : 'next' ;
 RETURN : 'return' ;

@@ -2,6 +2,7 @@
 
 #include "compiler/analyze/allowances.h"
 #include "compiler/analyze/find_robot.h"
+#include "compiler/bounds/bounds.h"
 #include "compiler/bounds/start_bounds.h"
 #include "compiler/bounds/warnings.h"
 #include "compiler/check/check.h"
@@ -15,6 +16,16 @@ void GetRobot(Analysis& analysis, const std::filesystem::path& robots) {
   if (!name) return;
   const std::string& file = analysis.sources.FileOf(name->span).path();
   analysis.robot = FindRobot(*name, file, robots, analysis.diagnostics);
+}
+
+// The range of each observation is part of the task, for its hosts.
+void KeepRanges(const TaskBounds& bounds, CheckedTask& task) {
+  for (size_t i = 0; i < task.observations.size(); ++i) {
+    const Interval& value = bounds.observations[i].value;
+    if (!HasNumber(value)) continue;
+    task.observations[i].minimum = value.low;
+    task.observations[i].maximum = value.high;
+  }
 }
 
 }  // namespace
@@ -33,7 +44,9 @@ Analysis Analyze(const std::filesystem::path& file, const FileReader& read,
     analysis.task.reset();
     return analysis;
   }
-  WarnOfBounds(*analysis.task, analysis.diagnostics);
+  const TaskBounds bounds = ComputeBounds(*analysis.task);
+  KeepRanges(bounds, *analysis.task);
+  WarnOfBounds(*analysis.task, analysis.sources, bounds, analysis.diagnostics);
   analysis.diagnostics =
       ApplyAllowances(analysis.tree->allowances, analysis.sources, analysis.diagnostics);
   return analysis;

@@ -19,6 +19,16 @@ ValueBounds MetricBounds(const CheckedTask& task, const CheckedMetric& metric,
           CausesOf(task, values, {}, metric.value)};
 }
 
+// What the learner sees when it decides, in between two time steps.
+ValueBounds ObservationBounds(const CheckedTask& task, const CheckedObservation& observation,
+                              const Assumptions& assumptions, TaskBounds& found) {
+  Values values = ValuesAtStart(task, EventKind::kEndOfAction, assumptions);
+  values.memory = found.memory;
+  FindLeftDomains(task, values, {}, observation.value, found.left_domains);
+  return {Hull(ExpressionBounds(task, values).AllOf(observation.value)),
+          CausesOf(task, values, {}, observation.value)};
+}
+
 }  // namespace
 
 Interval PaymentOfPotential(const Interval& potential) {
@@ -40,6 +50,8 @@ TaskBounds ComputeBounds(const CheckedTask& task, const Assumptions& assumptions
   }
   for (const CheckedMetric& metric : task.metrics)
     bounds.metrics.push_back(MetricBounds(task, metric, assumptions, bounds));
+  for (const CheckedObservation& observation : task.observations)
+    bounds.observations.push_back(ObservationBounds(task, observation, assumptions, bounds));
   return bounds;
 }
 

@@ -67,6 +67,7 @@ struct LeftDomain {
 struct TaskBounds {
   std::vector<TermBounds> terms;     // as in the task
   std::vector<ValueBounds> metrics;  // whenever they are measured
+  std::vector<ValueBounds> observations;
   std::vector<ValueBounds> logs;
   std::vector<Box> memory;  // between callbacks
   std::vector<bool> ends_reached;

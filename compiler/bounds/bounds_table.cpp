@@ -80,6 +80,9 @@ std::vector<BoundsRow> BoundsRows(const CheckedTask& task, const TaskBounds& bou
   for (size_t i = 0; i < task.logs.size(); ++i)
     rows.push_back(
         {task.logs[i].name, "log", bounds.logs[i].value, task.logs[i].unit, bounds.logs[i].causes});
+  for (size_t i = 0; i < task.observations.size(); ++i)
+    rows.push_back({task.observations[i].name, "observation", bounds.observations[i].value,
+                    task.observations[i].value.unit, bounds.observations[i].causes});
   return rows;
 }
 

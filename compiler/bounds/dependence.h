@@ -1,5 +1,5 @@
-// Which memory the rewards and ends of a task depend on: by what they read, by the conditions they
-// are under, and through other memory.
+// Which memory the rewards and ends of a task depend on, and what that is made of: by what they
+// read, by the conditions they are under, and through other memory.
 #pragma once
 
 #include <cstdint>
@@ -19,9 +19,12 @@ struct Dependent {
 struct Dependence {
   std::vector<Dependent> rewards;  // every statement that pays
   std::vector<Dependent> ends;
-  std::vector<std::set<uint32_t>> sources;  // for each memory, the memory it is computed from
-  // Memory that only ever holds what was sensed at one moment: set without condition, and from
-  // nothing that is remembered.
+  // For each memory, the memory and the sensors that it is computed from, or that decide whether it
+  // is set.
+  std::vector<std::set<uint32_t>> sources;
+  std::vector<std::set<uint32_t>> sensors;
+  // Memory that only ever holds what was sensed at one moment, or follows from a few such moments:
+  // set without condition, and from nothing else that is remembered.
   std::set<uint32_t> sensed;
   // Memory that is only ever added to.
   std::set<uint32_t> accumulated;

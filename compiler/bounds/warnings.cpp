@@ -7,10 +7,11 @@
 
 #include "compiler/bounds/bounds.h"
 #include "compiler/bounds/bounds_text.h"
-#include "compiler/bounds/dependence.h"
 #include "compiler/bounds/domains.h"
 #include "compiler/bounds/early_death.h"
 #include "compiler/bounds/end_warnings.h"
+#include "compiler/bounds/hidden_state.h"
+#include "compiler/bounds/observation_warnings.h"
 #include "compiler/bounds/phase_warnings.h"
 #include "compiler/check/fold.h"
 #include "compiler/check/report.h"
@@ -163,50 +164,10 @@ void WarnOfTermsWithoutBound(const CheckedTask& task, const TaskBounds& bounds,
   }
 }
 
-// ---- Memory that the agent does not see ---------------------------------------------------------
-
-// What depends on `memory`, directly or not.
-const Dependent* FirstDependent(const std::vector<Dependent>& all, const Dependence& dependence,
-                                uint32_t memory) {
-  const auto depends = [&](const Dependent& dependent) {
-    return WithSources(dependence, dependent.memory).contains(memory);
-  };
-  const auto found = std::ranges::find_if(all, depends);
-  return found == all.end() ? nullptr : &*found;
-}
-
-bool NeverReset(const CheckedTask& task, const TaskBounds& bounds, const Dependence& dependence,
-                uint32_t memory) {
-  return task.memory[memory].scope == MemoryScope::kPerRun &&
-         dependence.accumulated.contains(memory) && !IsBounded(Hull(bounds.memory[memory]));
-}
-
-void WarnOfMemory(const CheckedTask& task, const TaskBounds& bounds, Diagnostics& diagnostics) {
-  const Dependence dependence = DependenceOf(task);
-  for (uint32_t i = 0; i < task.memory.size(); ++i) {
-    const CheckedMemory& memory = task.memory[i];
-    const bool is_short = memory.scope == MemoryScope::kPerAction;
-    if (!memory.is_declared || is_short || dependence.sensed.contains(i)) continue;
-    const Dependent* reward = FirstDependent(dependence.rewards, dependence, i);
-    const Dependent* end = FirstDependent(dependence.ends, dependence, i);
-    if (NeverReset(task, bounds, dependence, i) && (reward != nullptr || end != nullptr)) {
-      Report(diagnostics, code::kNeverReset, memory.span,
-             fmt::format("`{}` grows through the whole run: nothing ever resets it", memory.name),
-             {.help = "leave out `per run`, or reset it in `on start_of_episode`",
-              .labels = {{reward != nullptr ? reward->span : end->span, "this depends on it"}}});
-    } else if (reward != nullptr) {
-      Report(diagnostics, code::kHiddenMemory, memory.span,
-             fmt::format("rewards depend on `{}`, which the agent does not see", memory.name),
-             {.note = "to the agent, the same state is paid differently at different times",
-              .labels = {{reward->span, "this depends on it"}}});
-    }
-  }
-}
-
 }  // namespace
 
-void WarnOfBounds(const CheckedTask& task, Diagnostics& diagnostics) {
-  const TaskBounds bounds = ComputeBounds(task);
+void WarnOfBounds(const CheckedTask& task, const Sources& sources, const TaskBounds& bounds,
+                  Diagnostics& diagnostics) {
   NeverHappens never(bounds, diagnostics);
   for (const CheckedEvent& event : task.events) never.Look(event);
   WarnOfTermsThatPayNothing(task, bounds, diagnostics);
@@ -215,7 +176,8 @@ void WarnOfBounds(const CheckedTask& task, Diagnostics& diagnostics) {
   WarnOfTinyTerms(task, bounds, moderate, true, diagnostics);
   WarnOfTinyTerms(task, bounds, moderate, false, diagnostics);
   WarnOfTermsWithoutBound(task, bounds, diagnostics);
-  WarnOfMemory(task, bounds, diagnostics);
+  WarnOfMemory(task, sources, bounds, diagnostics);
+  WarnOfObservations(task, sources, bounds, diagnostics);
   WarnOfLeftDomains(bounds, diagnostics);
   WarnOfEnds(task, bounds, diagnostics);
   WarnOfEarlyDeath(task, diagnostics);

@@ -2,12 +2,15 @@
 // rewards that teach something else than was meant.
 #pragma once
 
+#include "compiler/bounds/bounds.h"
 #include "compiler/check/checked_task.h"
 #include "compiler/source/diagnostic.h"
+#include "compiler/source/sources.h"
 
 namespace compiler {
 
-// Looks at a task without errors.
-void WarnOfBounds(const CheckedTask& task, Diagnostics& diagnostics);
+// Looks at a task without errors, whose text and bounds these are.
+void WarnOfBounds(const CheckedTask& task, const Sources& sources, const TaskBounds& bounds,
+                  Diagnostics& diagnostics);
 
 }  // namespace compiler

@@ -9,6 +9,7 @@
 #include "compiler/check/goals.h"
 #include "compiler/check/log_table.h"
 #include "compiler/check/named_constants.h"
+#include "compiler/check/observations.h"
 #include "compiler/check/phases.h"
 #include "compiler/check/potentials.h"
 #include "compiler/check/sensor_use.h"
@@ -79,6 +80,7 @@ std::optional<CheckedTask> Check(const SyntaxTree& tree, const robot::RobotDescr
   CheckMemory(tree, scope, task);
   CheckGoals(tree, scope, task);
   CheckFunctions(tree, scope, task);
+  CheckObservations(tree, scope, task);
   CheckMetrics(tree, scope, task);
   LogTable logs(scope, task);
   CheckEvents(tree, logs, scope, task);

@@ -132,11 +132,12 @@ struct FunctionCall {
 // What only a test's `expect` reads; see docs/language.md.
 struct TestRead {
   enum Kind {
-    kTotal,   // what reward term `index` has paid since the test began
-    kMetric,  // metric `index`, as it would be recorded if the episode ended now
-    kLog,     // log `index`, in the same way
-    kReward,  // what the last callback has paid
-    kEnded    // whether an end was reached since the test began, or a requirement did not hold
+    kTotal,        // what reward term `index` has paid since the test began
+    kMetric,       // metric `index`, as it would be recorded if the episode ended now
+    kLog,          // log `index`, in the same way
+    kReward,       // what the last callback has paid
+    kObservation,  // observation `index`, as the learner would see it now
+    kEnded         // whether an end was reached since the test began, or a requirement did not hold
   };
   Kind kind = kTotal;
   uint32_t index = 0;
@@ -323,7 +324,8 @@ struct CheckedSensor {
   std::string name;
   Type type;
   Unit unit;
-  uint32_t read_by = 0;  // bit e: event e reads it; bit TASKC_MEASURE: a metric does
+  // Bit e: event e reads it; bit TASKC_MEASURE: a metric does; bit TASKC_OBSERVE: an observation.
+  uint32_t read_by = 0;
   // What the robot or the task says of its values; infinite where they say nothing. One for each
   // element.
   std::vector<double> minimum{};
@@ -331,6 +333,7 @@ struct CheckedSensor {
   // The range is the robot author's claim, or follows from one: no stop, limit or length keeps the
   // values in it.
   bool is_nominal = false;
+  bool is_onboard = true;  // a real robot can sense it
   // Of what is known of the robot and need not be sensed, which no CheckedTask has: one for each
   // element.
   std::vector<double> constant{};
@@ -416,6 +419,18 @@ struct CheckedTimeFunction {
   uint32_t steps = 1;  // how many values `past` has room for
   uint32_t next = 0;   // memory, of a delay: where in `past` the next one goes
   Span span{};         // of its first call
+};
+// What the learner sees: as many doubles as the value has elements, a bool as 0 or 1.
+struct CheckedObservation {
+  std::string name;
+  std::string doc;
+  CheckedExpression value;  // of any type
+  uint32_t offset = 0;      // of its first element among all that the learner sees
+  bool has_name = false;    // false: its name is the text of its value
+  // Of each element; infinite until ComputeBounds() has told (compiler/analyze/analyze.cpp).
+  double minimum = -std::numeric_limits<double>::infinity();
+  double maximum = std::numeric_limits<double>::infinity();
+  Span span{};  // of its name
 };
 // A potential lives in memory: its value where the action that runs began, whether that is known
 // (after a swap in the middle of an episode it is not), and whether the action has been paid for.
@@ -545,6 +560,9 @@ struct CheckedTask {
   std::vector<CheckedPhase> phases;                 // an episode begins in the first
   PhaseMemory phase_memory{};                       // where there are phases
   std::vector<CheckedTimeFunction> time_functions;  // each after those that its argument reads
+  std::vector<CheckedObservation> observations;
+  uint32_t observation_size = 0;  // the elements of all of them
+  std::optional<Span> onboard{};  // where the task says `observe onboard`
   std::vector<CheckedTerm> terms;
   std::vector<CheckedPotential> potentials;
   std::vector<CheckedMetric> metrics;

@@ -279,6 +279,7 @@ void ForEachOuterCall(CheckedTask& task, const Visit& visit) {
   visit_block(task.start.block);
   for (CheckedEvent& event : task.events) visit_block(event);
   for (CheckedMetric& metric : task.metrics) visit_parts(metric.value);
+  for (CheckedObservation& observation : task.observations) visit_parts(observation.value);
   for (CheckedGoal& goal : task.goals) {
     visit_parts(goal.value);
     if (goal.interval) visit_parts(goal.interval->length);

@@ -196,7 +196,8 @@ std::optional<CheckedExpression> ResolveBuiltIn(const Identifier& name, const Pl
     Report(scope.diagnostics, code::kMisplacedReward, name.span,
            "`reward` is known only inside the block of an event",
            {.note = "it is the sum of the terms that this block has paid so far",
-            .help = "add it to a `memory` there, and measure that"});
+            .help = fmt::format("add it to a `memory` there, and {} that",
+                                place.kind == Place::kObservation ? "observe" : "measure")});
     return std::nullopt;
   }
   if (place.has_time_step()) return CheckedExpression{name.span, real, kSecond, TimeStep{}};
@@ -210,7 +211,9 @@ std::optional<CheckedExpression> ResolveBuiltIn(const Identifier& name, const Pl
   }
   Report(scope.diagnostics, code::kMisplacedTimeStep, name.span,
          "`time_step` is known only at time steps and physics steps",
-         {.help = "move this to `on end_of_time_step`"});
+         {.help = place.kind == Place::kObservation
+                      ? "keep what you need of it in a `memory`, and observe that"
+                      : "move this to `on end_of_time_step`"});
   return std::nullopt;
 }
 
@@ -492,7 +495,7 @@ const FunctionSignature* ResolveFunction(const Identifier& name, const Place& pl
   for (const TimeFunctionDescription& each : kTimeFunctions) functions.emplace_back(each.name);
   for (const CheckedTable& table : scope.constants.tables) functions.push_back(table.name);
   if (place.kind == Place::kExpect)
-    for (const std::string_view of_test : {kTotal, kValue}) functions.emplace_back(of_test);
+    for (const std::string_view of_test : kTestFunctions) functions.emplace_back(of_test);
   if (IsDrawFunction(name.text)) {
     Report(scope.diagnostics, code::kMisplacedDraw, name.span,
            fmt::format("`{}` draws a random number, which only goals and starts do", name.text),

@@ -1,7 +1,10 @@
 // What a name or a dotted path of names stands for.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "compiler/check/checked_task.h"
@@ -18,10 +21,14 @@ inline constexpr std::string_view kPi = "pi";
 // What only the `expect` of a test reads.
 inline constexpr std::string_view kTotal = "total";
 inline constexpr std::string_view kValue = "value";
+inline constexpr std::string_view kObserved = "observed";
 inline constexpr std::string_view kEnded = "ended";
 // The learner's, which only the `given` of a test names.
 inline constexpr std::string_view kDiscount = "discount";
-inline bool IsTestFunction(std::string_view name) { return name == kTotal || name == kValue; }
+inline constexpr std::array kTestFunctions = {kTotal, kValue, kObserved};
+inline bool IsTestFunction(std::string_view name) {
+  return std::ranges::find(kTestFunctions, name) != kTestFunctions.end();
+}
 
 // A name, and how many further names of the path belong to it: `base.velocity` of
 // `base.velocity.xy`.

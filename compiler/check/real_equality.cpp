@@ -34,6 +34,7 @@ class EqualitySearch {
       Look(function.value);
     }
     for (const CheckedMetric& metric : task_.metrics) Look(metric.value);
+    for (const CheckedObservation& observation : task_.observations) Look(observation.value);
     for (const CheckedEvent& event : task_.events) {
       measured_locals_.clear();
       ForEachStatement(event.body, [&](const CheckedStatement& statement) {

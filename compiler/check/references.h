@@ -23,6 +23,7 @@ enum class ReferenceKind {
   kArgument,  // of a function
   kFunction,
   kPhase,
+  kObservation,
   kTerm,
   kMetric,
   kLog

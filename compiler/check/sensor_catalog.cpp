@@ -50,6 +50,7 @@ SensorCatalog SensorCatalog::OfRobot(const robot::RobotDescription& robot,
       checked.maximum.push_back(range.high);
     }
     checked.is_nominal = robot::IsUnlimited(sensor.id);
+    checked.is_onboard = sensor.is_onboard;
     catalog.Add(std::move(checked));
   }
   for (const robot::ConstantDescription& constant : robot::Constants()) {

@@ -26,6 +26,8 @@ void ForEachRead(CheckedTask& task, const Visit& visit) {
                         [&](CheckedExpression& expression) { visit_all(expression, event); });
     });
   for (CheckedMetric& metric : task.metrics) visit_all(metric.value, TASKC_MEASURE);
+  for (CheckedObservation& observation : task.observations)
+    visit_all(observation.value, TASKC_OBSERVE);
 }
 
 // The sensors that an `expect` reads, with what is called for each of them.

@@ -85,6 +85,7 @@ struct Place {
     kFunction,
     kGoal,   // what it is drawn from
     kStart,  // the block of a start
+    kObservation,
     kTimed,  // the argument of a time function
     kGiven,  // the value of a `given`: a constant
     kExpect

@@ -1,4 +1,5 @@
-// What only a test reads: `total(TERM)`, `value(METRIC)`, `value(LOG)`.
+// What only a test reads: `total(TERM)`, `value(METRIC)`, `value(LOG)`,
+// `observed(OBSERVATION)`.
 #pragma once
 
 #include <optional>

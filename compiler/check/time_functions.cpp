@@ -29,6 +29,7 @@ bool Misplaced(const TimeFunctionDescription& description, const Place& place, S
   switch (place.kind) {
     case Place::kEvent:
     case Place::kMetric:
+    case Place::kObservation:
     case Place::kPotential:
       return false;
     case Place::kTimed:  // inside another one
@@ -54,7 +55,7 @@ bool Misplaced(const TimeFunctionDescription& description, const Place& place, S
   Report(scope.diagnostics, code::kMisplacedTimeFunction, span,
          fmt::format("`{}` looks back in time, {}", description.name, why),
          {.help = is_function ? "give the function a parameter for it"
-                              : "read it in an event, a metric or a potential"});
+                              : "read it in an event, a metric, an observation or a potential"});
   return true;
 }
 
@@ -200,6 +201,10 @@ bool CountsTime(TimeFunction function) {
 const TimeFunctionDescription* FindTimeFunction(std::string_view name) {
   const auto* found = std::ranges::find(kTimeFunctions, name, &TimeFunctionDescription::name);
   return found == std::end(kTimeFunctions) ? nullptr : found;
+}
+
+std::string_view NameOf(TimeFunction function) {
+  return std::ranges::find(kTimeFunctions, function, &TimeFunctionDescription::function)->name;
 }
 
 std::optional<CheckedExpression> TimeFunctionTable::Check(

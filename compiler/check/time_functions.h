@@ -42,6 +42,7 @@ inline constexpr TimeFunctionDescription kTimeFunctions[] = {
 
 // The one of this name, or null.
 const TimeFunctionDescription* FindTimeFunction(std::string_view name);
+std::string_view NameOf(TimeFunction function);
 
 // Those of a task, with the memory that they live in.
 class TimeFunctionTable {

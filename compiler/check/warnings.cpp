@@ -46,6 +46,8 @@ class Uses {
     ForEachStatement(task.start.block.body,
                      [&](const CheckedStatement& statement) { Add(statement); });
     for (const CheckedMetric& metric : task.metrics) AddReads(metric.value, nullptr);
+    for (const CheckedObservation& observation : task.observations)
+      AddReads(observation.value, nullptr);
     for (const CheckedMemory& memory : task.memory) AddReads(memory.initial, nullptr);
     for (const CheckedGoal& goal : task.goals) {
       AddReads(goal.value, nullptr);

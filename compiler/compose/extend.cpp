@@ -31,6 +31,8 @@ std::string_view KindOf(const TableOverride&) { return "table"; }
 std::string_view KindOf(const MemoryDeclaration&) { return "memory"; }
 std::string_view KindOf(const GoalDeclaration&) { return "goal"; }
 std::string_view KindOf(const GoalOverride&) { return "goal"; }
+std::string_view KindOf(const ObserveDeclaration&) { return "observe"; }
+std::string_view KindOf(const OnboardDeclaration&) { return "onboard"; }
 std::string_view KindOf(const MetricDeclaration&) { return "metric"; }
 std::string_view KindOf(const RewardOverride&) { return "reward"; }
 std::string_view KindOf(const PotentialDeclaration&) { return "reward"; }
@@ -42,6 +44,7 @@ std::string_view KindOf(const TestDeclaration&) { return "test"; }
 
 const Identifier& NameIn(const StartDeclaration& start) { return start.poses.front(); }
 const Identifier& NameIn(const AfterEndDeclaration& after) { return after.word; }
+const Identifier& NameIn(const OnboardDeclaration& onboard) { return onboard.word; }
 const Identifier& NameIn(const RewardOverride& changed) { return changed.reward.name; }
 const Identifier& NameIn(const ImportDeclaration&) {
   static const Identifier none;
@@ -410,8 +413,10 @@ class Extension {
       event->is_known = false;
       return base_.declarations.push_back(std::move(declaration));
     }
-    if (const Declaration* inherited = FindInherited(declaration); inherited != nullptr)
+    if (const Declaration* inherited = FindInherited(declaration); inherited != nullptr) {
+      if (std::holds_alternative<OnboardDeclaration>(declaration.node)) return;
       ReportRedeclared(declaration, *inherited);
+    }
     base_.declarations.push_back(std::move(declaration));
   }
 
@@ -446,10 +451,14 @@ class Extension {
     own_.lost.words.insert(name.text);
     Diagnostic diagnostic =
         MakeDiagnostic(code::kMissingOverride, name.span,
-                       fmt::format("the base has a {} already", DescriptionOf(declaration)));
+                       fmt::format("the base has {} {} already", kind == "observe" ? "an" : "a",
+                                   DescriptionOf(declaration)));
     diagnostic.labels = {{NameOf(inherited).span, "declared here"}};
     if (kind == "memory" || kind == "sensor") {
       diagnostic.help = "use the base's, or take another name";
+    } else if (const auto* observation = std::get_if<ObserveDeclaration>(&declaration.node);
+               observation != nullptr && !observation->has_name) {
+      diagnostic.help = "leave it out: the learner sees it already";
     } else if (kind == "param" || kind == "const" || kind == "goal") {
       diagnostic.help =
           fmt::format("to give it another value: `override {} {} = ...`", kind, name.text);
@@ -481,6 +490,7 @@ class Extension {
     if (kind == "on") return fmt::format("block for `{}`", name);
     if (kind == "reward") return fmt::format("reward term `{}`", name);
     if (kind == "fn") return fmt::format("function `{}`", name);
+    if (kind == "observe") return fmt::format("observation `{}`", name);
     return fmt::format("{} `{}`", kind, name);
   }
 

@@ -51,6 +51,18 @@ Json ToJson(const CheckedMetric& metric) {
           {"doc", metric.doc}};
 }
 
+Json ToJson(const CheckedObservation& observation) {
+  const auto end = [](double value) { return std::isfinite(value) ? Json(value) : Json(); };
+  return {{"name", observation.name},
+          {"type", ToString(observation.value.type)},
+          {"unit", ToString(observation.value.unit)},
+          {"offset", observation.offset},
+          {"size", observation.value.type.size()},
+          {"least", end(observation.minimum)},
+          {"greatest", end(observation.maximum)},
+          {"doc", observation.doc}};
+}
+
 // A phase with the ways out of it.
 Json ToJson(uint32_t index, const std::vector<Transition>& transitions, const Analysis& analysis) {
   const CheckedPhase& phase = analysis.task->phases[index];
@@ -99,6 +111,7 @@ Json ToJson(const Analysis& analysis) {
                {"params", Json::array()},
                {"goals", Json::array()},
                {"tables", Json::array()},
+               {"observations", Json::array()},
                {"phases", Json::array()},
                {"terms", Json::array()},
                {"metrics", Json::array()}};
@@ -106,6 +119,8 @@ Json ToJson(const Analysis& analysis) {
     json["params"].push_back(ToJson(task.params[i], weights.params[i], task));
   for (const CheckedGoal& goal : task.goals) json["goals"].push_back(ToJson(goal));
   for (const CheckedTable& table : task.tables) json["tables"].push_back(ToJson(table));
+  for (const CheckedObservation& observation : task.observations)
+    json["observations"].push_back(ToJson(observation));
   const std::vector<Transition> transitions = TransitionsOf(task);
   for (uint32_t i = 0; i < task.phases.size(); ++i)
     json["phases"].push_back(ToJson(i, transitions, analysis));

@@ -105,6 +105,7 @@ class PageWriter {
     Sets();
     Tables();
     Goals();
+    Observations();
     Memory();
     Logs();
     Functions();
@@ -420,6 +421,32 @@ class PageWriter {
     text.push_back({Piece::kPlain, " to "});
     text.push_back({Piece::kMath, ToFormula(*draw.longest).text});
     return text;
+  }
+
+  // Where each number of what the learner sees comes from.
+  void Observations() {
+    if (task_.observations.empty()) return;
+    AddHeading("What the learner sees");
+    Table table{{"numbers", "observation", "value", "type", "range", "meaning"}, {}};
+    for (const ObserveDeclaration* each : All<ObserveDeclaration>(tree_)) {
+      const auto& checked =
+          *std::ranges::find(task_.observations, each->name.text, &CheckedObservation::name);
+      const CheckedExpression& value = checked.value;
+      const uint32_t last = checked.offset + value.type.size() - 1;
+      const bool is_bool = value.type.scalar == Scalar::kBool;
+      table.rows.push_back(
+          {Plain(last == checked.offset ? fmt::format("{}", last)
+                                        : fmt::format("{} .. {}", checked.offset, last)),
+           checked.has_name ? Code(checked.name) : Text{}, Math(ToFormula(each->value).text),
+           Code(TypeText(value)),
+           is_bool ? Text{} : Plain(RangeText(checked.minimum, checked.maximum, value.unit)),
+           FromDoc(checked.doc)});
+    }
+    AddTable(std::move(table));
+    const uint32_t count = task_.observation_size;
+    page_.blocks.push_back(
+        Paragraph{Plain(fmt::format("{} number{} in all{}.", count, count == 1 ? "" : "s",
+                                    task_.onboard ? ", from the robot's own sensors" : ""))});
   }
 
   void Memory() {

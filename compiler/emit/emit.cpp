@@ -23,6 +23,7 @@ void EmitFunctions(const CheckedTask& task, const Sources& sources, const Plugin
     if (HasFunction(task, kind)) functions.EmitEvent(kind);
   }
   if (!task.metrics.empty()) functions.EmitMeasure();
+  if (!task.observations.empty()) functions.EmitObserve();
   writer.LeaveSource();
 }
 

@@ -268,6 +268,23 @@ void FunctionEmitter::EmitMeasure() {
   End();
 }
 
+void FunctionEmitter::EmitObserve() {
+  UsedValues used;
+  used.frame = true;
+  for (const CheckedObservation& each : task_.observations) used.AddStatement(each.value);
+  Begin("observe", LineOf(task_.observations.front().value.span), std::move(used));
+  for (const CheckedObservation& each : task_.observations) {
+    const SourceLine line = LineOf(each.value.span);
+    std::vector<uint32_t> places = AllIndices(each.value.type.size());
+    for (uint32_t& place : places) place += each.offset;
+    const std::vector<CppText> values =
+        expressions_->EmitElements(each.value, each.value.type.size());
+    WriteLines(expressions_->TakeParts(), line);
+    WriteLines(ArrayAssignment("frame->observations", "=", values, places, function_.names), line);
+  }
+  End();
+}
+
 void FunctionEmitter::Begin(std::string_view name, SourceLine line, UsedValues used) {
   function_ = Function(names_, std::move(used));
   BeginFunction(fmt::format("void {}(taskc_frame*{})", name, function_.used.frame ? " frame" : ""),

@@ -1,4 +1,5 @@
-// The functions of a plugin: those of the task, one for each event, `initialize` and `measure`.
+// The functions of a plugin: those of the task, one for each event, `initialize`, `measure`
+// and `observe`.
 #pragma once
 
 #include <array>
@@ -51,6 +52,7 @@ class FunctionEmitter {
   void EmitInitialize();
   void EmitEvent(EventKind kind);
   void EmitMeasure();
+  void EmitObserve();
 
  private:
   // The state of the function that is being emitted.

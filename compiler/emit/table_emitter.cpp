@@ -55,6 +55,7 @@ std::string EventBits(uint32_t bits) {
     if ((bits >> event & 1) != 0) events.push_back(fmt::format("1u << {}", EventConstant(event)));
   }
   if ((bits >> TASKC_MEASURE & 1) != 0) events.emplace_back("1u << TASKC_MEASURE");
+  if ((bits >> TASKC_OBSERVE & 1) != 0) events.emplace_back("1u << TASKC_OBSERVE");
   return events.empty() ? "0" : fmt::format("{}", fmt::join(events, " | "));
 }
 
@@ -82,6 +83,15 @@ std::string Row(const CheckedParam& param) {
                      StringLiteral(param.doc), StringLiteral(ToString(param.unit)),
                      ScalarConstant(param.type.scalar), RealLiteral(param.initial),
                      RealLiteral(param.minimum), RealLiteral(param.maximum));
+}
+
+std::string Row(const CheckedObservation& observation) {
+  const CheckedExpression& value = observation.value;
+  return fmt::format("{}, {}, {}, {}, {}, {}, {}, {}", StringLiteral(observation.name),
+                     StringLiteral(observation.doc), StringLiteral(ToString(value.type)),
+                     StringLiteral(ToString(value.unit)), TypeFields(value.type),
+                     observation.offset, RealLiteral(observation.minimum),
+                     RealLiteral(observation.maximum));
 }
 
 std::string Row(const CheckedTerm& term, const Sources& sources) {
@@ -177,6 +187,7 @@ std::vector<std::string> TableFields(const CheckedTask& task, const Sources& sou
   EmitTableFields("params", task.params.size(), pointers, counts);
   EmitTableFields("memory", task.memory.size(), pointers, counts);
   EmitTableFields("goals", task.goals.size(), pointers, counts);
+  EmitTableFields("observations", task.observations.size(), pointers, counts);
   EmitTableFields("phases", task.phases.size(), pointers, counts);
   EmitTableFields("terms", task.terms.size(), pointers, counts);
   EmitTableFields("metrics", task.metrics.size(), pointers, counts);
@@ -261,6 +272,7 @@ void EmitTables(const CheckedTask& task, const Sources& sources, const PluginNam
                        offset(goal.memory), offset(goal.held), offset(goal.draws));
   };
   EmitTable("taskc_goal", "goals_table", task.goals, goal_row, writer);
+  EmitTable("taskc_observation", "observations_table", task.observations, kRow, writer);
   EmitTable("taskc_phase", "phases_table", task.phases, row, writer);
   EmitTable("taskc_reward_term", "terms_table", task.terms, row, writer);
   EmitTable("taskc_metric", "metrics_table", task.metrics, kRow, writer);
@@ -274,6 +286,7 @@ void EmitEntry(const CheckedTask& task, const Sources& sources, const PluginName
   std::vector<std::string> fields = IdentityFields(task, sources);
   for (std::string& field : TableFields(task, sources)) fields.push_back(std::move(field));
   fields.push_back(task.memory.empty() ? ".memory_size = 0" : ".memory_size = sizeof(Memory)");
+  fields.push_back(fmt::format(".observation_size = {}", task.observation_size));
   for (std::string& field : PhaseFields(task, names)) fields.push_back(std::move(field));
   fields.emplace_back(".initialize = initialize");
   fields.emplace_back(DrawsPose(task) ? ".draw_pose = draw_pose" : ".draw_pose = nullptr");
@@ -285,6 +298,7 @@ void EmitEntry(const CheckedTask& task, const Sources& sources, const PluginName
   }
   fields.push_back(fmt::format(".events = {{{}}}", fmt::join(functions, ", ")));
   fields.push_back(task.metrics.empty() ? ".measure = nullptr" : ".measure = measure");
+  fields.push_back(task.observations.empty() ? ".observe = nullptr" : ".observe = observe");
 
   writer.BlankLine();
   writer.Line("constexpr taskc_plugin plugin = {");

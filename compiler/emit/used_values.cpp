@@ -78,6 +78,7 @@ UsedValues UsedBy(const CheckedTask& task) {
   for (const CheckedEvent& event : task.events) used.Add(event.body);
   used.Add(task.start.block.body);
   for (const CheckedMetric& metric : task.metrics) used.Add(metric.value);
+  for (const CheckedObservation& observation : task.observations) used.Add(observation.value);
   for (const CheckedGoal& goal : task.goals) {
     used.Add(goal.value);
     if (goal.interval) used.Add(goal.interval->length);

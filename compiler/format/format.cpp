@@ -6,7 +6,7 @@
 #include "base/text/utf8.h"
 #include "compiler/format/gap.h"
 #include "compiler/format/line_list.h"
-#include "compiler/format/spacing.h"
+#include "compiler/syntax/spacing.h"
 #include "compiler/syntax/written_tokens.h"
 
 namespace compiler {

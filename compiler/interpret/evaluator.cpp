@@ -20,7 +20,10 @@ void SetOnce(int32_t& first, uint32_t index) {
 }  // namespace
 
 Frame::Frame(const CheckedTask& task)
-    : terms(task.terms.size()), metrics(task.metrics.size()), logs(task.logs.size()) {
+    : terms(task.terms.size()),
+      metrics(task.metrics.size()),
+      observations(task.observation_size),
+      logs(task.logs.size()) {
   for (const CheckedSensor& sensor : task.sensors) {
     sensors.push_back(Filled(sensor.type.scalar, sensor.type.size(), 0));
   }
@@ -80,6 +83,18 @@ void Evaluator::Fire(EventKind kind, double time_step) {
 void Evaluator::Measure() {
   for (size_t i = 0; i < task_.metrics.size(); ++i) {
     frame_.metrics[i] = RealOf(Evaluate(task_.metrics[i].value));
+  }
+}
+
+void Evaluator::Observe() {
+  for (const CheckedObservation& observation : task_.observations) {
+    const Value value = Evaluate(observation.value);
+    std::visit(
+        [&](const auto& elements) {
+          for (size_t i = 0; i < elements.size(); ++i)
+            frame_.observations[observation.offset + i] = static_cast<double>(elements[i]);
+        },
+        value);
   }
 }
 

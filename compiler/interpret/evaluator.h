@@ -31,6 +31,8 @@ class Evaluator {
   void Fire(EventKind kind, double time_step);
   // Computes all metrics.
   void Measure();
+  // Computes what the learner sees.
+  void Observe();
 
   // The value of an expression that reads no locals: of a test's `expect`, of a metric.
   Value Evaluate(const CheckedExpression& expression) const;

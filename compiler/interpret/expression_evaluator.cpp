@@ -142,6 +142,8 @@ Value ExpressionEvaluator::Of(const TestRead& node, const Type&) const {
       return Reals{frame_.recorded_logs[node.index]};
     case TestRead::kReward:
       return Reals{frame_.reward};
+    case TestRead::kObservation:
+      return Evaluate(task_.observations[node.index].value);
     case TestRead::kEnded:
       break;
   }

@@ -33,6 +33,7 @@ struct Frame {
   EndKind outcome = EndKind::kTruncated;
   std::vector<double> terms;
   std::vector<double> metrics;
+  std::vector<double> observations;
   std::vector<LogState> logs;
   // What the last callback did; -1: nothing of that kind.
   double reward = 0;

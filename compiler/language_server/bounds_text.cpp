@@ -50,6 +50,10 @@ std::string BoundsText(const Reference& reference, const CheckedTask& task) {
     const auto index = IndexOf(reference.name, task.metrics);
     return index ? Describe(ComputeBounds(task).metrics[*index].value) : "";
   }
+  if (reference.kind == ReferenceKind::kObservation) {
+    const auto index = IndexOf(reference.name, task.observations);
+    return index ? Describe(ComputeBounds(task).observations[*index].value) : "";
+  }
   if (reference.kind == ReferenceKind::kLog) {
     const auto index = IndexOf(reference.name, task.logs);
     return index ? Describe(ComputeBounds(task).logs[*index].value) : "";

@@ -65,8 +65,8 @@ class Completer {
       case Expected::kBodyStatement:
         return OfferWords(BodyWords());
       case Expected::kOverridden:
-        for (const char* word : {"param", "const", "set", "table", "reward", "metric", "goal", "on",
-                                 "phase", "start", "after_end", "fn"}) {
+        for (const char* word : {"param", "const", "set", "table", "reward", "metric", "goal",
+                                 "observe", "on", "phase", "start", "after_end", "fn"}) {
           Add(word, protocol::kCompleteKeyword, "", std::string(ExplanationOf(word)));
         }
         return;
@@ -80,6 +80,8 @@ class Completer {
         return OfferInherited(NameKind::kTable);
       case Expected::kGoalName:
         return OfferInherited(NameKind::kGoal);
+      case Expected::kObservationName:
+        return OfferInherited(NameKind::kObservation);
       case Expected::kPhaseName:
         return OfferInherited(NameKind::kPhase);
       case Expected::kMetricName:
@@ -92,6 +94,9 @@ class Completer {
         for (const DrawDescription& draw : kDraws)
           Add(std::string(draw.name), protocol::kCompleteFunction, fmt::format("`{}`", draw.usage),
               std::string(draw.doc));
+        return OfferValues();
+      case Expected::kObserved:
+        Add("onboard", protocol::kCompleteKeyword, "", std::string(ExplanationOf("onboard")));
         return OfferValues();
       case Expected::kGoal:
         return OfferNames({NameKind::kGoal}, protocol::kCompleteVariable);
@@ -191,10 +196,11 @@ class Completer {
     OfferWords(ValueWords());
     OfferReadsOfPhases();
     if (!IsIn(NameKind::kTest)) return OfferTimeFunctions();
-    for (const char* word : {"total", "value", "ended"}) {
+    for (const char* word : {"total", "value", "observed", "ended"}) {
       Add(word, protocol::kCompleteFunction, "", std::string(ExplanationOf(word)));
     }
-    OfferNames({NameKind::kTerm, NameKind::kMetric, NameKind::kLog}, protocol::kCompleteProperty);
+    OfferNames({NameKind::kTerm, NameKind::kMetric, NameKind::kLog, NameKind::kObservation},
+               protocol::kCompleteProperty);
   }
 
   void OfferTables() {

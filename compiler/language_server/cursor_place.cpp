@@ -16,35 +16,21 @@ bool IsWordCharacter(char c) {
 // What is expected behind a keyword that begins a statement or declaration.
 const std::map<std::string_view, Expected>& AfterKeyword() {
   static const std::map<std::string_view, Expected> expected = {
-      {"task", Expected::kAnyText},
-      {"sensor", Expected::kAnyText},
-      {"param", Expected::kAnyText},
-      {"memory", Expected::kAnyText},
-      {"const", Expected::kAnyText},
-      {"set", Expected::kAnyText},
-      {"table", Expected::kAnyText},
-      {"goal", Expected::kAnyText},
-      {"redraw", Expected::kGoal},
-      {"phase", Expected::kAnyText},
-      {"next", Expected::kPhase},
-      {"let", Expected::kAnyText},
-      {"fn", Expected::kAnyText},
-      {"test", Expected::kAnyText},
-      {"import", Expected::kAnyText},
-      {"extends", Expected::kAnyText},
-      {"on", Expected::kEvent},
-      {"start", Expected::kPose},
-      {"per", Expected::kScope},
-      {"metric", Expected::kReduction},
-      {"log", Expected::kReduction},
-      {"reward", Expected::kTerm},
-      {"end_episode", Expected::kOutcome},
-      {"given", Expected::kTarget},
-      {"fire", Expected::kEvent},
-      {"expect", Expected::kExpectation},
-      {"allow", Expected::kWarningCode},
-      {"override", Expected::kOverridden},
-      {"truncate_episode", Expected::kAnyText},
+      {"task", Expected::kAnyText},        {"sensor", Expected::kAnyText},
+      {"param", Expected::kAnyText},       {"memory", Expected::kAnyText},
+      {"const", Expected::kAnyText},       {"set", Expected::kAnyText},
+      {"table", Expected::kAnyText},       {"goal", Expected::kAnyText},
+      {"redraw", Expected::kGoal},         {"observe", Expected::kObserved},
+      {"phase", Expected::kAnyText},       {"next", Expected::kPhase},
+      {"let", Expected::kAnyText},         {"fn", Expected::kAnyText},
+      {"test", Expected::kAnyText},        {"import", Expected::kAnyText},
+      {"extends", Expected::kAnyText},     {"on", Expected::kEvent},
+      {"start", Expected::kPose},          {"per", Expected::kScope},
+      {"metric", Expected::kReduction},    {"log", Expected::kReduction},
+      {"reward", Expected::kTerm},         {"end_episode", Expected::kOutcome},
+      {"given", Expected::kTarget},        {"fire", Expected::kEvent},
+      {"expect", Expected::kExpectation},  {"allow", Expected::kWarningCode},
+      {"override", Expected::kOverridden}, {"truncate_episode", Expected::kAnyText},
       {"after_end", Expected::kAfterEnd}};
   return expected;
 }
@@ -290,6 +276,7 @@ class PlaceFinder {
     if (what == "set") return Expected::kSetName;
     if (what == "table") return Expected::kTableName;
     if (what == "goal") return Expected::kGoalName;
+    if (what == "observe") return Expected::kObservationName;
     if (what == "phase") return Expected::kPhaseName;
     if (what == "metric") return Expected::kMetricName;
     if (what == "fn") return Expected::kFunctionName;

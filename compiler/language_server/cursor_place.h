@@ -20,11 +20,13 @@ enum class Expected {
   kSetName,
   kTableName,
   kGoalName,
+  kObservationName,
   kPhaseName,
   kMetricName,
   kFunctionName,
   kValue,
   kGoalValue,  // what a goal is drawn from
+  kObserved,   // after `observe`: a value, or `onboard`
   kOperator,   // after a value
   kMember,     // after `path.`
   kIndex,      // inside `path[...]`, after `for x in`, or after `set NAME =`

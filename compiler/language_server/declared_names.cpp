@@ -12,7 +12,7 @@ struct Keyword {
   NameKind kind;
 };
 // What stands before a name that it declares.
-constexpr std::array<Keyword, 17> kKeywords = {{{"task", NameKind::kTask},
+constexpr std::array<Keyword, 18> kKeywords = {{{"task", NameKind::kTask},
                                                 {"sensor", NameKind::kSensor},
                                                 {"param", NameKind::kParam},
                                                 {"const", NameKind::kConst},
@@ -20,6 +20,7 @@ constexpr std::array<Keyword, 17> kKeywords = {{{"task", NameKind::kTask},
                                                 {"table", NameKind::kTable},
                                                 {"memory", NameKind::kMemory},
                                                 {"goal", NameKind::kGoal},
+                                                {"observe", NameKind::kObservation},
                                                 {"phase", NameKind::kPhase},
                                                 {"metric", NameKind::kMetric},
                                                 {"log", NameKind::kLog},
@@ -31,9 +32,9 @@ constexpr std::array<Keyword, 17> kKeywords = {{{"task", NameKind::kTask},
                                                 {"for", NameKind::kLoop}}};
 
 bool IsTopLevelWord(std::string_view keyword) {
-  constexpr std::array<std::string_view, 17> kTopLevel = {
-      "task", "start", "after_end", "sensor", "param", "const", "set",    "table",   "memory",
-      "goal", "phase", "metric",    "on",     "fn",    "test",  "import", "override"};
+  constexpr std::array<std::string_view, 18> kTopLevel = {
+      "task", "start",   "after_end", "sensor", "param", "const", "set",  "table",  "memory",
+      "goal", "observe", "phase",     "metric", "on",    "fn",    "test", "import", "override"};
   return std::ranges::find(kTopLevel, keyword) != kTopLevel.end();
 }
 
@@ -129,7 +130,14 @@ class Finder {
     }
     if (kind == NameKind::kLoop && !tokens_.Is(name + 1, "in")) return;
     if (kind == NameKind::kTest ? name >= tokens_.size() : !tokens_.IsName(name)) return;
+    if (kind == NameKind::kObservation && !HasOwnName(name)) return;
     Add(kind, name);
+  }
+
+  // `observe clock = ...`, and not `observe base.up`.
+  bool HasOwnName(size_t name) const {
+    while (tokens_.Is(name + 1, ".") && tokens_.IsName(name + 2)) name += 2;
+    return tokens_.Is(name + 1, "=");
   }
 
   void Add(NameKind kind, size_t name) {
@@ -142,7 +150,8 @@ class Finder {
                           .is_override = is_override_};
     const size_t index = names_.size();
     size_t next = name + 1;
-    while (kind == NameKind::kSensor && tokens_.Is(next, ".") && tokens_.IsName(next + 1)) {
+    const bool has_dots = kind == NameKind::kSensor || kind == NameKind::kObservation;
+    while (has_dots && tokens_.Is(next, ".") && tokens_.IsName(next + 1)) {
       declared.span.end = tokens_[next + 1].span.end;
       declared.name.append(".").append(tokens_.TextOf(next + 1));
       next += 2;

@@ -18,6 +18,7 @@ enum class NameKind {
   kTable,
   kMemory,
   kGoal,
+  kObservation,  // where it has a name of its own
   kPhase,
   kMetric,
   kLog,

@@ -23,6 +23,7 @@ std::optional<protocol::SymbolKind> SymbolKindOf(NameKind kind) {
     case NameKind::kMemory:
     case NameKind::kGoal:
       return protocol::kVariable;
+    case NameKind::kObservation:
     case NameKind::kMetric:
     case NameKind::kTerm:
     case NameKind::kLog:

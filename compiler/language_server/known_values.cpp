@@ -86,8 +86,8 @@ std::vector<KnownValue> KnownValues::VisibleAt(uint32_t offset) const {
 std::optional<KnownValue> KnownValues::Find(std::string_view name, uint32_t offset) const {
   const auto can_be_read = [](NameKind kind) {
     return kind != NameKind::kTerm && kind != NameKind::kMetric && kind != NameKind::kLog &&
-           kind != NameKind::kSet && kind != NameKind::kEvent && kind != NameKind::kTest &&
-           kind != NameKind::kTask;
+           kind != NameKind::kObservation && kind != NameKind::kSet && kind != NameKind::kEvent &&
+           kind != NameKind::kTest && kind != NameKind::kTask;
   };
   for (KnownValue& value : VisibleAt(offset)) {
     if (value.name == name && can_be_read(value.kind)) return std::move(value);

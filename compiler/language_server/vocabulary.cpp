@@ -24,6 +24,9 @@ constexpr auto kDeclarations = std::to_array<ExplainedWord>({
     {"goal",
      "What the robot is told, drawn at random: `goal NAME: TYPE = uniform(LOW, HIGH) per 3 s .. 8 "
      "s`."},
+    {"observe",
+     "What the learner sees: `observe VALUE`, `observe NAME = VALUE`; `observe onboard` warns of "
+     "what a real robot cannot sense."},
     {"metric", "What success means, as opposed to the reward: `metric REDUCTION NAME = VALUE`."},
     {"reward potential",
      "Pays each action by how much a value has grown, so that the best policy stays the best: "
@@ -143,6 +146,8 @@ constexpr auto kOthers = std::to_array<ExplainedWord>({
     {"total", "What a reward term has paid since the test began: `total(TERM)`."},
     {"value",
      "A metric or a log, as it would be recorded if the episode ended now: `value(NAME)`."},
+    {"observed", "What the learner sees now: `observed(OBSERVATION)`."},
+    {"onboard", "Warns of observations that a real robot cannot sense by itself."},
     {"discount", "The learner's discount for one action, which a test gives."},
     {"ended", "Whether the episode has ended since the test began."},
     {"phase_time", "How long the present phase has lasted, `real [s]`."},

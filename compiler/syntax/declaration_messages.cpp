@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,6 +19,22 @@ using grammar::TaskParser;
 
 constexpr std::string_view kFunctionHelp =
     "a function is declared with `fn half(x: real) -> real = 0.5 * x`";
+// What may follow `override`.
+constexpr std::array kOverridable = {"start", "after_end", "param",   "const",  "set",
+                                     "table", "goal",      "observe", "metric", "reward",
+                                     "on",    "phase",     "fn"};
+
+// "`start`, `param` or `fn`"
+std::string ListOfOverridable(std::string_view conjunction) {
+  std::string list;
+  for (const char* word : kOverridable) {
+    const bool is_last = word == kOverridable.back();
+    if (!list.empty()) list += is_last ? fmt::format(" {} ", conjunction) : ", ";
+    list += fmt::format("`{}`", word);
+  }
+  return list;
+}
+
 constexpr const char* kHeaderHelp =
     "a file begins with the task's name and its robot: `task crawling for humanoid`";
 
@@ -141,16 +158,11 @@ Description BadOverride(const Failure& failure) {
   if (IsReserved(failure.type())) {
     return WithHelp(MakeDiagnostic(code::kBadOverride, SpanOf(failure.found),
                                    fmt::format("`{}` cannot be overridden", word)),
-                    "only `start`, `after_end`, `param`, `const`, `set`, `table`, `goal`, "
-                    "`metric`, `reward`, `on`, `phase` and `fn` can");
+                    fmt::format("only {} can", ListOfOverridable("and")));
   }
-  Diagnostic diagnostic =
-      Expected(failure,
-               "`start`, `after_end`, `param`, `const`, `set`, `table`, `goal`, "
-               "`metric`, `reward`, `on`, `phase` or `fn`");
+  Diagnostic diagnostic = Expected(failure, ListOfOverridable("or"));
   if (failure.type() != TaskParser::NAME) return diagnostic;
-  diagnostic.help = Nearest(failure.found, {"start", "after_end", "param", "const", "set", "table",
-                                            "goal", "metric", "reward", "on", "phase", "fn"});
+  diagnostic.help = Nearest(failure.found, {kOverridable.begin(), kOverridable.end()});
   if (failure.next_type() == TaskParser::ASSIGN) {
     diagnostic.help = {fmt::format("say what it is: `override param {} = ...`", word),
                        {{SpanOf(failure.found), "param " + word}}};
@@ -172,6 +184,32 @@ Description BadValue(const Failure& failure) {
   if (!failure.is_behind_last() || !failure.expects(TaskParser::ASSIGN)) return std::nullopt;
   return WithHelp(ExpectedBehindLast(failure, "`=`"),
                   "everything has a value from the beginning, such as `= 0` or `= false`");
+}
+
+// `observe`, `observe clock: real = ...`, `observe a, b`, `override observe base.up`
+Description BadObservation(const Failure& failure) {
+  if (failure.rule == TaskParser::RuleNewObservation && failure.expects(TaskParser::ASSIGN)) {
+    return WithHelp(ExpectedBehindLast(failure, "`=`"),
+                    "say what is seen in its place: `override observe NAME = ...`");
+  }
+  if (failure.rule == TaskParser::RuleObservation && failure.last_type() == TaskParser::OBSERVE) {
+    return WithHelp(Expected(failure, "a value"),
+                    "say what the learner sees: `observe base.up`, `observe NAME = ...`");
+  }
+  if (failure.statement_type() != TaskParser::OBSERVE) return std::nullopt;
+  if (failure.type() == TaskParser::COLON) {
+    return WithHelp(Expected(failure, "`=` or the end of the line"),
+                    "an observation has the type of its value: `observe NAME = ...`");
+  }
+  if (failure.type() == TaskParser::ASSIGN) {
+    return WithHelp(Expected(failure, "the end of the line"),
+                    "an observation is named like a sensor: `observe NAME = ...`");
+  }
+  if (failure.type() != TaskParser::COMMA || failure.rule != TaskParser::RuleFile) {
+    return std::nullopt;
+  }
+  return WithHelp(Expected(failure, "the end of the line"),
+                  "each observation stands in a line of its own");
 }
 
 // `import shaping`, `extends forward_rolling`, `test falls`

@@ -50,6 +50,7 @@ Description BadHeader(const Failure& failure);
 Description BadFunction(const Failure& failure);
 Description BadOverride(const Failure& failure);
 Description BadPath(const Failure& failure);
+Description BadObservation(const Failure& failure);
 Description BadValue(const Failure& failure);
 Description BadAllow(const Failure& failure);
 Description BadPhase(const Failure& failure);

@@ -59,12 +59,13 @@ bool BeginsStatementBehind(TokenType last) {
          last == TaskParser::ELSE || last == TaskParser::OVERRIDE;
 }
 
-// What follows makes a name of the word: `log = 3`, `test: real`, `log(x)`; not `require (a)`.
+// What follows makes a name of the word: `log = 3`, `test: real`, `log(x)`; not `require (a)`,
+// `observe -a`.
 bool IsNameBefore(TokenType word, TokenType next) {
   if (word == TaskParser::FN && next == TaskParser::LEFT_PARENTHESIS) return false;
   if (next == TaskParser::WITHIN) return false;  // a name, or else `word` is not first
-  const bool takes_expression =
-      word == TaskParser::REQUIRE || word == TaskParser::EXPECT || word == TaskParser::RETURN;
+  const bool takes_expression = word == TaskParser::REQUIRE || word == TaskParser::EXPECT ||
+                                word == TaskParser::RETURN || word == TaskParser::OBSERVE;
   const bool begins_expression = next == TaskParser::LEFT_PARENTHESIS || next == TaskParser::MINUS;
   return FollowsOperand(next) && !(takes_expression && begins_expression);
 }

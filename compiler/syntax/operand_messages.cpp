@@ -26,6 +26,8 @@ bool WantsName(const Failure& failure) {
     case TaskParser::RuleWord:
     case TaskParser::RuleMetric:
       return true;
+    case TaskParser::RuleObservation:  // `observe g = 1`
+      return failure.next_type() == TaskParser::ASSIGN;
     case TaskParser::RuleStatement:
       return failure.last_type() == TaskParser::REWARD;
     case TaskParser::RuleReward:  // `reward g = 1`, `reward rate g = 1`

@@ -87,12 +87,12 @@ Diagnostic Unexpected(const Failure& failure) {
 
 // The first that applies wins.
 constexpr auto kDescriptions = {
-    MissingHeader,    BadHeader,        BadPath,        BadAllow,         NumberWithoutDigits,
-    MisplacedSet,     MissingEquals,    ReservedName,   BadFire,          ChainedComparison,
-    NameBehindNumber, BadCondition,     BadUnit,        BadType,          BadLoop,
-    BadOnce,          BadReward,        BadLet,         BadEnd,           BadValue,
-    BadFunction,      BadPhase,         BadOverride,    UnknownStatement, BadStatement,
-    BadTestStatement, BadBodyStatement, BadDeclaration, MissingOperand,
+    MissingHeader,    BadHeader,        BadPath,          BadAllow,       NumberWithoutDigits,
+    MisplacedSet,     MissingEquals,    ReservedName,     BadFire,        ChainedComparison,
+    NameBehindNumber, BadCondition,     BadUnit,          BadType,        BadLoop,
+    BadOnce,          BadReward,        BadLet,           BadEnd,         BadValue,
+    BadFunction,      BadObservation,   BadPhase,         BadOverride,    UnknownStatement,
+    BadStatement,     BadTestStatement, BadBodyStatement, BadDeclaration, MissingOperand,
 };
 
 }  // namespace

@@ -278,6 +278,17 @@ struct GoalDeclaration {  // `goal velocity: vec2 [m/s] = uniform(-1 m/s, 1 m/s)
   GoalDraw draw;
 };
 
+// What the learner sees: `observe base.up`, `observe clock = sin(angle)`.
+struct ObserveDeclaration {
+  std::string doc;
+  Identifier name;        // where none is given, the value's text as `taskc fmt` sets it
+  bool has_name = false;  // it is given
+  Expression value;
+};
+struct OnboardDeclaration {  // `observe onboard`: nothing is observed that the robot cannot sense
+  Identifier word;
+};
+
 struct MetricDeclaration {  // `metric distance = base.position.x`, `metric max height = ...`
   std::string doc;
   Reduction reduction = Reduction::kLast;
@@ -440,10 +451,11 @@ struct TestDeclaration {  // `test "a fall is paid once" { ... }`
 struct Declaration {
   Span span;
   std::variant<SensorDeclaration, ParamDeclaration, MemoryDeclaration, GoalDeclaration,
-               MetricDeclaration, PotentialDeclaration, ConstDeclaration, SetDeclaration,
-               TableDeclaration, EventDeclaration, PhaseDeclaration, StartDeclaration,
-               AfterEndDeclaration, ImportDeclaration, FunctionDeclaration, ParamOverride,
-               ConstOverride, TableOverride, GoalOverride, RewardOverride, TestDeclaration>
+               ObserveDeclaration, OnboardDeclaration, MetricDeclaration, PotentialDeclaration,
+               ConstDeclaration, SetDeclaration, TableDeclaration, EventDeclaration,
+               PhaseDeclaration, StartDeclaration, AfterEndDeclaration, ImportDeclaration,
+               FunctionDeclaration, ParamOverride, ConstOverride, TableOverride, GoalOverride,
+               RewardOverride, TestDeclaration>
       node;
   std::optional<Span> override_span{};  // of the word `override`, where it stands before it
   bool is_imported = false;             // of a library, which serves other tasks as well

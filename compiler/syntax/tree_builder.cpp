@@ -11,11 +11,13 @@
 #include "compiler/syntax/expression_builder.h"
 #include "compiler/syntax/function_builder.h"
 #include "compiler/syntax/lost_text.h"
+#include "compiler/syntax/one_line_text.h"
 #include "compiler/syntax/statement_builder.h"
 #include "compiler/syntax/test_builder.h"
 #include "compiler/syntax/token_classes.h"
 #include "compiler/syntax/unit_builder.h"
 #include "compiler/syntax/word_lookup.h"
+#include "compiler/syntax/words.h"
 
 namespace compiler {
 namespace {
@@ -179,6 +181,7 @@ class TreeBuilder {
     if (auto* param = context.param()) return Param(*param);
     if (auto* memory = context.memory()) return Memory(*memory);
     if (auto* goal = context.goal()) return Goal(*goal);
+    if (auto* observation = context.observation()) return Observation(*observation);
     if (auto* metric = context.metric()) return Metric(*metric);
     if (auto* reward = context.reward()) return Potential(*reward);
     if (auto* constant = context.constant()) return Const(*constant);
@@ -196,6 +199,7 @@ class TreeBuilder {
     if (auto* after = context.afterEnd()) return AfterAnEnd(*after);
     if (auto* param = context.newDefault()) return NewDefault(*param);
     if (auto* goal = context.newGoal()) return GoalOverride{BuildName(*goal->name()), Draw(*goal)};
+    if (auto* observation = context.newObservation()) return Named(*observation);
     if (auto* constant = context.newConstant()) return NewConstant(*constant);
     if (auto* set = context.namedSet()) return Set(*set);
     if (auto* table = context.newTable())
@@ -244,12 +248,7 @@ class TreeBuilder {
   SensorDeclaration Sensor(TaskParser::SensorContext& context) {
     SensorDeclaration sensor;
     sensor.doc = doc_;
-    for (TaskParser::NameContext* part : context.name()) {
-      const Identifier name = BuildName(*part);
-      const bool is_first = sensor.name.text.empty();
-      sensor.name.text += is_first ? name.text : "." + name.text;
-      sensor.name.span = is_first ? name.span : Cover(sensor.name.span, name.span);
-    }
+    sensor.name = BuildDottedName(context);
     SetType(*context.type(), sensor);
     if (context.range() != nullptr) SetRange(*context.range(), sensor);
     return sensor;
@@ -304,6 +303,23 @@ class TreeBuilder {
     const auto* word = draw.shortest ? std::get_if<NameExpression>(&draw.shortest->node) : nullptr;
     if (word != nullptr && word->name.text == "episode") draw.shortest.reset();
     return draw;
+  }
+
+  DeclarationNode Observation(TaskParser::ObservationContext& context) {
+    if (!context.name().empty()) return Named(context);
+    TaskParser::ExpressionContext& text = *context.expression();
+    const Identifier name{OneLineText(text), SpanOf(text)};
+    if (name.text == kOnboard) {
+      CheckGivenOnce("`observe onboard`", SpanOf(context), name.span, onboard_);
+      return OnboardDeclaration{name};
+    }
+    return ObserveDeclaration{doc_, name, false, expressions_.Build(text)};
+  }
+
+  // An observation to which a name is given, or one that overrides that of this name.
+  template <typename Context>
+  ObserveDeclaration Named(Context& context) {
+    return {doc_, BuildDottedName(context), true, expressions_.Build(*context.expression())};
   }
 
   MetricDeclaration Metric(TaskParser::MetricContext& context) {
@@ -392,6 +408,18 @@ class TreeBuilder {
     return test;
   }
 
+  template <typename Context>
+  static Identifier BuildDottedName(Context& context) {
+    Identifier whole;
+    for (TaskParser::NameContext* part : context.name()) {
+      const Identifier name = BuildName(*part);
+      const bool is_first = whole.text.empty();
+      whole.text += is_first ? name.text : "." + name.text;
+      whole.span = is_first ? name.span : Cover(whole.span, name.span);
+    }
+    return whole;
+  }
+
   template <typename Declared>
   void SetType(TaskParser::TypeContext& context, Declared& declared) {
     declared.type = BuildType(context);
@@ -423,6 +451,7 @@ class TreeBuilder {
   TaskParser::DeclarationContext* misplaced_ = nullptr;  // the first that no library holds
   std::optional<Span> start_;                            // the first start pose
   std::optional<Span> after_end_;                        // the first word after `after_end`
+  std::optional<Span> onboard_;                          // the first `onboard`
 };
 
 }  // namespace

@@ -54,6 +54,9 @@ inline constexpr std::array<Word<AfterEnd>, 2> kAfterEndNames = {{
     {"continue", AfterEnd::kContinue},
 }};
 
+// `observe onboard`
+inline constexpr std::string_view kOnboard = "onboard";
+
 // `end_episode failure`
 inline constexpr std::array<Word<EndKind>, 2> kOutcomeNames = {{
     {"success", EndKind::kSuccess},

@@ -32,6 +32,7 @@ class PluginInstance {
   // An event that the task does not have does nothing.
   void Fire(int event, double time_step) { host_.Call(event, time_step); }
   void Measure() { host_.Measure(); }
+  void Observe() { host_.Observe(); }
 
   const taskc_plugin& table() const { return host_.plugin(); }
   // What the last callback did.

@@ -96,8 +96,10 @@ void SideBySide::Fire(EventKind event, double time_step) {
   plugin_.SetOutcome(static_cast<int>(evaluator_.frame().outcome));
   plugin_.Fire(static_cast<int>(event), time_step);
   plugin_.Measure();
+  plugin_.Observe();
   evaluator_.Fire(event, time_step);
   evaluator_.Measure();
+  evaluator_.Observe();
   try {
     Compare();
   } catch (const Disagreement& found) {
@@ -133,6 +135,13 @@ void SideBySide::Compare() const {
   for (size_t i = 0; i < task_.metrics.size(); ++i) {
     CompareNumbers(fmt::format("metric `{}`", task_.metrics[i].name), plugin.metrics[i],
                    evaluator.metrics[i]);
+  }
+  for (const CheckedObservation& observation : task_.observations) {
+    for (uint32_t i = 0; i < observation.value.type.size(); ++i) {
+      const uint32_t place = observation.offset + i;
+      CompareNumbers(fmt::format("observation `{}`[{}]", observation.name, i),
+                     plugin.observations[place], evaluator.observations[place]);
+    }
   }
   CompareLogs();
 }

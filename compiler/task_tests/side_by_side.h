@@ -37,9 +37,9 @@ class SideBySide {
   // Draws how an episode starts; then the two agree as after an event. Throws Disagreement.
   void DrawStart();
 
-  // Runs an event and computes the metrics. Then all that can be seen of the two has the same bits;
-  // only that numbers which are none (NaN) count as equal whatever theirs are, since no task can
-  // tell them apart. Throws Disagreement.
+  // Runs an event, and computes the metrics and what the learner sees. Then all that can be seen of
+  // the two has the same bits; only that numbers which are none (NaN) count as equal whatever
+  // theirs are, since no task can tell them apart. Throws Disagreement.
   void Fire(EventKind event, double time_step);
 
   // Brings up to date what `value(NAME)` reads: what a trainer would record if the episode, which

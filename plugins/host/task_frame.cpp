@@ -11,6 +11,7 @@ TaskFrame::TaskFrame(const taskc_plugin& plugin)
       memory_(plugin.memory_size),
       terms_(plugin.term_count),
       metrics_(plugin.metric_count),
+      observations_(plugin.observation_size),
       logs_(plugin.log_count) {
   for (const taskc_param& param : std::span(plugin.params, plugin.param_count)) {
     params_.push_back(param.initial);
@@ -22,6 +23,7 @@ TaskFrame::TaskFrame(const taskc_plugin& plugin)
   frame_.outcome = TASKC_TRUNCATED;
   frame_.terms = terms_.data();
   frame_.metrics = metrics_.data();
+  frame_.observations = observations_.data();
   frame_.logs = logs_.data();
 }
 

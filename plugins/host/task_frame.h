@@ -158,6 +158,13 @@ class TaskFrame {
     if (plugin_.measure != nullptr) plugin_.measure(&frame_);
   }
 
+  // Brings what the learner sees up to date; nothing where the task observes nothing.
+  void Observe() {
+    if (plugin_.observe != nullptr) plugin_.observe(&frame_);
+  }
+  std::span<double> observations() { return observations_; }
+  std::span<const double> observations() const { return observations_; }
+
   // What the last call did: `reward`, `end`, `fault`, `violation`.
   const taskc_frame& frame() const { return frame_; }
   taskc_frame& frame() { return frame_; }
@@ -178,6 +185,7 @@ class TaskFrame {
   AlignedBytes memory_;
   std::vector<double> terms_;
   std::vector<double> metrics_;
+  std::vector<double> observations_;
   std::vector<taskc_log_state> logs_;
   taskc_frame frame_{};
 };

@@ -13,11 +13,12 @@ constexpr double kZ[] = {0, 0, 1};
 constexpr double kNoTurn[] = {1, 0, 0, 0};
 constexpr double kIdentity[] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
 constexpr double kHeld[] = {0, 0, kGravity};
+constexpr bool kNotOnboard = false;
 
 constexpr std::array<SensorDescription, static_cast<size_t>(SensorId::kCount)> kSensors = {{
     {SensorId::kTime, "time", "real", "s", "since the start of the episode", kZeros},
     {SensorId::kBasePosition, "base.position", "vec3", "m",
-     "center of the base link, in the world frame", kZeros},
+     "center of the base link, in the world frame", kZeros, kNotOnboard},
     {SensorId::kBaseOrientation, "base.orientation", "quat", "",
      "orientation of the base link (w, x, y, z), from its own frame to the world frame", kNoTurn},
     {SensorId::kBaseRotation, "base.rotation", "mat3", "",
@@ -30,7 +31,7 @@ constexpr std::array<SensorDescription, static_cast<size_t>(SensorId::kCount)> k
     {SensorId::kBaseUp, "base.up", "vec3", "", "the base link's own z axis, in the world frame",
      kZ},
     {SensorId::kBaseVelocity, "base.velocity", "vec3", "m/s",
-     "velocity of the base link's center, in the world frame", kZeros},
+     "velocity of the base link's center, in the world frame", kZeros, kNotOnboard},
     {SensorId::kBaseAngularVelocity, "base.angular_velocity", "vec3", "rad/s",
      "angular velocity of the base link, in the world frame", kZeros},
     {SensorId::kBaseAcceleration, "base.acceleration", "vec3", "m/s^2",
@@ -48,11 +49,11 @@ constexpr std::array<SensorDescription, static_cast<size_t>(SensorId::kCount)> k
     {SensorId::kJointTarget, "joint.target", "real[joint]", "rad",
      "angle that the controller was told to bring each hinge to in the last physics step", kZeros},
     {SensorId::kLinkPosition, "link.position", "vec3[link]", "m",
-     "center of mass of each link, in the world frame", kZeros},
+     "center of mass of each link, in the world frame", kZeros, kNotOnboard},
     {SensorId::kLinkOrientation, "link.orientation", "quat[link]", "",
      "orientation of each link (w, x, y, z), from its own frame to the world frame", kNoTurn},
     {SensorId::kLinkVelocity, "link.velocity", "vec3[link]", "m/s",
-     "velocity of each link's center of mass, in the world frame", kZeros},
+     "velocity of each link's center of mass, in the world frame", kZeros, kNotOnboard},
     {SensorId::kLinkAngularVelocity, "link.angular_velocity", "vec3[link]", "rad/s",
      "angular velocity of each link, in the world frame", kZeros},
     {SensorId::kContact, "contact", "bool[link]", "",
@@ -62,7 +63,7 @@ constexpr std::array<SensorDescription, static_cast<size_t>(SensorId::kCount)> k
     {SensorId::kContactForce, "contact_force", "vec3[link]", "N",
      "sum of the forces of all contacts on each link, with the ground and with other links, in the "
      "world frame: their mean since the start of the last time step",
-     kZeros},
+     kZeros, kNotOnboard},
 }};
 
 constexpr bool InOrderOfId() {

@@ -44,6 +44,9 @@ struct SensorDescription {
   // The elements, or those of each entry of an array, while the robot stands upright and still, its
   // axes along the world's; empty: all 0 or false.
   std::span<const double> at_rest;
+  // A real robot knows it by what it carries itself: encoders, an inertial unit that tells how it
+  // is turned, touch switches, a clock, and what its controller is told.
+  bool is_onboard = true;
 };
 
 // In the order of SensorId.

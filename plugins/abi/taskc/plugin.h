@@ -10,9 +10,12 @@
 //
 // Order of calls: for each frame, `initialize` once, when the params are set and before all else;
 // then, in each episode, `start_of_episode`, the other events as they happen, `end_of_episode`.
-// `measure` follows `end_of_time_step`, and once more `end_of_episode`. A function that is null has
-// nothing to do. The functions themselves reset memory: `start_of_episode` all but that of the run,
-// `start_of_action` that of the action, to initial values that may be params; the host never does.
+// `measure` follows `end_of_time_step`, and once more `end_of_episode`. `observe` may be called
+// between any two of these calls, `start_of_episode` being the first of the episode: whenever the
+// learner decides, which is when no callback of that moment is left to call. It changes nothing but
+// `observations`. A function that is null has nothing to do. The functions themselves reset memory:
+// `start_of_episode` all but that of the run, `start_of_action` that of the action, to initial
+// values that may be params; the host never does.
 //
 // Before `start_of_episode`, a host that makes the first state draws it as the task says: it sets
 // `taskc_frame.seed`, calls `draw_pose` (null: the first pose counts), puts the values of that pose
@@ -65,9 +68,9 @@ enum {
 // block. `measure` always measures. A task that says `after_end continue` has no such variable; its
 // functions do the same after an end as before.
 
-// Besides the events: the evaluation of the metrics. Used as a bit number in
-// `taskc_sensor.read_by`.
-enum { TASKC_MEASURE = TASKC_EVENT_COUNT };
+// Besides the events: the evaluation of the metrics, and of what the learner sees. Used as bit
+// numbers in `taskc_sensor.read_by`.
+enum { TASKC_MEASURE = TASKC_EVENT_COUNT, TASKC_OBSERVE, TASKC_READER_COUNT };
 
 // How one scalar lies in memory: a bool is one byte (0 or 1), an int 8 bytes, a real a double.
 enum { TASKC_BOOL, TASKC_INT, TASKC_REAL };
@@ -80,7 +83,7 @@ typedef struct taskc_sensor {
   taskc_int32 scalar;    // TASKC_BOOL, TASKC_INT or TASKC_REAL
   taskc_uint32 rows;     // 1 for a scalar, n for vectors, arrays and quaternions
   taskc_uint32 columns;  // 1 except for matrices
-  taskc_uint32 read_by;  // bit e is set: event e (or TASKC_MEASURE) reads the sensor
+  taskc_uint32 read_by;  // bit e is set: event e (or TASKC_MEASURE, TASKC_OBSERVE) reads the sensor
 } taskc_sensor;
 
 // A number that can be set while the task runs. Passed as a double, whatever its type.
@@ -128,6 +131,22 @@ typedef struct taskc_goal {
   taskc_uint32 held_offset;  // of a bool: while it is 1 the plugin does not draw the goal
   taskc_uint32 draw_offset;  // of an int: how often the goal was drawn in this episode
 } taskc_goal;
+
+// What the learner sees: `rows * columns` numbers of all that `observe` writes, row by row, from
+// `offset` on. Each is a double, whatever the value's own type: a bool is 0 or 1. A value that is
+// not finite is passed on as it is.
+typedef struct taskc_observation {
+  const char* name;  // as the task gives it, or the text of the value: "joint.angle - joint.rest"
+  const char* doc;
+  const char* type;
+  const char* unit;
+  taskc_int32 scalar;  // of the task's own value
+  taskc_uint32 rows;
+  taskc_uint32 columns;
+  taskc_uint32 offset;  // of its first number: doubles from the start of `taskc_frame.observations`
+  double minimum;       // of each of its numbers, as far as it follows from the ranges of what it
+  double maximum;       //      depends on; infinite where they say nothing
+} taskc_observation;
 
 // A pose of the robot in which an episode may begin, each as likely.
 typedef struct taskc_pose {
@@ -244,6 +263,8 @@ typedef struct taskc_frame {
   double* terms;               // one sum for each reward term: the plugin adds, the host zeroes
   double* metrics;             // one value for each metric: written by `measure`, which leaves
                                //      the fields marked `out` alone
+  double* observations;        // `observation_size` numbers: written by `observe`, and by nothing
+                               //      else; may be null where that is never called
   taskc_log_state* logs;       // one for each log: the plugin adds to it
   double reward;               // out: what this call pays
   taskc_int32 end;             // out: index of the first end that was reached, or -1
@@ -271,6 +292,7 @@ typedef struct taskc_plugin {
   const taskc_param* params;
   const taskc_memory* memory;
   const taskc_goal* goals;
+  const taskc_observation* observations;
   const taskc_phase* phases;  // an episode begins in the first
   const taskc_reward_term* terms;
   const taskc_metric* metrics;
@@ -284,13 +306,15 @@ typedef struct taskc_plugin {
   taskc_uint32 param_count;
   taskc_uint32 memory_count;
   taskc_uint32 goal_count;
+  taskc_uint32 observation_count;
   taskc_uint32 phase_count;
   taskc_uint32 term_count;
   taskc_uint32 metric_count;
   taskc_uint32 log_count;
   taskc_uint32 end_count;
   taskc_uint32 requirement_count;
-  taskc_uint32 memory_size;  // bytes; 0 where the task remembers nothing
+  taskc_uint32 memory_size;       // bytes; 0 where the task remembers nothing
+  taskc_uint32 observation_size;  // numbers; 0 where the task observes nothing
   // Where in the memory block the phases lie; 0 where there are none.
   taskc_uint32 phase_offset;       // of an int: the number of the present one, from 0
   taskc_uint32 phase_time_offset;  // of a real: how long it has been the present one [s]
@@ -300,6 +324,7 @@ typedef struct taskc_plugin {
   taskc_event_function draw_start;  // null where the pose stays as it is
   taskc_event_function events[TASKC_EVENT_COUNT];  // null where there is nothing to do or reset
   taskc_event_function measure;                    // null where the task has no metric
+  taskc_event_function observe;                    // null where the task observes nothing
 } taskc_plugin;
 
 // The one exported symbol. Never returns null.

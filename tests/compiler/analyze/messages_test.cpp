@@ -1,5 +1,5 @@
 // What needs a whole task, word for word: behind each task of messages/ stands all that is said
-// about it. Those of warn_* need a checked task; fail_* are mistakes of several phases, and of
+// about it. Those of warn_* need a checked task; fail_* are mistakes of several phases; both are of
 // several files where they are texts as SplitFiles() reads them.
 #include <gtest/gtest.h>
 
@@ -23,6 +23,10 @@ Analysis AnalyzeFile(const std::filesystem::path& file) {
   return Analyze(file.filename(), read, SOURCE_DIR "/plugins");
 }
 
+Analysis AnalyzeFiles(const std::filesystem::path& file) {
+  return Analyze("main.task", ReaderOf(SplitFiles(golden::ReadInput(file))), SOURCE_DIR "/plugins");
+}
+
 TEST(ErrorMessages, AreAllGivenAtOnce) {
   for (const auto& file : golden::FilesIn(kFolder, "fail_", ".task")) {
     const Analysis analysis = AnalyzeFile(file);
@@ -30,8 +34,7 @@ TEST(ErrorMessages, AreAllGivenAtOnce) {
     golden::ExpectBehindInput(file, Render(analysis.sources, analysis.diagnostics, false));
   }
   for (const auto& file : golden::FilesIn(kFolder, "fail_", ".txt")) {
-    const Analysis analysis =
-        Analyze("main.task", ReaderOf(SplitFiles(golden::ReadInput(file))), SOURCE_DIR "/plugins");
+    const Analysis analysis = AnalyzeFiles(file);
     EXPECT_TRUE(analysis.diagnostics.has_errors()) << file;
     golden::ExpectBehindInput(file, Render(analysis.sources, analysis.diagnostics, false));
   }
@@ -40,6 +43,11 @@ TEST(ErrorMessages, AreAllGivenAtOnce) {
 TEST(WarningMessages, AreAsReviewed) {
   for (const auto& file : golden::FilesIn(kFolder, "warn_", ".task")) {
     const Analysis analysis = AnalyzeFile(file);
+    EXPECT_TRUE(analysis.task) << file;
+    golden::ExpectBehindInput(file, Render(analysis.sources, analysis.diagnostics, false));
+  }
+  for (const auto& file : golden::FilesIn(kFolder, "warn_", ".txt")) {
+    const Analysis analysis = AnalyzeFiles(file);
     EXPECT_TRUE(analysis.task) << file;
     golden::ExpectBehindInput(file, Render(analysis.sources, analysis.diagnostics, false));
   }

@@ -62,6 +62,20 @@ TEST(Bounds, OfGoalsAreThoseOfWhatTheyAreDrawnFrom) {
   ExpectEnds(RateOf("1 / aim", "goal aim: real = uniform(2, 4)"), 0.25, 0.5);
 }
 
+TEST(Bounds, OfObservationsAreThoseOfAllTheirElements) {
+  const TaskBounds bounds = BoundsOf(
+      "observe 2 * x\nobserve pair = vec2(x, 3.0)\nobserve down\nobserve free\n"
+      "memory n: int = 0\nobserve n",
+      "reward rate a = x\nif n < 5 { n += 1 }");
+  ASSERT_EQ(bounds.observations.size(), 5u);
+  ExpectEnds(bounds.observations[0].value, -2, 2);
+  ExpectEnds(bounds.observations[1].value, -1, 3);
+  ExpectEnds(bounds.observations[2].value, 0, 1);
+  EXPECT_FALSE(IsBounded(bounds.observations[3].value));
+  EXPECT_EQ(bounds.observations[3].causes.size(), 1u);
+  ExpectEnds(bounds.observations[4].value, 0, 5);
+}
+
 TEST(Bounds, OfArraysOfVectorsAreThoseOfTheirVectors) {
   const std::string sensors = "sensor few: vec3[3] in -1 .. 2\nsensor many: vec3[30] in -1 .. 2";
   for (const std::string array : {"few", "many"}) {

@@ -46,8 +46,8 @@ std::string AsTask(const std::string& example) {
   if (HasLineWith(example, "task ")) return example;
   if (HasLineWith(example, "sensor ")) return "task example\n" + example;
   for (const char* word :
-       {"start ", "after_end ", "param ", "const ", "set ", "table ", "memory ", "goal ", "phase ",
-        "metric ", "reward potential ", "fn ", "test ", "on "})
+       {"start ", "after_end ", "param ", "const ", "set ", "table ", "memory ", "goal ",
+        "observe ", "phase ", "metric ", "reward potential ", "fn ", "test ", "on "})
     if (HasLineWith(example, word)) return "task example for humanoid\n" + example;
   return TaskText("", example);
 }

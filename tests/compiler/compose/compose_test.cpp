@@ -41,6 +41,22 @@ std::vector<const Node*> All(const SyntaxTree& tree) {
   return nodes;
 }
 
+TEST(Override, OfAnObservationShowsSomethingElseInItsPlace) {
+  const CheckedTask task =
+      Checked({{"base.task",
+                "task base\nsensor x: real\n/// Where it is.\nobserve x\nobserve half = 0.5 * x\n"
+                "on end_of_time_step { reward a = x }\n"},
+               {"main.task",
+                "task own extends \"base.task\"\noverride observe x = 2 * x\nobserve 3 * x\n"}});
+  ASSERT_EQ(task.observations.size(), 3u);
+  EXPECT_EQ(task.observations[0].name, "x");
+  EXPECT_EQ(task.observations[0].doc, "Where it is.");
+  EXPECT_TRUE(std::holds_alternative<CheckedBinary>(task.observations[0].value.node));
+  EXPECT_EQ(task.observations[1].name, "half");
+  EXPECT_EQ(task.observations[2].name, "3 * x");
+  EXPECT_EQ(task.observations[2].offset, 2u);
+}
+
 TEST(Override, OfAGoalChangesHowItIsDrawn) {
   const CheckedTask task = Checked(
       {{"base.task",

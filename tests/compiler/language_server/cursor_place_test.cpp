@@ -36,6 +36,11 @@ TEST(CursorPlace, KnowsDeclarations) {
   EXPECT_EQ(ExpectedIn("task t\noverride after_end |"), Expected::kAfterEnd);
   EXPECT_EQ(ExpectedIn("task t\non |"), Expected::kEvent);
   EXPECT_EQ(ExpectedIn("task t\nmetric m|"), Expected::kReduction);
+  EXPECT_EQ(ExpectedIn("task t\nobserve |"), Expected::kObserved);
+  EXPECT_EQ(ExpectedIn("task t\nobserve base.|"), Expected::kMember);
+  EXPECT_EQ(ExpectedIn("task t\nobserve a |"), Expected::kOperator);
+  EXPECT_EQ(ExpectedIn("task t\nobserve a = 2 * |"), Expected::kValue);
+  EXPECT_EQ(ExpectedIn("task t\noverride observe |"), Expected::kObservationName);
   EXPECT_EQ(ExpectedIn("task t\nmemory a: |"), Expected::kType);
   EXPECT_EQ(ExpectedIn("task t\nmemory a: bool[|"), Expected::kTypeIndex);
   EXPECT_EQ(ExpectedIn("task t\nmemory a: real[4] [|"), Expected::kUnit);

@@ -34,6 +34,12 @@ TEST(DeclaredNames, AreFoundInAWholeTask) {
                   "\"works\""));
 }
 
+TEST(DeclaredNames, AreThoseOfObservationsThatHaveOne) {
+  EXPECT_THAT(
+      NamesIn("task t\nobserve a.b\nobserve clock = sin(a)\nobserve a.b = 2\nobserve (c)\n"),
+      ElementsAre("t", "clock", "a.b"));
+}
+
 TEST(DeclaredNames, AreFoundInABrokenText) {
   EXPECT_THAT(NamesIn("task t for\nparam a: real =\nmemory b: \non end_of_action {\nlet c = (\n"
                       "if a { reward d =\nmetric e"),

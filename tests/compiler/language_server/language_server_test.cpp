@@ -293,6 +293,22 @@ TEST(Completion, OffersConstsAndSets) {
   EXPECT_THAT(editor.CompleteAt(own + "override set |"), ElementsAre("soles"));
 }
 
+TEST(Completion, OffersWhatIsObserved) {
+  Editor editor;
+  const std::string task =
+      "task t for humanoid\ngoal way: real = uniform(0, 1)\nobserve clock = way\n"
+      "on end_of_action { reward a = way }\n";
+  EXPECT_THAT(
+      editor.CompleteAt(task + "observe |"),
+      AllOf(Contains("onboard"), Contains("way"), Contains("smooth"), Not(Contains("clock"))));
+  EXPECT_THAT(editor.CompleteAt(task + "test \"b\" { expect observed(|) > 0 }"), Contains("clock"));
+  editor.Write("base.task", task);
+  const std::string own = "task a extends \"base.task\"\n";
+  editor.CompleteAt(own + "|");
+  EXPECT_THAT(editor.CompleteAt(own + "override |"), Contains("observe"));
+  EXPECT_THAT(editor.CompleteAt(own + "override observe |"), ElementsAre("clock"));
+}
+
 TEST(Completion, OffersTables) {
   Editor editor;
   editor.Write("curve.csv", "time [s], height [cm]\n0, 1\n2, 3\n");
@@ -459,6 +475,31 @@ TEST(Navigation, KnowsConstsAndSets) {
   const Json symbols = editor.AskIn("shared.task", "documentSymbol", at);
   EXPECT_EQ(symbols.at(0)["name"], "half");
   EXPECT_EQ(symbols.at(1)["name"], "soles");
+}
+
+// A name of its own is one thing, that of what is observed another.
+TEST(Navigation, KnowsObservations) {
+  const std::string task =
+      "task t\nsensor x: real in 0 .. 2\nobserve x\nobserve twice = 2 * x\n"
+      "on end_of_time_step { reward rate a = x }\n"
+      "test \"b\" { expect observed(x) + observed(twice) == 0 }\n";
+  const auto marked = [&](const std::string& before) {
+    std::string text = task;
+    return text.insert(text.find(before), "|");
+  };
+  Editor editor;
+  EXPECT_EQ(editor.AskAt("rename", marked("twice ="), {{"newName", "double_x"}})
+                .at("changes")
+                .at(editor.UriOf("asked.task"))
+                .size(),
+            2u);
+  EXPECT_EQ(editor.AskAt("rename", marked("x: real"), {{"newName", "y"}})
+                .at("changes")
+                .at(editor.UriOf("asked.task"))
+                .size(),
+            5u);
+  EXPECT_THAT(editor.AskAt("hover", marked("twice)"))["contents"]["value"].get<std::string>(),
+              AllOf(HasSubstr("observe twice = 2 * x"), HasSubstr("between 0 and 4")));
 }
 
 TEST(Navigation, OpensTheFileOfATable) {

@@ -107,6 +107,13 @@ void ExpectBounds(const CheckedTask& task, RandomNumbers& random) {
     evaluator.Measure();
     for (size_t i = 0; i < task.metrics.size(); ++i)
       ExpectInside(bounds.metrics[i].value, frame.metrics[i], task.metrics[i].name);
+    evaluator.Observe();
+    for (size_t i = 0; i < task.observations.size(); ++i) {
+      const CheckedObservation& observed = task.observations[i];
+      for (uint32_t j = 0; j < observed.value.type.size(); ++j)
+        ExpectInside(bounds.observations[i].value, frame.observations[observed.offset + j],
+                     observed.name);
+    }
   }
   for (size_t i = 0; i < task.terms.size(); ++i) {
     const TermBounds& term = bounds.terms[i];

@@ -32,6 +32,7 @@ class TaskWriter {
     for (int i = 0; i < 4; ++i) DeclareFunction();
     for (int i = 0; i < 2; ++i) DeclareOpenFunction();
     DeclareMetrics();
+    DeclareObservations();
     for (const auto& event : kEventNames) {
       if (random_.OneIn(2)) WriteEvent(event.text, event.meaning);
     }
@@ -291,6 +292,16 @@ class TaskWriter {
       Line(fmt::format("metric {} = {}", NewName("metric"),
                        expressions_.OfType(ScalarType(Scalar::kReal), expressions_.RandomUnit())));
     }
+  }
+
+  // Of any type; functions of the past among them.
+  void DeclareObservations() {
+    for (int i = 0; i < 3; ++i) {
+      const Type type = expressions_.RandomType();
+      Line(fmt::format("observe {} = {}", NewName("o"), expressions_.OfType(type, UnitFor(type))));
+    }
+    Line(fmt::format("observe {}", random_.OneOf(goals_).name));
+    Line(fmt::format("observe previous({})", random_.OneOf(memory_).name));
   }
 
   void WritePhase(const std::string& name) {

@@ -8,10 +8,10 @@
 namespace compiler {
 namespace {
 
-const char* const kWords[] = {"fn",    "import", "extends", "override", "allow", "after_end",
-                              "test",  "given",  "fire",    "expect",   "once",  "set",
-                              "const", "table",  "log",     "require",  "goal",  "redraw",
-                              "phase", "next",   "return",  "within",   "unit"};
+const char* const kWords[] = {"fn",      "import", "extends", "override", "allow",  "after_end",
+                              "test",    "given",  "fire",    "expect",   "once",   "set",
+                              "const",   "table",  "log",     "require",  "goal",   "redraw",
+                              "observe", "phase",  "next",    "return",   "within", "unit"};
 
 class ContextualWord : public testing::TestWithParam<const char*> {};
 

@@ -55,6 +55,31 @@ TEST(Sensor, MayHaveARange) {
   EXPECT_FALSE(ParseOne<SensorDeclaration>("sensor a: real").minimum.has_value());
 }
 
+TEST(Observation, HasANameOrIsCalledByItsValue) {
+  const auto named = ParseOne<ObserveDeclaration>("/// Of a step.\nobserve clock = sin(angle)");
+  EXPECT_EQ(named.name.text, "clock");
+  EXPECT_TRUE(named.has_name);
+  EXPECT_EQ(named.doc, "Of a step.");
+  EXPECT_EQ(ToText(named.value), "(sin angle)");
+  const auto plain = ParseOne<ObserveDeclaration>("observe base.up");
+  EXPECT_EQ(plain.name.text, "base.up");
+  EXPECT_FALSE(plain.has_name);
+  EXPECT_EQ(ParseOne<ObserveDeclaration>("observe base.up = x").name.text, "base.up");
+  EXPECT_EQ(ParseOne<ObserveDeclaration>("observe (a)").name.text, "(a)");
+  EXPECT_EQ(ParseOne<ObserveDeclaration>("observe -a").name.text, "-a");
+}
+
+TEST(Observation, IsCalledByItsTextAsTheFormatterSetsIt) {
+  EXPECT_EQ(
+      ParseOne<ObserveDeclaration>("observe x[ 1 ]*2 m/s-  // why\n  -f(a,b ) / 4/s").name.text,
+      "x[1] * 2 m/s - -f(a, b) / 4 / s");
+}
+
+TEST(Observation, Onboard) {
+  EXPECT_EQ(ParseOne<OnboardDeclaration>("observe onboard").word.text, "onboard");
+  EXPECT_EQ(ParseOne<ObserveDeclaration>("observe it = onboard").name.text, "it");
+}
+
 TEST(Potential, HasANameAndAValue) {
   const auto potential =
       ParseOne<PotentialDeclaration>("/// Nearer.\nreward potential near = -norm(base.position)");

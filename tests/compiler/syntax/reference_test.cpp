@@ -32,8 +32,8 @@ std::string MakeTask(const std::string& example) {
   const std::string header = "task example for humanoid\n";
   if (example.find("task ") == 0 || example.find("\ntask ") != std::string::npos) return example;
   for (const char* word : {"start ", "sensor ", "param ", "const ", "set ", "table ", "memory ",
-                           "goal ", "phase ", "metric ", "reward potential ", "on ", "override ",
-                           "fn ", "after_end ", "import ", "test ", "allow "}) {
+                           "goal ", "observe ", "phase ", "metric ", "reward potential ", "on ",
+                           "override ", "fn ", "after_end ", "import ", "test ", "allow "}) {
     if (example.find(word) == 0 || example.find(std::string("\n") + word) != std::string::npos) {
       return header + example;
     }

@@ -1,4 +1,4 @@
-#include "compiler/format/spacing.h"
+#include "compiler/syntax/spacing.h"
 
 namespace compiler {
 namespace {
