@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "runtime/core/module/layout_text.h"
+
 namespace runtime {
 namespace {
 
@@ -31,6 +33,7 @@ Json ToJson(const Module& module) {
     json["ports"].push_back(
         {{"name", port->name()}, {"kind", ToText(port->kind())}, {"type", port->type().text}});
   }
+  if (const auto layout = LayoutShownBy(module)) json["shows"] = ToJson(*layout);
   return json;
 }
 
@@ -45,6 +48,7 @@ std::string GraphText(const ModuleGraph& graph) {
     for (const Parameter& parameter : module->parameters()) {
       text += fmt::format("  {} = {}\n", parameter.name, ToText(module->Get(parameter.name)));
     }
+    if (const auto layout = LayoutShownBy(*module)) text += ToText(*layout, "  shows ");
     ForEachConnection(*module, [&](const Port& from, const Port& to) {
       text += fmt::format("  {} -> {}  {}\n", from.name(), to.full_name(), from.type().text);
     });

@@ -40,6 +40,7 @@ class TableCheck {
     CheckParams();
     CheckMemory();
     CheckGoals();
+    CheckObservations();
     CheckPhases();
     CheckRewardsAndEnds();
     CheckMetrics();
@@ -135,7 +136,7 @@ class TableCheck {
       Require(sensor.type != nullptr && sensor.unit != nullptr,
               fmt::format("the sensor `{}` has no type or unit", sensor.name));
       CheckShape(sensor.name, sensor.scalar, sensor.rows, sensor.columns);
-      Require(sensor.read_by >> (TASKC_MEASURE + 1) == 0,
+      Require(sensor.read_by >> TASKC_READER_COUNT == 0,
               fmt::format("the sensor `{}` is read by unknown events", sensor.name));
     }
   }
@@ -191,6 +192,25 @@ class TableCheck {
                   LiesInside(goal.draw_offset, sizeof(taskc_int64), sizeof(taskc_int64)),
               fmt::format("the goal `{}` lies outside the memory", goal.name));
     }
+  }
+
+  void CheckObservations() const {
+    Require(table_.observation_size <= kLargestCount,
+            fmt::format("it observes {} numbers", table_.observation_size));
+    const auto observations =
+        Entries(table_.observations, table_.observation_count, "observations");
+    CheckNames(observations, "observation");
+    for (const taskc_observation& each : observations) {
+      Require(each.doc != nullptr && each.type != nullptr && each.unit != nullptr,
+              fmt::format("the observation `{}` has no text, type or unit", each.name));
+      CheckShape(each.name, each.scalar, each.rows, each.columns);
+      const uint64_t size = uint64_t{each.rows} * each.columns;
+      Require(each.offset + size <= table_.observation_size,
+              fmt::format("the observation `{}` lies outside of what is observed", each.name));
+      Require(each.minimum <= each.maximum,
+              fmt::format("the observation `{}` has no range", each.name));
+    }
+    Require(observations.empty() || table_.observe != nullptr, "nothing computes what it observes");
   }
 
   void CheckPhases() const {

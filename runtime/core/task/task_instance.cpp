@@ -73,6 +73,19 @@ void ForEachSame(std::span<const Item> now, std::span<const Item> old, Action ac
 
 }  // namespace
 
+ObservationLayout ObservationLayoutOf(const taskc_plugin& table) {
+  ObservationLayout layout;
+  for (const taskc_observation& each : std::span(table.observations, table.observation_count)) {
+    layout.values.push_back({.name = each.name,
+                             .type = each.type,
+                             .unit = each.unit,
+                             .size = size_t{each.rows} * each.columns,
+                             .minimum = each.minimum,
+                             .maximum = each.maximum});
+  }
+  return layout;
+}
+
 TaskInstance::TaskInstance(std::shared_ptr<const Plugin> plugin, int64_t id)
     : plugin_(std::move(plugin)),
       id_(id),
@@ -84,7 +97,8 @@ TaskInstance::TaskInstance(std::shared_ptr<const Plugin> plugin, int64_t id)
       reducer_({table().metrics, table().metric_count}),
       logged_(table().log_count),
       faults_(table().term_count),
-      violations_(table().requirement_count) {
+      violations_(table().requirement_count),
+      observation_faults_(table().observation_count) {
   for (size_t i = 0; i < params_.size(); ++i) SetParam(i, table().params[i].initial);
   PassParams();
   for (const taskc_requirement& requirement :
@@ -131,6 +145,7 @@ void TaskInstance::StartEpisode(uint64_t run_seed, int64_t episode) {
   std::fill(faults_.begin(), faults_.end(), Incidents());
   fault_count_ = 0;
   std::fill(violations_.begin(), violations_.end(), Incidents());
+  std::fill(observation_faults_.begin(), observation_faults_.end(), Incidents());
   reducer_.StartEpisode();
   goals_.StartEpisode(run_seed, episode);
   phases_.StartEpisode();
@@ -209,6 +224,20 @@ void TaskInstance::EndEpisode() {
   for (size_t i = 0; i < logged_.size(); ++i) {
     logged_[i] = host::LogValue(table().logs[i].reduction, host_.logs()[i]);
   }
+}
+
+std::span<const double> TaskInstance::Observe() {
+  if (table().observe == nullptr) return {};
+  Enter(table().observe);
+  for (size_t i = 0; i < observation_faults_.size(); ++i) {
+    const taskc_observation& each = table().observations[i];
+    for (double& number : host_.observations().subspan(each.offset, each.rows * each.columns)) {
+      if (std::isfinite(number)) continue;
+      number = 0;
+      Count(observation_faults_[i], time_);
+    }
+  }
+  return host_.observations();
 }
 
 void TaskInstance::TakeOver(const TaskInstance& old, bool in_episode) {

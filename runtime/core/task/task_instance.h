@@ -14,6 +14,7 @@
 #include "plugins/host/metric_reducer.h"
 #include "plugins/host/task_frame.h"
 #include "runtime/core/module/module.h"
+#include "runtime/core/module/observations.h"
 #include "runtime/core/module/values.h"
 #include "runtime/core/task/plugin.h"
 #include "runtime/core/task/plugin_watch.h"
@@ -29,6 +30,9 @@ struct Incidents {
   int64_t count = 0;
   double first_time = 0;  // [s] since the start of the episode
 };
+
+// What the task lets a learner see.
+ObservationLayout ObservationLayoutOf(const taskc_plugin& table);
 
 // A plugin's memory, its params, and what it has paid and measured in the current episode. It knows
 // no ports: whoever owns it keeps the sensors' data up to date.
@@ -79,6 +83,9 @@ class TaskInstance {
   void EndTimeStep();
   void EndEpisode();
 
+  // What the learner sees now. A number that is not finite is 0 in it, and counted.
+  std::span<const double> Observe();
+
   const TaskGoals& goals() const { return goals_; }
   // From now on the goal has this value, and the task does not draw it; see TaskGoals::Hold().
   void HoldGoal(size_t goal, std::span<const double> value) { goals_.Hold(goal, value, time_); }
@@ -90,6 +97,7 @@ class TaskInstance {
   std::span<const Incidents> faults() const { return faults_; }
   int64_t fault_count() const { return fault_count_; }
   std::span<const Incidents> violations() const { return violations_; }
+  std::span<const Incidents> observation_faults() const { return observation_faults_; }
   std::span<const double> metrics() const { return reducer_.values(); }
   std::span<const double> logs() const { return logged_; }
 
@@ -135,6 +143,7 @@ class TaskInstance {
   std::vector<Incidents> faults_;
   int64_t fault_count_ = 0;
   std::vector<Incidents> violations_;
+  std::vector<Incidents> observation_faults_;
   std::vector<std::string> violation_reasons_;  // one for each requirement
   double time_ = 0;       // [s] since the start of the episode, at the end of the last time step
   double time_step_ = 0;  // [s] of that step; 0 before it

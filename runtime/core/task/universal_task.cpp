@@ -282,7 +282,12 @@ void UniversalTask::Emit(const std::optional<Outcome>& outcome) {
   if (role_ == Role::kShadowEndsAtOnce) EndOwnEpisode();
 }
 
-void UniversalTask::Sense(int reader) {
+std::span<const double> UniversalTask::Observe() const {
+  Sense(TASKC_OBSERVE);
+  return instance_->Observe();
+}
+
+void UniversalTask::Sense(int reader) const {
   for (const SensorRead& read : reads_[static_cast<size_t>(reader)]) {
     *read.data = (*read.port)().data;
   }

@@ -14,6 +14,7 @@
 #include "runtime/core/module/context.h"
 #include "runtime/core/module/module.h"
 #include "runtime/core/module/module_graph.h"
+#include "runtime/core/module/observations.h"
 #include "runtime/core/module/sensor_data.h"
 #include "runtime/core/module/values.h"
 #include "runtime/core/task/plugin.h"
@@ -34,12 +35,13 @@ struct TaskEnd {
 //   slots    the events; each returns at once where the task has nothing to do
 //   signals  reward: what an event pays, also 0, after every event with an own function;
 //            end_of_episode: after that, the first end that is reached in an episode
+//   out      observations: what the task lets a learner see, computed when it is asked for
 //
 // An event brings exactly those sensors up to date that it reads. Ends that are reached later in
 // the episode, or in the event at its end, are not emitted. A requirement that does not hold ends
 // the episode like a limit, with the reason "requirement: ..."; it comes before an end that the
 // same event reached. The task's params are this module's parameters.
-class UniversalTask : public Module {
+class UniversalTask : public Module, public TaskObservations {
  public:
   static constexpr const char* kRole = "task module";  // for ModuleGraph::FindOnly()
 
@@ -57,6 +59,7 @@ class UniversalTask : public Module {
                                       Bind<&UniversalTask::EndPhysicsStep>{}};
   Signal<double> reward{this, "reward"};
   Signal<EpisodeEnd> end_of_episode{this, "end_of_episode"};
+  Out<TaskObservations> observations{this, "observations", this};
 
   // Throws UserError if the plugin does not fit Context::robot, or if there is none.
   UniversalTask(const std::string& name, const Context& context);
@@ -71,6 +74,9 @@ class UniversalTask : public Module {
   // previous task.
   void Save(std::ostream& stream) const override;
   void Load(std::istream& stream) override;
+
+  ObservationLayout observation_layout() const override { return ObservationLayoutOf(plugin()); }
+  std::span<const double> Observe() const override;
 
   // Connects the sensors that are not connected yet to the out ports of their name. Precondition:
   // there are such ports.
@@ -134,6 +140,8 @@ class UniversalTask : public Module {
   // All that was not paid: those of the terms, and sums of an event's terms that were not finite or
   // too large (taskc/largest_reward.h). So the return is finite.
   int64_t fault_count() const { return instance_->fault_count(); }
+  // What a learner did not see as it was, since it was not finite.
+  std::span<const Incidents> observation_faults() const { return instance_->observation_faults(); }
   // Whether an episode has ended for this task since its last start.
   bool has_ended() const { return episode_is_over_; }
   // Of the episode that has ended: the first end that the task reached, or else the one that it was
@@ -166,8 +174,9 @@ class UniversalTask : public Module {
   void NoteEnd(const EpisodeEnd& end);
   // Ends the episode of a shadow that has reached an end.
   void EndOwnEpisode();
-  // Brings those sensors up to date that event number `reader`, or TASKC_MEASURE, reads.
-  void Sense(int reader);
+  // Brings those sensors up to date that event number `reader`, TASKC_MEASURE or TASKC_OBSERVE
+  // reads.
+  void Sense(int reader) const;
 
   using Sensors = std::vector<std::unique_ptr<SensorIn>>;
 
@@ -184,8 +193,8 @@ class UniversalTask : public Module {
   std::unique_ptr<TaskInstance> instance_;
   std::unique_ptr<TaskInstance> previous_;
   Sensors sensors_;  // in the order of the task
-  // What each event, and the evaluation of the metrics, has to bring up to date.
-  std::array<std::vector<SensorRead>, TASKC_MEASURE + 1> reads_;
+  // What each event, and the evaluation of metrics and observations, has to bring up to date.
+  std::array<std::vector<SensorRead>, TASKC_READER_COUNT> reads_;
 
   Role role_ = Role::kActive;
   double return_ = 0;

@@ -72,15 +72,35 @@ void LiveGraph::Unload(const std::string& name) {
   graph_.Remove(name);
 }
 
+void LiveGraph::CheckIsSeen(const UniversalTask& present, const ObservationLayout& next,
+                            const std::string& name) {
+  if (present.observations.Connections().empty()) return;
+  CheckSameLayout(present.observation_layout(), next, fmt::format("the task `{}`", name));
+}
+
+void LiveGraph::CheckIsSeenInstead(const Port& present, const Port& next) {
+  const auto* before = dynamic_cast<const UniversalTask*>(&present.owner());
+  const auto* after = dynamic_cast<const UniversalTask*>(&next.owner());
+  if (before == nullptr || &present != &before->observations || after == nullptr) return;
+  CheckIsSeen(*before, after->observation_layout(), after->plugin().name);
+}
+
 void LiveGraph::CheckSwap(const std::string& name, const Plugin& plugin) const {
-  FindTask(name).CheckCanSwap(plugin, graph_);
+  const UniversalTask& task = FindTask(name);
+  task.CheckCanSwap(plugin, graph_);
+  CheckIsSeen(task, ObservationLayoutOf(plugin.table()), plugin.table().name);
 }
 
 void LiveGraph::Swap(const std::string& name, std::unique_ptr<TaskInstance> instance) {
+  CheckSwap(name, *instance->plugin());
   FindTask(name).Swap(std::move(instance), graph_);
 }
 
-void LiveGraph::Rollback(const std::string& name) { FindTask(name).Rollback(graph_); }
+void LiveGraph::Rollback(const std::string& name) {
+  UniversalTask& task = FindTask(name);
+  CheckSwap(name, *task.FindPrevious().plugin());
+  task.Rollback(graph_);
+}
 
 void LiveGraph::CheckPromote(const std::string& name, bool now) const {
   const UniversalTask& task = FindTask(name);
@@ -89,6 +109,7 @@ void LiveGraph::CheckPromote(const std::string& name, bool now) const {
     throw UserError(fmt::format(
         "for `{}` this episode is over, or has never begun: promote it without `now`", name));
   }
+  CheckIsSeen(active_task(), task.observation_layout(), task.plugin().name);
 }
 
 void LiveGraph::Promote(const std::string& name) {
@@ -97,6 +118,7 @@ void LiveGraph::Promote(const std::string& name) {
   UniversalTask& active = active_task();
   MoveConnections(active.reward, task.reward);
   MoveConnections(active.end_of_episode, task.end_of_episode);
+  MoveConnections(active.observations, task.observations);
 }
 
 LiveGraph::ParameterName LiveGraph::Split(const std::string& parameter) const {
@@ -168,7 +190,10 @@ void LiveGraph::Connect(const std::string& first, const std::string& second) {
   const std::vector<Port*> before = in.Connections();
   const bool replaces =
       in.kind() == PortKind::kIn && !before.empty() && a.Fits(b) && !a.IsConnectedTo(b);
-  if (replaces) Port::Disconnect(in, *before.front());
+  if (replaces) {
+    CheckIsSeenInstead(*before.front(), &in == &a ? b : a);
+    Port::Disconnect(in, *before.front());
+  }
   graph_.Connect(first, second);
   StartWhatCan();
 }

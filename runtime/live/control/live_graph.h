@@ -83,6 +83,12 @@ class LiveGraph {
   Goal FindGoal(const std::string& goal) const;
   ParameterName Split(const std::string& parameter) const;
   void CheckIsUsable(const Port& port, const Port& by) const;
+  // Whether a learner goes on seeing what it has learned from where `next`, of the task `name`,
+  // takes the place of what `present` observes.
+  static void CheckIsSeen(const UniversalTask& present, const ObservationLayout& next,
+                          const std::string& name);
+  // The same where an in port gets the out port `next` of a task for `present`, that of another.
+  static void CheckIsSeenInstead(const Port& present, const Port& next);
   void CheckIsStillPaid(const Port& a, const Port& b) const;
   void CheckIsNeeded(const Module& module) const;
   void StartWhatCan();

@@ -4,6 +4,7 @@
 
 #include "runtime/base/suggestion.h"
 #include "runtime/core/module/graph_text.h"
+#include "runtime/core/module/layout_text.h"
 #include "runtime/live/control/parameter_json.h"
 #include "runtime/live/control/versions.h"
 
@@ -65,6 +66,7 @@ nlohmann::json TaskModuleJson(const UniversalTask& task, const RunRecord& run) {
   json["versions"] = VersionsJson(run, task.name());
   json["params"] = AllParameters(task);
   json["goals"] = GoalsJson(task);
+  json["observations"] = ToJson(task.observation_layout());
   json["phases"] = PhasesJson(task.instance().phases());
   json["return"] = task.episode_return();
   json["terms"] = TermsJson(task);

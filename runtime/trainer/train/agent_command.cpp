@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -7,6 +9,8 @@
 #include "plugins/robot/robot_description.h"
 #include "plugins/robot/robot_names.h"
 #include "runtime/core/module/graph_text.h"
+#include "runtime/core/module/layout_text.h"
+#include "runtime/core/task/task_instance.h"
 #include "runtime/trainer/commands.h"
 #include "runtime/trainer/setup/agent_presets.h"
 #include "runtime/trainer/setup/task_setup.h"
@@ -20,11 +24,30 @@ struct AgentOptions {
   bool json = false;
 };
 
+std::string Comment(const std::string& what, const ObservationLayout& layout) {
+  return fmt::format("\n# {}:\n{}", what, ToText(layout, "#   "));
+}
+
+// What a learner sees, as comments of the agent file.
+std::string ObservationsOf(const TaskSetup& setup) {
+  std::string text;
+  for (const auto& module : setup.graph.modules()) {
+    const auto layout = LayoutShownBy(*module);
+    if (!layout) continue;
+    text += Comment(fmt::format("`{}` shows a learner {} numbers", module->name(), layout->size()),
+                    *layout);
+  }
+  const ObservationLayout observed = ObservationLayoutOf(setup.plugin->table());
+  if (!text.empty() || observed.values.empty()) return text;
+  return Comment("The task observes this, and no module `Observation` shows it to a learner",
+                 observed);
+}
+
 std::string Show(const TaskSetup& setup, const AgentOptions& options) {
   if (options.json || options.format == "json") return GraphJson(setup.graph);
   if (options.format == "text") return GraphText(setup.graph);
   if (options.format == "dot") return GraphDot(setup.graph);
-  return ToTomlWithPlaces(setup.agent);
+  return ToTomlWithPlaces(setup.agent) + ObservationsOf(setup);
 }
 
 int ShowAgent(const AgentOptions& options) {

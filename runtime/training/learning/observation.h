@@ -1,3 +1,4 @@
+// What a learner sees, as one vector.
 #pragma once
 
 #include <Eigen/Core>
@@ -5,28 +6,41 @@
 
 #include "runtime/core/module/context.h"
 #include "runtime/core/module/module.h"
+#include "runtime/core/module/observations.h"
 #include "runtime/core/module/values.h"
 #include "runtime/training/learning/robot_observation.h"
 
 namespace runtime {
 
-// What a learner sees, as one vector (runtime/training/learning/robot_observation.h).
+// What the task observes or, where it observes nothing, the robot (RobotObservation).
 //
-//   in   one port for each of the robot's sensors that it reads
+//   in   task: what the task that pays the learner observes
+//        one port for each of the robot's sensors that RobotObservation reads; to be connected
+//        where the task observes nothing
 //   out  observation: the vector as of now, computed each time it is read. A learner reads it when
 //        it decides: when an episode has started, when an action is over and, to value what may
-//        come next, when the episode is over
+//        come next, when the episode is over; always after the task has heard of that
+//        layout: what it consists of; from the moment at which all ports are connected
+//
+// The layout stays the same while a run lasts: a task that observes something else is refused by
+// CheckSameLayout(), before it takes the place of the old one.
 class Observation : public Module {
  public:
   Observation(std::string name, const Context& context);
 
   void Start() override;
 
+  const ObservationLayout& Layout();
   const Eigen::VectorXd& Read();
 
  private:
+  In<TaskObservations> task_{this, "task"};
   RobotObservation robot_;
   Out<Eigen::VectorXd> observation_{this, "observation", Bind<&Observation::Read>{}};
+  Out<ObservationLayout> layout_port_{this, "layout", Bind<&Observation::Layout>{}};
+
+  ObservationLayout layout_;  // empty before it is asked for
+  bool is_of_task_ = false;
   Eigen::VectorXd values_;
 };
 

@@ -1,14 +1,26 @@
 #include "runtime/training/learning/robot_observation.h"
 
+#include <fmt/format.h>
+
 #include <Eigen/Geometry>
 #include <vector>
 
-#include "runtime/training/learning/robot_sensor_in.h"
+#include "runtime/base/user_error.h"
 
 namespace runtime {
 namespace {
 
 using Eigen::Map, Eigen::Vector3d, Eigen::VectorXd;
+
+const robot::SensorDescription& Description(robot::SensorId id) {
+  return robot::Sensors()[static_cast<size_t>(id)];
+}
+
+SensorIn MakeOptional(Module* owner, robot::SensorId id) {
+  const robot::SensorDescription& sensor = Description(id);
+  return SensorIn(owner, std::string(sensor.name), SensorTypeText(sensor.type, sensor.unit),
+                  SensorIn::Need::kOptional);
+}
 
 // w, x, y, z
 Eigen::Quaterniond Quaternion(const double* elements) {
@@ -19,20 +31,45 @@ Eigen::Quaterniond Quaternion(const double* elements) {
 
 RobotObservation::RobotObservation(Module* owner, const robot::RobotDescription& robot)
     : robot_(robot),
-      position_(MakeSensorIn(owner, robot::SensorId::kBasePosition)),
-      orientation_(MakeSensorIn(owner, robot::SensorId::kBaseOrientation)),
-      velocity_(MakeSensorIn(owner, robot::SensorId::kBaseVelocity)),
-      angular_velocity_(MakeSensorIn(owner, robot::SensorId::kBaseAngularVelocity)),
-      joint_angle_(MakeSensorIn(owner, robot::SensorId::kJointAngle)),
-      joint_velocity_(MakeSensorIn(owner, robot::SensorId::kJointVelocity)),
-      joint_target_(MakeSensorIn(owner, robot::SensorId::kJointTarget)),
-      contact_(MakeSensorIn(owner, robot::SensorId::kContact)) {
+      position_(MakeOptional(owner, robot::SensorId::kBasePosition)),
+      orientation_(MakeOptional(owner, robot::SensorId::kBaseOrientation)),
+      velocity_(MakeOptional(owner, robot::SensorId::kBaseVelocity)),
+      angular_velocity_(MakeOptional(owner, robot::SensorId::kBaseAngularVelocity)),
+      joint_angle_(MakeOptional(owner, robot::SensorId::kJointAngle)),
+      joint_velocity_(MakeOptional(owner, robot::SensorId::kJointVelocity)),
+      joint_target_(MakeOptional(owner, robot::SensorId::kJointTarget)),
+      contact_(MakeOptional(owner, robot::SensorId::kContact)) {
   const std::vector<double>& rest = robot.poses.front().joint_angles;
   rest_ = Map<const VectorXd>(rest.data(), static_cast<Eigen::Index>(rest.size()));
 }
 
-Eigen::Index RobotObservation::size() const {
-  return 10 + static_cast<Eigen::Index>(3 * robot_.joints.size() + robot_.links.size());
+ObservationLayout RobotObservation::layout() const {
+  const size_t joints = robot_.joints.size();
+  return {
+      {{.name = "height", .type = "real", .unit = "m"},
+       {.name = "up", .type = "vec3", .unit = "", .size = 3, .minimum = -1, .maximum = 1},
+       {.name = "velocity", .type = "vec3", .unit = "m/s", .size = 3},
+       {.name = "angular_velocity", .type = "vec3", .unit = "rad/s", .size = 3},
+       {.name = "joint.angle - joint.rest", .type = "real[joint]", .unit = "rad", .size = joints},
+       {.name = "joint.velocity", .type = "real[joint]", .unit = "rad/s", .size = joints},
+       {.name = "joint.target - joint.rest", .type = "real[joint]", .unit = "rad", .size = joints},
+       {.name = "contact",
+        .type = "bool[link]",
+        .unit = "",
+        .size = robot_.links.size(),
+        .minimum = 0,
+        .maximum = 1}}};
+}
+
+void RobotObservation::RequireSensors() const {
+  for (const SensorIn* sensor : {&position_, &orientation_, &velocity_, &angular_velocity_,
+                                 &joint_angle_, &joint_velocity_, &joint_target_, &contact_}) {
+    if (sensor->connected()) continue;
+    throw UserError(fmt::format(
+        "`{0}` is not connected, and the task observes nothing, so that the learner is to see "
+        "the robot's sensors: connect `ENVIRONMENT.*` to `{1}.*`",
+        sensor->full_name(), sensor->owner().name()));
+  }
 }
 
 void RobotObservation::Compute(VectorXd& values) const {

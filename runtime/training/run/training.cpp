@@ -137,6 +137,7 @@ void Training::WarnAbout(const EpisodeRecord& episode) {
   if (tasks_.active->fault_count() > 0) WarnAboutFaults(episode);
   if (learner_.passed_over_count() > 0) WarnAboutLearner(episode);
   if (episode.active.violations > 0) WarnAboutViolations(episode);
+  WarnAboutObservations(episode);
 }
 
 void Training::WarnAboutFaults(const EpisodeRecord& episode) {
@@ -152,6 +153,20 @@ void Training::WarnAboutFaults(const EpisodeRecord& episode) {
   if (terms.empty()) terms = fmt::format("what `{}` pays in one event", task.plugin().name);
   Warn(fmt::format("warning: episode {}: not finite, or beyond {:g}, and so not paid: {}",
                    episode.number, TASKC_LARGEST_REWARD, terms));
+}
+
+void Training::WarnAboutObservations(const EpisodeRecord& episode) {
+  const UniversalTask& task = *tasks_.active;
+  std::string seen;
+  for (size_t i = 0; i < task.observation_faults().size(); ++i) {
+    const Incidents& faults = task.observation_faults()[i];
+    if (faults.count == 0) continue;
+    seen += fmt::format("{}`{}` {}x, first at {:.3f} s", seen.empty() ? "" : "; ",
+                        task.plugin().observations[i].name, faults.count, faults.first_time);
+  }
+  if (seen.empty()) return;
+  Warn(fmt::format("warning: episode {}: not finite, and 0 to the learner: {}", episode.number,
+                   seen));
 }
 
 void Training::WarnAboutLearner(const EpisodeRecord& episode) {

@@ -57,6 +57,7 @@ class Training {
   void WarnAboutFaults(const EpisodeRecord& episode);
   void WarnAboutLearner(const EpisodeRecord& episode);
   void WarnAboutViolations(const EpisodeRecord& episode);
+  void WarnAboutObservations(const EpisodeRecord& episode);
   std::optional<Recording> RecordingOf(const EpisodeRecord& episode) const;
   std::optional<Checkpoint> CheckpointIfDue(bool is_last_episode);
 

@@ -1,6 +1,6 @@
 // That a learner is whatever module implements runtime/training/learning/learner.h: one of which
 // neither the program nor its agents know is trained by what the program's commands call.
-#include "tests/runtime/trainer/learner_run_test.h"
+#include "tests/runtime/trainer/learner_run.h"
 #include "tests/runtime/trainer/random_targets.h"
 
 namespace runtime {
@@ -10,16 +10,16 @@ using nlohmann::json;
 using testing::Ne;
 using testing::SizeIs;
 
-ModuleTypes TypesWithRandomTargets() {
-  ModuleTypes types = ProgramModuleTypes();
-  types.Add<RandomTargets>("RandomTargets");
-  types.Add<HeldTargets>("HeldTargets");
-  return types;
-}
-
 class LearnerTest : public LearnerRunTest {
  protected:
-  LearnerTest() : LearnerRunTest(TypesWithRandomTargets(), AGENT, {"policy.pace=0.005"}) {}
+  LearnerTest()
+      : LearnerRunTest({.task = PluginFile("leaning"),
+                        .profile = "fast",
+                        .agent = AGENTS "/random_targets.agent.toml",
+                        .robot = "humanoid",
+                        .settings = {"policy.pace=0.005"}}) {
+    types().Add<RandomTargets>("RandomTargets");
+  }
 };
 
 double ReachIn(const EpisodeRecord& episode) { return episode.learner.at(0).value; }

@@ -3,7 +3,7 @@
 #include <set>
 
 #include "runtime/training/learning/motion_search.h"
-#include "tests/runtime/trainer/learner_run_test.h"
+#include "tests/runtime/trainer/learner_run.h"
 
 namespace runtime {
 namespace {
@@ -16,8 +16,11 @@ using testing::SizeIs;
 class MotionSearchRunTest : public LearnerRunTest {
  protected:
   MotionSearchRunTest()
-      : LearnerRunTest(ProgramModuleTypes(), "motion_search",
-                       {"learner.population=4", "action_space.harmonics=1"}) {}
+      : LearnerRunTest({.task = PluginFile("leaning"),
+                        .profile = "fast",
+                        .agent = "motion_search",
+                        .robot = "humanoid",
+                        .settings = {"learner.population=4", "action_space.harmonics=1"}}) {}
 };
 
 double CurveIn(const EpisodeRecord& episode, const std::string& name) {

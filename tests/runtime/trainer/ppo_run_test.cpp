@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tests/runtime/trainer/learner_run_test.h"
+#include "tests/runtime/trainer/learner_run.h"
 
 namespace runtime {
 namespace {
@@ -11,9 +11,13 @@ class PpoRunTest : public LearnerRunTest {
  protected:
   // An update in every second or third of the task's short episodes.
   PpoRunTest()
-      : LearnerRunTest(ProgramModuleTypes(), "ppo",
-                       {"learner.hidden=[8, 8]", "learner.batch=20", "learner.minibatch=8",
-                        "learner.deviation=0.5", "learner.deviation_decisions=1000"}) {}
+      : LearnerRunTest(
+            {.task = PluginFile("leaning"),
+             .profile = "fast",
+             .agent = "ppo",
+             .robot = "humanoid",
+             .settings = {"learner.hidden=[8, 8]", "learner.batch=20", "learner.minibatch=8",
+                          "learner.deviation=0.5", "learner.deviation_decisions=1000"}}) {}
 
   static double Shown(const EpisodeRecord& episode, const std::string& curve) {
     const auto found = std::ranges::find(episode.learner, curve, &NamedValue::name);

@@ -75,6 +75,23 @@ TEST_F(LiveGraphTest, AShadowThatDoesNotFitIsNotLoaded) {
             "`hopper`");
 }
 
+TEST_F(LiveGraphTest, ALearnerGoesOnSeeingWhatItHasLearnedFrom) {
+  agent_.graph().Add(agent_.types().Make("Viewer", "viewer", agent_.context()));
+  agent_.graph().Connect("task.observations", "viewer.task");
+  const std::string refusal =
+      "the learner cannot go on with the task `seeing`: it would see `elapsed` (real [s]) instead "
+      "of what the robot senses; train it in a run of its own";
+  EXPECT_EQ(Refusal([&] { live_.Swap("task", Instance("seeing", 2)); }), refusal);
+  live_.Load("shadow", Instance("seeing", 2));
+  EXPECT_EQ(Refusal([&] { live_.Promote("shadow"); }), refusal);
+  EXPECT_EQ(Refusal([&] { live_.Connect("shadow.observations", "viewer.task"); }), refusal);
+  live_.Load("same", Instance("other", 3));
+  live_.Promote("same");
+  EXPECT_THAT(ConnectionsOf("viewer.task"), ElementsAre("same.observations"));
+  // What nobody sees may be anything.
+  live_.Swap("task", Instance("seeing", 2));
+}
+
 // Ports have dots in their names, and so it must not matter what comes before the first one.
 TEST_F(LiveGraphTest, AShadowMayHaveTheNameOfASensor) {
   live_.Load("base", Instance("other", 2));

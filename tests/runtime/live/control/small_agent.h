@@ -77,6 +77,15 @@ class Reader : public Module {
   Slot<double> note_{this, "note", Bind<&Reader::Ignore>{}};
 };
 
+// Shows a learner what a task observes.
+class Viewer : public Module {
+ public:
+  Viewer(std::string name, const Context&) : Module(std::move(name)) {}
+
+ private:
+  In<TaskObservations> task_{this, "task"};
+};
+
 class SmallAgent {
  public:
   SmallAgent() {
@@ -85,6 +94,7 @@ class SmallAgent {
     types_.Add<PengQLambda>("PengQLambda");
     types_.Add<Mind>("Mind");
     types_.Add<Reader>("Reader");
+    types_.Add<Viewer>("Viewer");
     for (const auto& [type, name] : {std::pair{"RobotEnvironment", "environment"},
                                      {"UniversalTask", "task"},
                                      {"Mind", "mind"},

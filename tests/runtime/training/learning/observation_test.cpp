@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "runtime/core/module/layout_text.h"
 #include "runtime/core/module/sensor_data.h"
 #include "tests/runtime/training/learning/fake_state.h"
 #include "tests/runtime/training/learning/user_error_of.h"
@@ -16,10 +17,25 @@ namespace runtime {
 namespace {
 
 using testing::DoubleNear;
+using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Pointwise;
 
+constexpr int kJoints = 17;
 constexpr int kLinks = 18;
+
+// A task that observes what it is told to.
+class FakeTask : public Module, public TaskObservations {
+ public:
+  FakeTask() : Module("task") {}
+
+  ObservationLayout observation_layout() const override { return layout; }
+  std::span<const double> Observe() const override { return numbers; }
+
+  ObservationLayout layout;
+  std::vector<double> numbers;
+  Out<TaskObservations> observations{this, "observations", this};
+};
 
 // All sensors of the humanoid.
 class AllSensors : public Module {
@@ -60,14 +76,42 @@ class AllSensors : public Module {
 
 class ObservationTest : public testing::Test {
  protected:
+  ObservationTest() { Port::Connect(task_.observations, observation_.FindPort("task")); }
   std::vector<double> Read() {
     const Eigen::VectorXd& values = observation_.Read();
     return {values.begin(), values.end()};
   }
 
+  FakeTask task_;
   AllSensors sensors_;
   Observation observation_{"observation", HumanoidContext()};
 };
+
+TEST_F(ObservationTest, ShowsWhatTheTaskObserves) {
+  task_.layout = {{{.name = "a", .type = "real", .unit = "m"},
+                   {.name = "b", .type = "vec2", .unit = "", .size = 2}}};
+  task_.numbers = {1, 2, 3};
+  observation_.Start();  // without a sensor
+  EXPECT_THAT(Read(), ElementsAre(1, 2, 3));
+  task_.numbers = {4, 5, 6};
+  EXPECT_THAT(Read(), ElementsAre(4, 5, 6));
+  EXPECT_EQ(ToText(observation_.Layout(), "- "), "- 0       a  real [m]\n- 1 .. 2  b  vec2\n");
+}
+
+TEST_F(ObservationTest, ShowsTheRobotWhereTheTaskObservesNothing) {
+  sensors_.ConnectTo(observation_);
+  observation_.Start();
+  EXPECT_EQ(ToText(observation_.Layout(), ""),
+            "0         height                     real [m]\n"
+            "1 .. 3    up                         vec3\n"
+            "4 .. 6    velocity                   vec3 [m/s]\n"
+            "7 .. 9    angular_velocity           vec3 [rad/s]\n"
+            "10 .. 26  joint.angle - joint.rest   real[joint] [rad]\n"
+            "27 .. 43  joint.velocity             real[joint] [rad/s]\n"
+            "44 .. 60  joint.target - joint.rest  real[joint] [rad]\n"
+            "61 .. 78  contact                    bool[link]\n");
+  EXPECT_EQ(Read().size(), 10u + 3 * kJoints + kLinks);
+}
 
 // Turned by 90 degrees about x, so that its y axis points up: what moves up in the world moves
 // along its y.
@@ -94,7 +138,6 @@ TEST_F(ObservationTest, TheRobotsJointsAreSeenFromItsFirstPose) {
   sensors_.reals(robot::SensorId::kJointTarget)[3] = -0.25;
   sensors_.flags(robot::SensorId::kContact)[2] = true;
   const std::vector<double> values = Read();
-  EXPECT_EQ(values.size(), 61u + kLinks);
   EXPECT_EQ(values[10 + 3], 0.5 - rest);
   EXPECT_EQ(values[27 + 3], 7);
   EXPECT_EQ(values[44 + 3], -0.25 - rest);
@@ -102,9 +145,19 @@ TEST_F(ObservationTest, TheRobotsJointsAreSeenFromItsFirstPose) {
   EXPECT_EQ(values[61 + 3], 0);
 }
 
+TEST_F(ObservationTest, TheLayoutIsKnownBeforeTheModuleIsStarted) {
+  task_.layout = {{{.name = "a", .type = "real", .unit = ""}}};
+  EXPECT_EQ(observation_.Layout().size(), 1u);
+}
+
 TEST_F(ObservationTest, WhatIsNotConnectedIsNamed) {
   EXPECT_THAT(UserErrorOf([&] { observation_.Start(); }),
-              HasSubstr("`observation.base.position` is not connected"));
+              testing::AllOf(HasSubstr("`observation.base.position` is not connected"),
+                             HasSubstr("connect `ENVIRONMENT.*` to `observation.*`")));
+  Observation alone("alone", HumanoidContext());
+  EXPECT_THAT(UserErrorOf([&] { alone.Start(); }),
+              HasSubstr("`alone.task` is not connected: connect it to an out port of the type "
+                        "`task observations`"));
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // A task for any robot that pays per second, counts its episodes, ends when its time is up, and has
-// a goal that depends on the seed, and two phases. To be included with NAME defined.
+// a goal that depends on the seed, and two phases. With SEES it observes how much of its time has
+// passed. To be included with NAME defined.
 #include "tests/runtime/core/task/plugins/plugin_table.h"
 
 typedef struct memory {
@@ -79,6 +80,18 @@ static const taskc_reward_term terms[] = {{"presence", "", {0, 10}}};
 static const taskc_metric metrics[] = {{"episodes", "", "", TASKC_LAST}};
 static const taskc_end ends[] = {{"time is up", TASKC_TRUNCATED, {0, 16}}};
 
+#ifdef SEES
+static void observe(taskc_frame* frame) {
+  frame->observations[0] = ((const memory*)frame->memory)->time;
+}
+static const taskc_observation observations[] = {
+    {"elapsed", "", "real", "s", TASKC_REAL, 1, 1, 0, 0, 20}};
+#define OBSERVATIONS \
+  , .observations = observations, .observation_count = 1, .observation_size = 1, .observe = observe
+#else
+#define OBSERVATIONS
+#endif
+
 PLUGIN(.name = NAME, .robot = "", .sensors = sensors, .sensor_count = 1, .params = params,
        .param_count = PARAM_COUNT, .memory = variables, .memory_count = 7, .goals = goals,
        .goal_count = 1, .phases = phases, .phase_count = 2, .phase_offset = offsetof(memory, phase),
@@ -86,4 +99,4 @@ PLUGIN(.name = NAME, .robot = "", .sensors = sensors, .sensor_count = 1, .params
        .metrics = metrics, .metric_count = 1, .ends = ends, .end_count = 1,
        .memory_size = sizeof(memory), .initialize = initialize, .measure = measure,
        .events = {[TASKC_START_OF_EPISODE] = start_of_episode,
-                  [TASKC_END_OF_TIME_STEP] = end_of_time_step})
+                  [TASKC_END_OF_TIME_STEP] = end_of_time_step} OBSERVATIONS)

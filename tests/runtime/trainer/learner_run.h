@@ -8,14 +8,12 @@
 #include <chrono>
 #include <functional>
 #include <future>
-#include <string>
 #include <thread>
-#include <utility>
-#include <vector>
 
 #include "runtime/live/client/client.h"
 #include "runtime/trainer/results/evaluate_run.h"
 #include "runtime/trainer/runs/one_run.h"
+#include "tests/runtime/trainer/held_targets.h"
 #include "tests/runtime/training/run/temporary_folder.h"
 #include "tests/scoped_environment.h"
 
@@ -25,23 +23,20 @@ inline std::string PluginFile(const std::string& task) {
   return std::string(PLUGIN_FOLDER) + "/" + task + ".so";
 }
 
-// Trains, resumes and evaluates runs of one task and one agent, as the program's commands do.
 class LearnerRunTest : public testing::Test {
  protected:
-  // `agent` and `settings` as in TaskOptions.
-  LearnerRunTest(const ModuleTypes& types, std::string agent, std::vector<std::string> settings)
-      : types_(types), agent_(std::move(agent)), settings_(std::move(settings)) {}
+  // `task`: what runs are made of. Besides the program's modules there are HeldTargets.
+  explicit LearnerRunTest(TaskOptions task) : task_(std::move(task)) {
+    types_.Add<HeldTargets>("HeldTargets");
+  }
 
+  ModuleTypes& types() { return types_; }
+  TaskOptions& task() { return task_; }
   std::filesystem::path Run(const std::string& name) const { return folder_.path() / name; }
 
   int Train(const std::string& name, int64_t episodes) const {
-    const TaskOptions task{.task = PluginFile("leaning"),
-                           .profile = "fast",
-                           .agent = agent_,
-                           .robot = "humanoid",
-                           .settings = settings_};
     const RunPlan plan{.episodes = episodes, .seed = 5, .record_every = 1, .checkpoint_seconds = 0};
-    return TrainOneRun(task, plan, Run(name), Session(), types_);
+    return TrainOneRun(task_, plan, Run(name), Session(), types_);
   }
   int Resume(const std::string& name, int64_t episodes,
              LiveRun::WhenDone when_done = LiveRun::WhenDone::kEnd) const {
@@ -87,9 +82,8 @@ class LearnerRunTest : public testing::Test {
   }
 
   const ScopedEnvironment robots_{"TASKC_ROBOT_PATH", ROBOTS};
-  const ModuleTypes types_;
-  const std::string agent_;
-  const std::vector<std::string> settings_;
+  TaskOptions task_;
+  ModuleTypes types_ = ProgramModuleTypes();
   TemporaryFolder folder_;
 };
 
@@ -109,6 +103,12 @@ class ServedRun {
     const Reply reply = Ask(folder_, {command, std::move(arguments)});
     EXPECT_TRUE(reply.ok) << command << ": " << reply.error;
     return reply.value;
+  }
+  // Why the command is refused.
+  std::string Refusal(const std::string& command, nlohmann::json arguments) const {
+    const Reply reply = Ask(folder_, {command, std::move(arguments)});
+    EXPECT_FALSE(reply.ok) << command << ": " << reply.value.dump();
+    return reply.error;
   }
   void WaitUntilDone() const {
     while (Request("status", nlohmann::json::object())["state"] != "finished") Wait();

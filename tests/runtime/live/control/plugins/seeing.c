@@ -1,0 +1,3 @@
+#define NAME "seeing"
+#define SEES
+#include "paying.h"
