@@ -107,6 +107,13 @@ std::optional<bool> Repeats(const CallExpression& call, const TaskScope& scope) 
   return std::nullopt;
 }
 
+// "its argument `time` is in `s`"
+std::string ArgumentText(const CheckedTable& table) {
+  const Unit& unit = table.argument_unit;
+  return fmt::format("its argument `{}` is {}{}", table.argument, IsPlain(unit) ? "" : "in ",
+                     NameOf(unit));
+}
+
 bool HasArguments(const CallExpression& call, Span span, const TaskScope& scope) {
   if (call.arguments.size() == 1 || call.arguments.size() == 2) return true;
   Report(
@@ -151,7 +158,7 @@ std::optional<CheckedExpression> CheckTableCall(const CallExpression& call, cons
   const CheckedTable& checked = scope.constants.tables[table.index];
   argument = ConvertTo({std::move(*argument), call.arguments[0].get()}, ScalarType(Scalar::kReal),
                        checked.argument_unit, fmt::format("the argument of `{}`", checked.name),
-                       scope.diagnostics, {{table.span, "declared here"}});
+                       scope.diagnostics, {{table.span, ArgumentText(checked)}});
   if (!argument) return std::nullopt;
   CheckedExpression read{span, table.type, table.unit, Constant{}};
   if (const auto value = ConstantValueOf(*argument, scope.constants.consts))

@@ -135,6 +135,12 @@ class Composer {
   }
 
   std::optional<SyntaxTree> Import(const Reference& reference) {
+    if (reference.file.extension() == ".csv") {
+      Report(code::kNotALibrary, reference.span,
+             fmt::format("`{}` is no library", reference.written),
+             fmt::format("its numbers are read by `table NAME: TYPE = \"{}\"`", reference.written));
+      return std::nullopt;
+    }
     std::optional<SyntaxTree> library = Read(reference);
     if (!library) return std::nullopt;
     if (!IsLibrary(*library)) {

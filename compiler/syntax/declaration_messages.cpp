@@ -19,6 +19,8 @@ using grammar::TaskParser;
 
 constexpr std::string_view kFunctionHelp =
     "a function is declared with `fn half(x: real) -> real = 0.5 * x`";
+constexpr std::string_view kTableHelp =
+    "a table is declared with `table height: real [m] = \"walk.csv\"`";
 // What may follow `override`.
 constexpr std::array kOverridable = {"start", "after_end", "param",   "const",  "set",
                                      "table", "goal",      "observe", "metric", "reward",
@@ -49,6 +51,10 @@ Help HelpForDeclaration(const antlr4::Token& word) {
 // `wrong`: the word in the place of `for`.
 Help RobotIs(const std::string& name, Span wrong) {
   return {fmt::format("the robot is named with `for {}`", name), {{wrong, "for"}}};
+}
+
+bool IsOfTable(const Failure& failure) {
+  return failure.rule == TaskParser::RuleTable || failure.rule == TaskParser::RuleNewTable;
 }
 
 std::string PlaceOfStatement(TokenType type) {
@@ -84,6 +90,15 @@ Help HelpBehindDeclaration(const Failure& failure) {
   const Span sign = SpanOf(failure.found);
   const char* text = failure.type() == TaskParser::COMMA ? " or" : "or";
   return {"several poses are written with `or` between them", {{sign, text}}};
+}
+
+// `table gait = "walk.csv"`, `table gait: real "walk.csv"`
+Description TableWithoutTypeOrFile(const Failure& failure) {
+  for (const TokenType sign : {TaskParser::COLON, TaskParser::ASSIGN})
+    if (failure.expects(sign))
+      return WithHelp(ExpectedBehindLast(failure, fmt::format("`{}`", Spelling(sign))),
+                      std::string(kTableHelp));
+  return std::nullopt;
 }
 
 }  // namespace
@@ -142,10 +157,11 @@ Description BadFunction(const Failure& failure) {
 }
 
 Description BadOverride(const Failure& failure) {
-  const bool is_value =
-      failure.rule == TaskParser::RuleNewDefault || failure.rule == TaskParser::RuleNewConstant;
+  const bool is_value = failure.rule == TaskParser::RuleNewDefault ||
+                        failure.rule == TaskParser::RuleNewConstant ||
+                        failure.rule == TaskParser::RuleNewTable;
   if (is_value && failure.type() == TaskParser::COLON) {
-    const char* kind = failure.rule == TaskParser::RuleNewDefault ? "param" : "const";
+    const std::string kind = failure.before_last->getText();
     return WithHelp(
         MakeDiagnostic(code::kBadOverride, SpanOf(failure.found),
                        fmt::format("a {} keeps the type and the unit that it has", kind)),
@@ -172,6 +188,7 @@ Description BadOverride(const Failure& failure) {
 
 // `param gain = 3`, `memory fallen: bool`: without a type, without a value
 Description BadValue(const Failure& failure) {
+  if (failure.rule == TaskParser::RuleTable) return TableWithoutTypeOrFile(failure);
   const bool is_value =
       failure.rule == TaskParser::RuleParam || failure.rule == TaskParser::RuleMemory;
   if (!is_value) return std::nullopt;
@@ -212,8 +229,9 @@ Description BadObservation(const Failure& failure) {
                   "each observation stands in a line of its own");
 }
 
-// `import shaping`, `extends forward_rolling`, `test falls`
+// `import shaping`, `extends forward_rolling`, `table gait: real = walk.csv`, `test falls`
 Description BadPath(const Failure& failure) {
+  std::string_view ending = "task";
   switch (failure.last_type()) {
     case TaskParser::IMPORT:
     case TaskParser::EXTENDS:
@@ -221,12 +239,17 @@ Description BadPath(const Failure& failure) {
     case TaskParser::TEST:
       return WithHelp(Expected(failure, "the test's name in double quotes"),
                       "for example `test \"a fall is paid once\" { ... }`");
+    case TaskParser::ASSIGN:
+      if (!IsOfTable(failure)) return std::nullopt;
+      ending = "csv";
+      break;
     default:
       return std::nullopt;
   }
   Diagnostic diagnostic = Expected(failure, "a file in double quotes");
   const bool is_name = failure.type() == TaskParser::NAME;
-  const std::string file = fmt::format("\"{}.task\"", is_name ? failure.found.getText() : "NAME");
+  const std::string file =
+      fmt::format("\"{}.{}\"", is_name ? failure.found.getText() : "NAME", ending);
   diagnostic.help = fmt::format("write `{} {}`", failure.last->getText(), file);
   const bool is_whole = failure.next_type() != TaskParser::DOT;
   if (is_name && is_whole) diagnostic.help.fixes = {{SpanOf(failure.found), file}};

@@ -140,8 +140,9 @@ class TableReader {
   void ReportOneColumn(const Piece& line) {
     const bool has_other = line.text.find_first_of(";\t") != std::string_view::npos;
     Report(code::kNotATable, line.span(), "a table has a column of arguments and others beside it",
-           has_other ? "put commas between the cells, and points into the numbers"
-                     : "write a line such as `time [s], height [m]`, and the numbers below it");
+           line.text.starts_with('#') ? "leave out the comment: a table has none"
+           : has_other                ? "put commas between the cells, and points into the numbers"
+                       : "write a line such as `time [s], height [m]`, and the numbers below it");
   }
 
   void ReadColumn(const Piece& cell) {
@@ -156,10 +157,20 @@ class TableReader {
                       "write it as in `time [s]`");
       column.unit = WithoutBlanks(unit.Part(1, unit.text.size() - 2)).text;
     }
+    const size_t parenthesis = cell.text.rfind('(');
+    const bool has_parentheses = parenthesis != std::string_view::npos && cell.text.ends_with(')');
+    if (has_parentheses) return ReportParentheses(cell.Part(parenthesis, std::string_view::npos));
     if (column.name.empty())
       return Report(code::kBadColumn, cell.span(), "this column has no name",
                     "the first line names every column");
     table_.columns.push_back(std::move(column));
+  }
+
+  // `time (s)`
+  void ReportParentheses(const Piece& unit) {
+    const std::string right = fmt::format("[{}]", unit.text.substr(1, unit.text.size() - 2));
+    Report(code::kColumnUnit, unit.span(), "units stand in square brackets",
+           {fmt::format("write `{}`", right), {{unit.span(), right}}});
   }
 
   // ---- Rows ----
