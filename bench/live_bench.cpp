@@ -52,7 +52,7 @@ class Humanoid {
   const ModuleTypes& types_ = ProgramModuleTypes();
   Context context_{&robot_, LoadTask("crawling"), 1};
   ModuleGraph graph_ =
-      BuildGraph(ReadAgent(SOURCE_DIR "/plugins/humanoid/agent.toml"), types_, context_);
+      BuildGraph(ReadAgent(SOURCE_DIR "/plugins/humanoid/agent.toml", {}), types_, context_);
   LiveGraph live_{graph_, types_, context_};
 };
 

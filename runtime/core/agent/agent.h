@@ -6,7 +6,8 @@
 //   type = "PengQLambda"
 //   temperature = 5
 //
-// `include = ["base.toml"]` begins with what other files say. `whole = true` says that the file is
+// `include = ["base.toml"]` begins with what other files say, `include = ["ppo"]` with one of the
+// robot's agents. `whole = true` says that the file is
 // no change of another agent but an agent by itself. A composite is a type of module that
 // is itself made of modules; it exports some of their ports and parameters:
 //
@@ -86,7 +87,15 @@ struct CompositeSetting {
 // Reads an agent file and those that it includes. Throws UserError with file, line, column and, for
 // a misspelled key, the nearest one. Whether types, parameters and ports exist is found out by
 // BuildGraph.
-Agent ReadAgent(const std::filesystem::path& file);
+//
+// `robot_folder`: where files include the robot's agents from: "ppo" is ppo.agent.toml there.
+Agent ReadAgent(const std::filesystem::path& file, const std::filesystem::path& robot_folder);
+
+// Of an agent that comes with a robot: NAME.agent.toml beside its description.
+constexpr std::string_view kAgentEnding = ".agent.toml";
+// Whether this names a file, and not one of the robot's agents.
+bool IsAgentFile(const std::string& agent);
+
 // The same from a text, which cannot include; `name` stands for the file in messages.
 Agent ParseAgent(std::string_view text, const std::string& name);
 

@@ -223,13 +223,16 @@ void NameFilesFrom(const std::filesystem::path& folder, Agent& agent) {
 // Reads files one inside the other.
 class FileReader {
  public:
+  explicit FileReader(std::filesystem::path robot_folder)
+      : robot_folder_(std::move(robot_folder)) {}
+
   Agent Read(const std::filesystem::path& file) {
     const AgentReader reader(file.string());
     const toml::table root = Parse(TextOf(file), reader);
     open_.push_back(std::filesystem::weakly_canonical(file));
     Agent agent;
     for (const AgentReader::Include& include : reader.ReadIncludes(root)) {
-      agent = Joined(std::move(agent), ReadIncluded(file.parent_path() / include.file, include));
+      agent = Joined(std::move(agent), ReadIncluded(FileOf(include, file.parent_path()), include));
     }
     open_.pop_back();
     Agent own = reader.Read(root);
@@ -238,6 +241,12 @@ class FileReader {
   }
 
  private:
+  std::filesystem::path FileOf(const AgentReader::Include& include,
+                               const std::filesystem::path& folder) const {
+    if (IsAgentFile(include.file)) return folder / include.file;
+    return robot_folder_ / (include.file + std::string(kAgentEnding));
+  }
+
   Agent ReadIncluded(const std::filesystem::path& file, const AgentReader::Include& include) {
     const auto is_open = std::ranges::find(open_, std::filesystem::weakly_canonical(file));
     if (is_open != open_.end()) {
@@ -257,6 +266,7 @@ class FileReader {
     throw UserError(fmt::format("{}: cannot be read: {}", file.string(), reading.problem));
   }
 
+  const std::filesystem::path robot_folder_;
   std::vector<std::filesystem::path> open_;  // those that are being read
 };
 
@@ -272,6 +282,12 @@ Agent ParseAgent(std::string_view text, const std::string& name) {
   return reader.Read(root);
 }
 
-Agent ReadAgent(const std::filesystem::path& file) { return FileReader().Read(file); }
+bool IsAgentFile(const std::string& agent) {
+  return agent.find('/') != std::string::npos || agent.ends_with(".toml");
+}
+
+Agent ReadAgent(const std::filesystem::path& file, const std::filesystem::path& robot_folder) {
+  return FileReader(robot_folder).Read(file);
+}
 
 }  // namespace runtime

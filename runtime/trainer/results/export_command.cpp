@@ -9,6 +9,7 @@
 #include "runtime/analysis/export/mcap_episode.h"
 #include "runtime/analysis/export/tensorboard.h"
 #include "runtime/trainer/commands.h"
+#include "runtime/trainer/results/motion_agent.h"
 #include "runtime/trainer/results/recorded_episode.h"
 #include "runtime/trainer/runs/many_runs.h"
 #include "runtime/training/run/run_files.h"
@@ -24,6 +25,7 @@ struct ExportOptions {
   std::filesystem::path csv;
   std::filesystem::path tensorboard;
   std::filesystem::path mcap;
+  std::filesystem::path motion;
   int64_t episode = 0;  // 0: the last that was recorded
   bool json = false;
 };
@@ -74,8 +76,11 @@ void Print(const Files& files, bool is_json) {
 }
 
 void Export(const ExportOptions& options) {
-  if (options.csv.empty() && options.tensorboard.empty() && options.mcap.empty())
-    throw CallError("say what to write: --csv FILE, --tensorboard DIR or --mcap FILE");
+  if (options.csv.empty() && options.tensorboard.empty() && options.mcap.empty() &&
+      options.motion.empty()) {
+    throw CallError(
+        "say what to write: --csv FILE, --tensorboard DIR, --mcap FILE or --motion FILE");
+  }
   if (options.episode != 0 && options.mcap.empty())
     throw CallError("--episode says which one --mcap writes, which is not given");
   Files files;
@@ -93,6 +98,10 @@ void Export(const ExportOptions& options) {
   if (!options.mcap.empty()) {
     WriteOutput(options.mcap, "the episode", ReadMcap(options.folder, options.episode));
     files.push_back(options.mcap);
+  }
+  if (!options.motion.empty()) {
+    WriteOutput(options.motion, "the agent", MotionAgent(options.folder));
+    files.push_back(options.motion);
   }
   Print(files, options.json);
 }
@@ -115,6 +124,10 @@ void AddExportCommand(command_line::Command& program) {
   command
       .AddOption("--mcap", options->mcap,
                  "write a recorded episode of the run as MCAP, for Foxglove and others")
+      .ValueName("FILE");
+  command
+      .AddOption("--motion", options->motion,
+                 "write an agent file that learns on top of the best motion of a motion search")
       .ValueName("FILE");
   command
       .AddOption("--episode", options->episode,

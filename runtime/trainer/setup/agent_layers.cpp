@@ -82,17 +82,25 @@ Agent ParseSetting(const std::string& setting) {
   }
 }
 
+Agent AgentLayers::Read(const std::filesystem::path& file) const {
+  return ReadAgent(file, robot_file.parent_path());
+}
+
+bool AgentLayers::IsOfRobot(const SourcePlace& place) const {
+  return std::filesystem::path(place.file).parent_path() == robot_file.parent_path();
+}
+
 void AgentLayers::AddTaskFile(const std::string& extension, Agent& merged) const {
   std::filesystem::path file = task_file;
   file.replace_extension(extension);
-  if (std::filesystem::exists(file)) merged = Changed(std::move(merged), ReadAgent(file));
+  if (std::filesystem::exists(file)) merged = Changed(std::move(merged), Read(file));
 }
 
 Agent AgentLayers::Merge() const {
-  Agent merged = ReadAgent(robot_file.parent_path() / "agent.toml");
+  Agent merged = Read(robot_file.parent_path() / "agent.toml");
   AddTaskFile(".agent.toml", merged);
   if (!agent.empty()) {
-    merged = Changed(std::move(merged), ReadAgent(FindAgentFile(agent, robot_file)));
+    merged = Changed(std::move(merged), Read(FindAgentFile(agent, robot_file)));
     if (!IsAgentFile(agent)) AddTaskFile(fmt::format(".{}.agent.toml", agent), merged);
   }
   if (!profile.empty()) {
@@ -105,7 +113,7 @@ Agent AgentLayers::Merge() const {
 }
 
 std::vector<Setting> AgentLayers::SettingsIn(const Agent& merged) const {
-  Agent changes = IsAgentFile(agent) ? ReadAgent(agent) : Agent{};
+  Agent changes = IsAgentFile(agent) ? Read(agent) : Agent{};
   for (const std::string& setting : settings) {
     changes = Joined(std::move(changes), ParseSetting(setting));
   }
@@ -114,6 +122,7 @@ std::vector<Setting> AgentLayers::SettingsIn(const Agent& merged) const {
     for (const ParameterSetting& parameter : module.parameters) {
       const ParameterSetting* value = FindParameter(merged, module.name, parameter.name);
       if (value == nullptr || value->place.ToText() != parameter.place.ToText()) continue;
+      if (IsOfRobot(parameter.place)) continue;  // included
       found.push_back(
           {module.name + "." + parameter.name, ToText(value->value), OriginOf(parameter.place)});
     }

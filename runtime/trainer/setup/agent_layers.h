@@ -26,12 +26,15 @@ struct AgentLayers {
   std::vector<std::string> settings;
 
   // Throws UserError, or CallError where there is no such agent.
+  // Throws UserError, or CallError where there is no such agent.
   Agent Merge() const;
   // What the user's file, if `agent` is one, and `settings` set, with the values of `merged`; not
   // what another layer has set differently after them.
   std::vector<Setting> SettingsIn(const Agent& merged) const;
 
  private:
+  Agent Read(const std::filesystem::path& file) const;
+  bool IsOfRobot(const SourcePlace& place) const;
   // Changes it by the file beside the task's with this extension, if it is there.
   void AddTaskFile(const std::string& extension, Agent& merged) const;
 };

@@ -7,13 +7,12 @@
 
 #include "base/command_line/command.h"
 #include "runtime/base/suggestion.h"
+#include "runtime/core/agent/agent.h"
 
 namespace runtime {
 namespace {
 
 using command_line::CallError;
-
-constexpr std::string_view kEnding = ".agent.toml";
 
 std::string FirstComment(const std::filesystem::path& file) {
   std::ifstream stream(file);
@@ -29,16 +28,12 @@ std::vector<AgentPreset> AgentPresetsOf(const std::filesystem::path& robot_file)
   std::vector<AgentPreset> presets;
   for (const auto& entry : std::filesystem::directory_iterator(robot_file.parent_path())) {
     const std::string name = entry.path().filename().string();
-    if (!name.ends_with(kEnding) || name.size() == kEnding.size()) continue;
-    presets.push_back(
-        {name.substr(0, name.size() - kEnding.size()), FirstComment(entry.path()), entry.path()});
+    if (!name.ends_with(kAgentEnding) || name.size() == kAgentEnding.size()) continue;
+    presets.push_back({name.substr(0, name.size() - kAgentEnding.size()),
+                       FirstComment(entry.path()), entry.path()});
   }
   std::ranges::sort(presets, {}, &AgentPreset::name);
   return presets;
-}
-
-bool IsAgentFile(const std::string& agent) {
-  return agent.find('/') != std::string::npos || agent.ends_with(".toml");
 }
 
 std::filesystem::path FindAgentFile(const std::string& agent,

@@ -22,7 +22,4 @@ std::vector<AgentPreset> AgentPresetsOf(const std::filesystem::path& robot_file)
 std::filesystem::path FindAgentFile(const std::string& agent,
                                     const std::filesystem::path& robot_file);
 
-// Whether it names a file and not one of the robot's agents.
-bool IsAgentFile(const std::string& agent);
-
 }  // namespace runtime

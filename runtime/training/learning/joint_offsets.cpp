@@ -44,6 +44,7 @@ void JointOffsets::Prepare() {
     low_[i] = robot_.joints[static_cast<size_t>(i)].low;
     high_[i] = robot_.joints[static_cast<size_t>(i)].high;
   }
+  offsets_.setZero(joints);
   targets_ = rest_;
   action_size_ = dof.dof();
 }
@@ -54,9 +55,14 @@ void JointOffsets::Execute(const Eigen::VectorXd& action) {
         "`{}` gets an action of {} elements, and its actions have {}: take their size from it",
         name(), action.size(), action_size_));
   }
-  mapping_.Apply(action, targets_);
-  targets_ = (rest_ + scale_ * targets_).cwiseMax(low_).cwiseMin(high_);
+  mapping_.Apply(action, offsets_);
+  offsets_ *= scale_;
+  if (!motion_.connected()) targets_ = (rest_ + offsets_).cwiseMax(low_).cwiseMin(high_);
   steps_left_ = hold_;
+}
+
+void JointOffsets::StartOfTimeStep(double) {
+  if (motion_.connected()) targets_ = (motion_() + offsets_).cwiseMax(low_).cwiseMin(high_);
 }
 
 void JointOffsets::EndOfTimeStep(double) {

@@ -10,9 +10,12 @@
 namespace runtime {
 
 // An action space whose actions are vectors: how far the joints' targets are from the robot's rest
-// pose, its first one. Each element moves a coordinate of a DoF configuration, or a joint, by
-// `scale` [rad]; targets go no farther than the joints' stops. They are held for `hold` time steps;
-// then the action is over.
+// pose, its first one, or from a motion. Each element moves a coordinate of a DoF configuration, or
+// a joint, by `scale` [rad]; targets go no farther than the joints' stops. The offsets are held for
+// `hold` time steps; then the action is over.
+//
+//   in  motion: the joints' targets that the offsets are from, in each time step; unconnected: the
+//       rest pose
 class JointOffsets : public Module {
  public:
   JointOffsets(std::string name, const Context& context);
@@ -21,6 +24,7 @@ class JointOffsets : public Module {
 
  private:
   void Execute(const Eigen::VectorXd& action);
+  void StartOfTimeStep(double time_step);
   void EndOfTimeStep(double time_step);
   const int& ActionSize();
 
@@ -37,12 +41,16 @@ class JointOffsets : public Module {
   Eigen::VectorXd rest_;
   Eigen::VectorXd low_;  // stops
   Eigen::VectorXd high_;
+  Eigen::VectorXd offsets_;
   Eigen::VectorXd targets_;
   int steps_left_ = 0;
 
+  In<Eigen::VectorXd> motion_{this, "motion", "", In<Eigen::VectorXd>::Need::kOptional};
   Out<Eigen::VectorXd> joint_targets_{this, "joint_targets", &targets_};
   Out<int> action_size_out_{this, "action_size", Bind<&JointOffsets::ActionSize>{}};
   Slot<const Eigen::VectorXd&> execute_{this, "execute", Bind<&JointOffsets::Execute>{}};
+  Slot<double> start_of_time_step_{this, "start_of_time_step",
+                                   Bind<&JointOffsets::StartOfTimeStep>{}};
   Slot<double> end_of_time_step_{this, "end_of_time_step", Bind<&JointOffsets::EndOfTimeStep>{}};
   Signal<> end_of_action_{this, "end_of_action"};
 };

@@ -3,6 +3,7 @@
 #include "runtime/training/learning/dcob.h"
 #include "runtime/training/learning/dof_state.h"
 #include "runtime/training/learning/joint_offsets.h"
+#include "runtime/training/learning/motion_generator.h"
 #include "runtime/training/learning/motion_player.h"
 #include "runtime/training/learning/motion_search.h"
 #include "runtime/training/learning/ng_net.h"
@@ -20,6 +21,7 @@ void AddLearningModules(ModuleTypes& types) {
   types.Add<PengQLambda>("PengQLambda");
   types.Add<JointOffsets>("JointOffsets");
   types.Add<Ppo>("Ppo");
+  types.Add<MotionGenerator>("MotionGenerator");
   types.Add<MotionPlayer>("MotionPlayer");
   types.Add<MotionSearch>("MotionSearch");
 }

@@ -5,6 +5,12 @@
 #include "runtime/core/module/connections.h"
 
 namespace runtime {
+namespace {
+
+const ObservedValue kPhase{
+    .name = "phase", .type = "vec2", .unit = "", .size = 2, .minimum = -1, .maximum = 1};
+
+}  // namespace
 
 Observation::Observation(std::string name, const Context& context)
     : Module(std::move(name)), robot_(this, *context.robot) {}
@@ -20,18 +26,23 @@ const ObservationLayout& Observation::Layout() {
   if (!is_of_task_) {
     robot_.RequireSensors();
     layout_ = robot_.layout();
+    of_robot_.setZero(static_cast<Eigen::Index>(layout_.size()));
   }
+  if (phase_.connected()) layout_.values.push_back(kPhase);
   values_.setZero(static_cast<Eigen::Index>(layout_.size()));
   return layout_;
 }
 
 const Eigen::VectorXd& Observation::Read() {
+  const Eigen::Index phase = phase_.connected() ? static_cast<Eigen::Index>(kPhase.size) : 0;
+  const Eigen::Index others = values_.size() - phase;
   if (is_of_task_) {
-    const std::span<const double> observed = task_().Observe();
-    values_ = Eigen::Map<const Eigen::VectorXd>(observed.data(), values_.size());
+    values_.head(others) = Eigen::VectorXd::Map(task_().Observe().data(), others);
   } else {
-    robot_.Compute(values_);
+    robot_.Compute(of_robot_);
+    values_.head(others) = of_robot_;
   }
+  if (phase > 0) values_.tail(phase) = phase_();
   return values_;
 }
 

@@ -17,6 +17,8 @@ namespace runtime {
 //   in   task: what the task that pays the learner observes
 //        one port for each of the robot's sensors that RobotObservation reads; to be connected
 //        where the task observes nothing
+//        phase: of a motion that the robot is moved by (motion_generator.h), seen beside the rest
+//        if it is connected
 //   out  observation: the vector as of now, computed each time it is read. A learner reads it when
 //        it decides: when an episode has started, when an action is over and, to value what may
 //        come next, when the episode is over; always after the task has heard of that
@@ -36,12 +38,14 @@ class Observation : public Module {
  private:
   In<TaskObservations> task_{this, "task"};
   RobotObservation robot_;
+  In<Eigen::VectorXd> phase_{this, "phase", "", In<Eigen::VectorXd>::Need::kOptional};
   Out<Eigen::VectorXd> observation_{this, "observation", Bind<&Observation::Read>{}};
   Out<ObservationLayout> layout_port_{this, "layout", Bind<&Observation::Layout>{}};
 
   ObservationLayout layout_;  // empty before it is asked for
   bool is_of_task_ = false;
   Eigen::VectorXd values_;
+  Eigen::VectorXd of_robot_;  // the part of it that shows the robot
 };
 
 }  // namespace runtime

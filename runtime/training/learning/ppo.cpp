@@ -16,6 +16,7 @@ constexpr const char* kScheduled = "scheduled";
 constexpr const char* kLearned = "learned";
 constexpr const char* kPpoFormat = "ppo_1";  // of a checkpoint
 constexpr int kLargestLayer = 4096;
+constexpr double kLargestCorrelation = 0.999;
 constexpr double kLargestNumber = 1e15;  // that is observed: its square is a float
 
 }  // namespace
@@ -61,6 +62,9 @@ Ppo::Ppo(std::string name, const Context& context)
       kLeastDeviation, kNoLimit);
   add("deviation_min", "it does not fall below this", &settings_.deviation_min, kLeastDeviation,
       kNoLimit);
+  add("noise_correlation",
+      "of what exploration adds to an action with what it added to the one before; 0: independent",
+      &noise_correlation_, 0, kLargestCorrelation);
   add("deviation_decisions", "decisions over which it is brought down, in equal steps",
       &settings_.deviation_decisions, 0, kNoLimit);
   AddCurve({"entropy", "", "of the distribution of actions", &shown_.entropy});
@@ -107,6 +111,7 @@ void Ppo::PrepareState() {
   if (state_.observation_size() == observations && state_.action_size() == actions) {
     action_.setZero(actions);
     action_out_.setZero(actions);
+    noise_.setZero(actions);
     return;
   }
   throw UserError(fmt::format(
@@ -117,6 +122,7 @@ void Ppo::PrepareState() {
 
 void Ppo::SelectFirst() {
   PrepareState();
+  if (learns_) DrawNoise(0);
   Select();
 }
 
@@ -126,17 +132,20 @@ void Ppo::Observe() {
   observation_ = observation.cwiseMax(-kLargestNumber).cwiseMin(kLargestNumber).cast<float>();
 }
 
+// Noise that is much the same for a while takes the robot to postures that independent noise does
+// not: the joints average that out (Eberhard et al., "Pink noise is all you need", 2023).
+void Ppo::DrawNoise(double correlation) {
+  const auto kept = static_cast<float>(correlation);
+  const auto fresh = static_cast<float>(std::sqrt(1 - correlation * correlation));
+  for (float& noise : noise_) noise = kept * noise + fresh * static_cast<float>(random_.Normal());
+}
+
 void Ppo::Select() {
   Observe();
   normalized_ = observation_;
   state_.Normalize(normalized_);
   action_ = state_.policy.mean.Forward(normalized_, pass_).col(0);
-  if (learns_) {
-    for (Eigen::Index i = 0; i < action_.size(); ++i) {
-      action_[i] +=
-          std::exp(state_.policy.log_deviations[i]) * static_cast<float>(random_.Normal());
-    }
-  }
+  if (learns_) action_.array() += state_.policy.log_deviations.array().exp() * noise_.array();
   action_out_ = action_.cast<double>();
   has_credit_ = learns_;
 }
@@ -147,6 +156,7 @@ void Ppo::Collect(double reward) {
 
 void Ppo::LearnAndSelect(double reward) {
   Collect(reward);
+  if (learns_) DrawNoise(noise_correlation_);
   Select();
 }
 

@@ -12,7 +12,9 @@
 namespace runtime {
 
 // Proximal policy optimization (runtime/training/learning/ppo_update.h). Actions are vectors, drawn
-// from a normal distribution whose mean is what a network makes of the observation.
+// from a normal distribution whose mean is what a network makes of the observation. What is drawn
+// may be correlated with what was drawn for the action before, of the same episode; the update
+// takes it for independent.
 //
 // The policy changes between episodes only: after the first one with which there are at least
 // `batch` decisions that were not learned from. An episode ends at once. What its last state is
@@ -50,12 +52,14 @@ class Ppo : public Learner {
   // sizes than the observation and the action.
   void PrepareState();
   void Observe();
+  void DrawNoise(double correlation);
   void Select();
   void Collect(double reward);
 
   std::vector<double> hidden_ = {64, 64};
   int batch_ = 1024;
   std::string deviation_mode_;
+  double noise_correlation_ = 0;
   PpoSettings settings_;
 
   Random random_;
@@ -67,6 +71,7 @@ class Ppo : public Learner {
   Eigen::VectorXf observation_;  // that the action was selected for
   Eigen::MatrixXf normalized_;   // the same for the network, a column
   Mlp<float>::Pass pass_;
+  Eigen::VectorXf noise_;  // of the action, in units of the deviations
   Eigen::VectorXf action_;
   Eigen::VectorXd action_out_;
   PpoFigures shown_;

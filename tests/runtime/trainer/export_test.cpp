@@ -70,7 +70,7 @@ TEST_F(ExportTest, SaysWhatIsMissing) {
   WriteRun("run");
   const ProgramResult nothing = Export({RunFolder("run")});
   EXPECT_EQ(nothing.exit_status, 2);
-  EXPECT_THAT(nothing.errors, HasSubstr("--csv FILE, --tensorboard DIR or --mcap FILE"));
+  EXPECT_THAT(nothing.errors, HasSubstr("--tensorboard DIR, --mcap FILE or --motion FILE"));
   const ProgramResult episode = Export({RunFolder("run"), "--episode", "2", "--csv", "x"});
   EXPECT_EQ(episode.exit_status, 2);
   EXPECT_EQ(Export({RunFolder("none"), "--csv", "x"}).exit_status, 1);

@@ -1,7 +1,10 @@
 // Runs of the agent `motion_search` that comes with the humanoid.
 #include <algorithm>
+#include <cmath>
+#include <fstream>
 #include <set>
 
+#include "runtime/trainer/results/motion_agent.h"
 #include "runtime/training/learning/motion_search.h"
 #include "tests/runtime/trainer/learner_run.h"
 
@@ -11,6 +14,7 @@ namespace {
 using nlohmann::json;
 using testing::Each;
 using testing::ElementsAre;
+using testing::HasSubstr;
 using testing::SizeIs;
 
 class MotionSearchRunTest : public LearnerRunTest {
@@ -81,6 +85,35 @@ TEST_F(MotionSearchRunTest, SearchesAnotherTaskAroundTheBestMotion) {
   EXPECT_EQ(CurveIn(episodes[7], "best"), episodes[7].active.episode_return);
   EXPECT_EQ(CurveIn(episodes[11], "generation"), 1);  // of 4 candidates since the swap
   ASSERT_EQ(Resume("run", 13), 0);
+}
+
+TEST_F(MotionSearchRunTest, APolicyStandsOnTheBestMotion) {
+  ASSERT_EQ(Train("run", 10), 0);
+  const std::string text = MotionAgent(Run("run"));
+  const std::filesystem::path file = Run("run").parent_path() / "on_motion.toml";
+  std::ofstream(file) << text;
+  // Without offsets it does what the search has found.
+  task().agent = file.string();
+  task().settings = {"action_space.scale=0", "action_space.hold=30", "learner.hidden=[4]"};
+  ASSERT_EQ(Train("on_motion", 2), 0);
+  const std::vector<double> found = ReturnsOf("run");
+  const size_t best = static_cast<size_t>(std::ranges::max_element(found) - found.begin());
+  // The task also pays eighths for how many episodes there have been.
+  EXPECT_NEAR(std::remainder(ReturnsOf("on_motion")[0] - found[best], 0.125), 0, 1e-12);
+  EXPECT_THAT(ReturnsOf("on_motion"), SizeIs(2));
+  EXPECT_EQ(Resume("on_motion", 3), 0);  // without that file
+}
+
+TEST_F(MotionSearchRunTest, OnlyASearchHasAMotionToStandOn) {
+  task().agent = "ppo";
+  task().settings = {"learner.hidden=[4]"};
+  ASSERT_EQ(Train("run", 1), 0);
+  try {
+    MotionAgent(Run("run"));
+    FAIL();
+  } catch (const UserError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("train one with `--agent motion_search`"));
+  }
 }
 
 }  // namespace

@@ -288,7 +288,7 @@ class IncludeTest : public testing::Test {
   }
   static std::string MistakeOf(const std::string& file) {
     try {
-      ReadAgent(file);
+      ReadAgent(file, {});
       return "";
     } catch (const UserError& error) {
       return error.what();
@@ -303,7 +303,7 @@ TEST_F(IncludeTest, BeginsWithWhatTheOtherFilesSay) {
   Write("parts/base.toml", kAgent);
   const std::string file =
       Write("mine.toml", "include = ['parts/base.toml']\n[modules.learner]\ntemperature = 9\n");
-  const Agent agent = ReadAgent(file);
+  const Agent agent = ReadAgent(file, {});
   EXPECT_EQ(Build(agent).FindAs<Learner>("learner").temperature, 9);
   EXPECT_THAT(NamesOf(agent.modules), ElementsAre("environment", "learner"));
   EXPECT_THAT(ToTomlWithPlaces(agent), testing::ContainsRegex("rates = .* # .*base.toml:11:1\n"));
@@ -313,8 +313,18 @@ TEST_F(IncludeTest, FilesThatChangeAnAgentCanIncludeOneAnother) {
   Write("warm.toml", "[modules.learner]\ntemperature = 9\n");
   const std::string file =
       Write("mine.toml", "include = ['warm.toml']\n[modules.learner]\ndiscount = 0.5\n");
-  const ModuleGraph graph = Build(Changed(ParseAgent(kAgent, "agent.toml"), ReadAgent(file)));
+  const ModuleGraph graph = Build(Changed(ParseAgent(kAgent, "agent.toml"), ReadAgent(file, {})));
   EXPECT_EQ(graph.FindAs<Learner>("learner").temperature, 9);
+  EXPECT_EQ(graph.FindAs<Learner>("learner").discount, 0.5);
+}
+
+TEST_F(IncludeTest, AgentsOfTheRobotAreIncludedByTheirNames) {
+  Write("robot/calm.agent.toml", "[modules.learner]\ntemperature = 2\n");
+  const std::string file =
+      Write("mine.toml", "include = ['calm']\n[modules.learner]\ndiscount = 0.5\n");
+  const Agent changes = ReadAgent(file, folder_ / "robot");
+  const ModuleGraph graph = Build(Changed(ParseAgent(kAgent, "agent.toml"), changes));
+  EXPECT_EQ(graph.FindAs<Learner>("learner").temperature, 2);
   EXPECT_EQ(graph.FindAs<Learner>("learner").discount, 0.5);
 }
 
@@ -333,7 +343,7 @@ TEST_F(IncludeTest, MissingFileIsNamed) {
 TEST(ReadAgent, FileThatIsNotThereIsRefused) {
   for (const std::string file : {TEST_FOLDER "/nowhere.toml", TEST_FOLDER}) {
     try {
-      ReadAgent(file);
+      ReadAgent(file, {});
       FAIL();
     } catch (const UserError& error) {
       EXPECT_THAT(error.what(), testing::StartsWith(file + ": cannot be read: "));

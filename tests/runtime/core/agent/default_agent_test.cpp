@@ -9,7 +9,7 @@
 namespace runtime {
 namespace {
 
-Agent HumanoidAgent() { return ReadAgent(ROBOTS_FOLDER "/humanoid/agent.toml"); }
+Agent HumanoidAgent() { return ReadAgent(ROBOTS_FOLDER "/humanoid/agent.toml", {}); }
 
 // What a parameter is set to, as text.
 std::string Setting(const Agent& agent, const std::string& module, const std::string& parameter) {
@@ -59,7 +59,7 @@ TEST(HumanoidAgent, CanBeChangedByTheAgentFileOfEachTask) {
   int count = 0;
   for (const auto& entry : std::filesystem::directory_iterator(TASKS_FOLDER)) {
     if (!entry.path().string().ends_with(".agent.toml")) continue;
-    const Agent changes = ReadAgent(entry.path());
+    const Agent changes = ReadAgent(entry.path(), ROBOTS_FOLDER "/humanoid");
     const Agent agent = Changed(HumanoidAgent(), changes);
     EXPECT_EQ(agent.modules.size(), HumanoidAgent().modules.size()) << entry.path();
     for (const ModuleSetting& module : changes.modules) {

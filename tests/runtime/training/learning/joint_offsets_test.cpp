@@ -20,6 +20,7 @@ class VectorCommander : public Module {
   VectorCommander() : Module("commander") {}
 
   Signal<const Eigen::VectorXd&> execute{this, "execute"};
+  Signal<double> start_of_time_step{this, "start_of_time_step"};
   Signal<double> end_of_time_step{this, "end_of_time_step"};
   In<Eigen::VectorXd> joint_targets{this, "joint_targets"};
   In<int> action_size{this, "action_size"};
@@ -135,6 +136,36 @@ TEST_F(CrouchingJointOffsetsTest, OffsetsAreFromTheRestPose) {
   commander_.execute(Eigen::VectorXd::Constant(5, 0.1));
   EXPECT_NEAR(TargetOf("left_hip_pitch"), 0.15, 1e-15);
   EXPECT_EQ(TargetOf("neck_yaw"), 0.05);
+}
+
+// Where the joints are to go without offsets.
+class MovingPose : public Module {
+ public:
+  MovingPose() : Module("motion") {}
+
+  Eigen::VectorXd targets = Eigen::VectorXd::Zero(17);
+  Out<Eigen::VectorXd> joint_targets{this, "joint_targets", &targets};
+};
+
+TEST_F(JointOffsetsTest, OffsetsAreFromAMotionInEachTimeStep) {
+  MovingPose motion;
+  Port::Connect(motion.joint_targets, offsets_.FindPort("motion"));
+  Signal<double>& start = commander_.start_of_time_step;
+  Port::Connect(start, offsets_.FindPort("start_of_time_step"));
+  Use("5");
+  commander_.execute(Eigen::VectorXd{{0.25, 0, 0, 0, 0}});
+  const size_t shoulder = *Humanoid().FindJoint("left_shoulder_pitch");
+  const size_t neck = *Humanoid().FindJoint("neck_yaw");
+  for (const double place : {0.5, -0.5}) {
+    motion.targets[shoulder] = place;
+    motion.targets[neck] = 0.125;
+    start(kStep);
+    EXPECT_EQ(TargetOf("left_shoulder_pitch"), place + 0.25);
+    EXPECT_EQ(TargetOf("neck_yaw"), 0.125);
+  }
+  motion.targets[shoulder] = 100;  // beyond its stop
+  start(kStep);
+  EXPECT_EQ(TargetOf("left_shoulder_pitch"), Humanoid().joints[shoulder].high);
 }
 
 }  // namespace

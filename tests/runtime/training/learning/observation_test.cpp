@@ -145,6 +145,36 @@ TEST_F(ObservationTest, TheRobotsJointsAreSeenFromItsFirstPose) {
   EXPECT_EQ(values[61 + 3], 0);
 }
 
+// What tells where in a motion the robot is.
+class Phase : public Module {
+ public:
+  Phase() : Module("motion") {}
+
+  Eigen::VectorXd values{{0.6, 0.8}};
+  Out<Eigen::VectorXd> phase{this, "phase", &values};
+};
+
+TEST_F(ObservationTest, ThePhaseOfAMotionIsSeenBesideTheRest) {
+  Phase motion;
+  Port::Connect(motion.phase, observation_.FindPort("phase"));
+  task_.layout = {{{.name = "a", .type = "real", .unit = "m"}}};
+  task_.numbers = {3};
+  observation_.Start();
+  EXPECT_THAT(Read(), ElementsAre(3, 0.6, 0.8));
+  EXPECT_EQ(ToText(observation_.Layout(), ""), "0       a      real [m]\n1 .. 2  phase  vec2\n");
+
+  Observation of_robot("of_robot", HumanoidContext());
+  FakeTask blind;
+  Port::Connect(blind.observations, of_robot.FindPort("task"));
+  Port::Connect(motion.phase, of_robot.FindPort("phase"));
+  sensors_.ConnectTo(of_robot);
+  of_robot.Start();
+  sensors_.flags(robot::SensorId::kContact)[kLinks - 1] = true;
+  const Eigen::VectorXd& values = of_robot.Read();
+  ASSERT_EQ(values.size(), 10 + 3 * kJoints + kLinks + 2);
+  EXPECT_EQ(values.tail(3), (Eigen::VectorXd{{1, 0.6, 0.8}}));
+}
+
 TEST_F(ObservationTest, TheLayoutIsKnownBeforeTheModuleIsStarted) {
   task_.layout = {{{.name = "a", .type = "real", .unit = ""}}};
   EXPECT_EQ(observation_.Layout().size(), 1u);

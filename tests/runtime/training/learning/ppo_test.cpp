@@ -122,6 +122,32 @@ TEST(Ppo, DeviationCanBeLearned) {
   EXPECT_GE(logs.minCoeff(), std::log(0.1f));
 }
 
+// Of the noise of the actions of one episode, one after the other; the mean of an untrained policy
+// does not change as long as the observation does not.
+TEST(Ppo, NoiseIsAsCorrelatedAsItsParameterSays) {
+  for (const double correlation : {0.0, 0.8}) {
+    PpoTrainee trainee;
+    trainee.learner().Set("noise_correlation", correlation);
+    trainee.learner().Set("batch", int64_t{1'000'000});
+    ContinuousWorld& world = trainee.world();
+    world.start_of_episode();
+    std::vector<double> actions;
+    for (int i = 0; i < 20'000; ++i) {
+      actions.push_back(world.action[0]);
+      world.end_of_action();
+    }
+    const auto count = static_cast<double>(actions.size());
+    double mean = 0, square = 0, product = 0;
+    for (const double action : actions) mean += action / count;
+    for (size_t i = 0; i < actions.size(); ++i) {
+      square += (actions[i] - mean) * (actions[i] - mean) / count;
+      if (i > 0) product += (actions[i] - mean) * (actions[i - 1] - mean) / count;
+    }
+    EXPECT_NEAR(std::sqrt(square), 0.5, 0.03) << correlation;
+    EXPECT_NEAR(product / square, correlation, 0.03);
+  }
+}
+
 TEST(Ppo, WithoutLearningActsByTheMeanAndChangesNothing) {
   PpoTrainee trainee;
   trainee.Train(6);

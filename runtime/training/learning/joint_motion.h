@@ -1,0 +1,43 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "plugins/robot/robot_description.h"
+#include "runtime/training/learning/dof_mapping.h"
+#include "runtime/training/learning/parametric_motion.h"
+
+namespace runtime {
+
+// A ParametricMotion as targets of a robot's joints: a pose, plus how far the motion moves the
+// coordinates of a DoF configuration away from it, each within its stops. Coordinates range over
+// the stops of the joint that stands for them, but not more than 2 rad to either side of their
+// center. Nothing but the constructor allocates.
+class JointMotion {
+ public:
+  JointMotion() = default;
+  JointMotion(const robot::RobotDescription& robot, robot::DofConfiguration dof,
+              const ParametricMotion::Settings& settings);
+
+  int size() const { return motion_.size(); }  // of the parameters
+  // The parameters of no motion.
+  const Eigen::VectorXd& standstill() const { return standstill_; }
+  double frequency() const { return motion_.frequency(); }
+
+  // From now on motions are about the pose with these joint angles [rad].
+  void SetPose(const Eigen::VectorXd& joint_angles);
+  void Take(const Eigen::VectorXd& parameters) { motion_.Take(parameters, rest_); }
+  // Those of the motion that was taken, at `time` [s]; `targets` has an element for each joint.
+  void ComputeTargets(double time, Eigen::VectorXd& targets);
+
+ private:
+  robot::DofConfiguration dof_;
+  DofMapping mapping_;
+  ParametricMotion motion_;
+  Eigen::VectorXd low_, high_;    // stops of the joints
+  Eigen::VectorXd pose_;          // of the joints
+  Eigen::VectorXd rest_;          // of the coordinates
+  Eigen::VectorXd displacement_;  // scratch: of the coordinates
+  Eigen::VectorXd standstill_;
+};
+
+}  // namespace runtime
