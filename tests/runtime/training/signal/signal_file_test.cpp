@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <fstream>
 #include <string>
@@ -14,7 +15,8 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-const std::string kFile = testing::TempDir() + "/signal_file_test.csv";
+// Each test is a process of its own, and several run at a time.
+const std::string kFile = testing::TempDir() + "/signal_file_test" + std::to_string(getpid());
 
 SignalFile ReadText(const std::string& text) {
   std::ofstream(kFile) << text;
@@ -60,7 +62,7 @@ TEST(SignalFile, IsARegularFileOfModerateSize) {
   std::string large = "time [s], x\n";
   for (int i = 0; i < 100'000; ++i) large += std::to_string(i) + ", 0.1234\n";
   EXPECT_THAT(MistakeIn(large), HasSubstr("has more than 1000000 bytes"));
-  const std::string pipe = testing::TempDir() + "/signal_file_test.pipe";
+  const std::string pipe = kFile + ".pipe";
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
   EXPECT_THROW(ReadSignalFile(pipe), UserError);
   std::remove(pipe.c_str());
