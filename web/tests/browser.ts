@@ -14,6 +14,8 @@ const [fullPage = "", firstPage = "", tunedPage = "", studyPage = "", probePage 
 const kBrowser = process.env["CHROMIUM"] ?? "";
 const kSoftwareGl = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
 
+const kPatience = 120_000; // [ms]: the machine may have other things to do
+
 type Check = (page: Page) => Promise<void>;
 
 /** Opens `file`, runs `check`, and fails for anything on the console and for any request. */
@@ -24,6 +26,7 @@ async function onPage(
   check: Check,
 ): Promise<void> {
   const page = await browser.newPage({ viewport: { width: 1280, height: 900 }, ...options });
+  page.setDefaultTimeout(kPatience);
   const complaints: string[] = [];
   page.on("console", (message) => {
     if (message.type() === "error") complaints.push(message.text());
