@@ -2,60 +2,82 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
+#include <functional>
+#include <limits>
+#include <map>
+#include <utility>
 
 #include "runtime/live/workers/supervisor.h"
 #include "runtime/trainer/runs/many_runs.h"
 #include "runtime/trainer/train/probe_progress.h"
+#include "runtime/trainer/train/probe_schedule.h"
 #include "runtime/training/run/run_database.h"
 
 namespace runtime {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-constexpr int64_t kFirstRound = 10;  // episodes of each search, which show how long they take
+using Folders = std::vector<std::filesystem::path>;
 
 double SecondsSince(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-// As many as the search that is furthest has.
-int64_t EpisodesDone(const std::filesystem::path& folder,
-                     const std::vector<std::filesystem::path>& runs) {
-  int64_t most = 0;
-  for (const RunProgress& run : RunsToTrain(folder, runs)) most = std::max(most, run.episodes);
-  return most;
+// Those that were to come furthest: the others were given up in a call before.
+Folders GoingOn(const std::vector<RunProgress>& runs) {
+  const int64_t most = std::ranges::max(runs, {}, &RunProgress::episodes_planned).episodes_planned;
+  Folders left;
+  for (const RunProgress& run : runs) {
+    if (run.episodes_planned == most) left.push_back(run.folder);
+  }
+  return left;
 }
 
-// Of the next round: half of those for which there is time, since episodes get longer as motions
-// get better. 0: it is not worth another round.
-int64_t NextRound(double seconds_left, double seconds_of_round, int64_t round, int64_t done) {
-  const double possible = seconds_left / seconds_of_round * static_cast<double>(round);
-  if (possible < 1 + static_cast<double>(done) / 50) return 0;
-  return std::max<int64_t>(1, std::llround(possible / 2));
+double BestReturn(const std::filesystem::path& run) {
+  double best = -std::numeric_limits<double>::infinity();
+  for (const EpisodeRecord& episode : RunDatabase::OpenToRead(run).ReadEpisodes()) {
+    const bool is_sound = episode.active.end_kind != EndKindName(EndKind::kDiverged);
+    if (is_sound) best = std::max(best, episode.active.episode_return);
+  }
+  return best;
+}
+
+// As many of them as `count` says.
+Folders BestOf(Folders runs, size_t count) {
+  if (count == runs.size()) return runs;
+  std::map<std::filesystem::path, double> best;
+  for (const std::filesystem::path& run : runs) best[run] = BestReturn(run);
+  std::ranges::stable_sort(runs, std::greater(), [&](const auto& run) { return best[run]; });
+  runs.resize(count);
+  return runs;
 }
 
 }  // namespace
 
-ProbeEnd Search(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& runs,
-                const ProbeBudget& budget, int jobs, ProgressStyle style, const StopRequest& stop) {
+ProbeEnd Search(const std::filesystem::path& folder, const Folders& runs, const ProbeBudget& budget,
+                int jobs, ProgressStyle style, const StopRequest& stop) {
   const Clock::time_point start = Clock::now();
   ProbeProgress progress(style, budget);
-  int64_t done = EpisodesDone(folder, runs);
-  int64_t round = budget.episodes > 0 ? budget.episodes - done : kFirstRound;
-  while (round > 0) {
+  const std::vector<RunProgress> before = RunsToTrain(folder, runs);
+  int64_t done = std::ranges::max(before, {}, &RunProgress::episodes).episodes;
+  Folders left = GoingOn(before);
+  ProbeSchedule schedule(budget.seconds, left.size(), left.size() < runs.size());
+  const bool is_by_episodes = budget.episodes > 0;
+  if (is_by_episodes) left = runs;
+  ProbeSchedule::Round round =
+      is_by_episodes ? ProbeSchedule::Round{budget.episodes - done, runs.size()} : schedule.First();
+  while (round.episodes > 0) {
     const Clock::time_point start_of_round = Clock::now();
-    done += round;
-    for (const std::filesystem::path& run : runs) RunDatabase::Open(run).SetEpisodesPlanned(done);
-    Supervisor supervisor(RunsToTrain(folder, runs), WordsToTrain, jobs, progress);
+    left = BestOf(std::move(left), round.searches);
+    done += round.episodes;
+    for (const auto& run : left) RunDatabase::Open(run).SetEpisodesPlanned(done);
+    Supervisor supervisor(RunsToTrain(folder, left), WordsToTrain, jobs, progress);
     progress.Follow(supervisor.runs());
     const bool are_all_finished = supervisor.Run(stop);
     progress.Erase();
     if (!are_all_finished) return stop.signal() != 0 ? ProbeEnd::kStopped : ProbeEnd::kFailed;
-    if (budget.episodes > 0) break;
-    round =
-        NextRound(budget.seconds - SecondsSince(start), SecondsSince(start_of_round), round, done);
+    if (is_by_episodes) break;
+    round = schedule.Next(SecondsSince(start), SecondsSince(start_of_round), round.episodes, done);
   }
   return ProbeEnd::kDone;
 }

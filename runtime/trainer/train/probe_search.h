@@ -1,4 +1,4 @@
-// The searches of a probe: runs that are trained side by side, always as far as each other.
+// The searches of a probe: runs that are trained side by side.
 #pragma once
 
 #include <cstdint>
@@ -17,9 +17,9 @@ struct ProbeBudget {
 
 enum class ProbeEnd { kDone, kStopped, kFailed };
 
-// Trains these runs of `folder`, `jobs` at a time. Each gets the same number of episodes, so that
-// what is found does not depend on how many run at a time: where seconds count, they are trained in
-// rounds of so many episodes that the last round ends about then.
+// Trains these runs of `folder`, `jobs` at a time. Where episodes count, each gets as many, so that
+// what is found depends neither on the machine nor on how many run at a time. Where seconds count,
+// as ProbeSchedule says; a probe that has given up searches does not take them up again.
 ProbeEnd Search(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& runs,
                 const ProbeBudget& budget, int jobs, ProgressStyle style, const StopRequest& stop);
 

@@ -86,6 +86,23 @@ TEST_F(ProbeTest, AllSearchesEndTogetherWhenTheTimeIsUp) {
   EXPECT_GE(EpisodesOf("probe/seed1"), 10u);
 }
 
+TEST_F(ProbeTest, SearchesThatWereGivenUpAreNotTakenUpAgain) {
+  const auto probe = [&](const std::string& budget, const std::string& amount) {
+    const ProgramResult result =
+        Trainer({"probe", TaskFile("leaning"), "--searches", "3", "--profile", "fast", "--out",
+                 RunFolder("probe"), budget, amount, "--quiet"});
+    EXPECT_EQ(result.exit_status, 0) << result.errors;
+  };
+  probe("--episodes", "3");
+  for (const char* run : {"probe/seed1", "probe/seed3"}) {
+    RunDatabase::Open(RunFolder(run)).SetEpisodesPlanned(4);  // as a round does
+  }
+  probe("--seconds", "1");
+  EXPECT_EQ(EpisodesOf("probe/seed2"), 3u);
+  EXPECT_GE(EpisodesOf("probe/seed1"), 13u);
+  EXPECT_EQ(EpisodesOf("probe/seed3"), EpisodesOf("probe/seed1"));
+}
+
 TEST_F(ProbeTest, CtrlCKeepsWhatWasFound) {
   ChildProcess probe([&] {
     std::vector<std::string> words = Words("probe", {"--seconds", "1000"});
