@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # From a fresh machine to a robot that has learned something: installs, builds, compiles the six
-# tasks, trains one of them for about a minute and writes a report with its curve and a replay.
+# tasks, trains one of them for about two minutes and writes a report with its curve and a replay.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -20,7 +20,7 @@ if [ -f "$run/run.db" ]; then
   build/bin/trainer resume "$run"
 else
   echo "== Training: $task"
-  build/bin/trainer train "$task" --profile fast-tree --episodes 600 --seed 1 --out "$run"
+  build/bin/trainer train "$task" --agent motion_search --profile fast-tree --episodes 1200 --seed 1 --out "$run"
 fi
 
 echo "== Writing the report"
