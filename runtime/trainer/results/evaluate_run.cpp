@@ -7,72 +7,12 @@
 #include <vector>
 
 #include "runtime/analysis/study/learning.h"
-#include "runtime/base/scratch_folder.h"
-#include "runtime/live/control/live_run.h"
-#include "runtime/trainer/runs/kept_run.h"
+#include "runtime/trainer/results/learned_run.h"
 #include "runtime/training/run/checkpoint.h"
-#include "runtime/training/run/episode.h"
 #include "runtime/training/run/return_statistics.h"
-#include "runtime/training/run/run_database.h"
 
 namespace runtime {
 namespace {
-
-// A run up to its last checkpoint. The checkpoint is read first: all that belongs to it is there by
-// then, also while the run is being trained.
-struct LearnedRun {
-  LearnedRun(const std::filesystem::path& folder, const RunDatabase& database)
-      : checkpoint(ReadCheckpoint(folder, database)), record(database.ReadRun()) {
-    std::vector<EpisodeRecord> episodes = database.ReadEpisodes();
-    std::erase_if(episodes, [&](const auto& each) { return each.number > checkpoint.episode; });
-    means = MeansAtTheEnd(record, episodes, MeanWindow(record.episodes_planned));
-  }
-
-  static Checkpoint ReadCheckpoint(const std::filesystem::path& folder,
-                                   const RunDatabase& database) {
-    std::optional<Checkpoint> checkpoint = database.ReadCheckpoint();
-    if (checkpoint) return std::move(*checkpoint);
-    throw UserError(fmt::format(
-        "{0}: this run has no checkpoint yet, and so nothing to evaluate; wait for the first one, "
-        "or continue the run with `trainer resume {0}`",
-        folder.string()));
-  }
-
-  Checkpoint checkpoint;
-  RunRecord record;
-  FinalMeans means;
-};
-
-// The learner with all that its run had learned, in the robot's environment of another profile.
-class Performer {
- public:
-  Performer(const std::filesystem::path& folder, LearnedRun& run, RunDatabase& database,
-            const std::string& profile, Progress& progress, const StopRequest& stop,
-            const ModuleTypes& types)
-      : kept_(folder, run.record, scratch_.path(), types),
-        environment_(kept_.graph.FindOnly<RobotEnvironment>()),
-        learner_(kept_.graph.FindOnly<Learner>()) {
-    environment_.Set("profile", profile);
-    kept_.graph.Start();
-    // What was changed while the run learned is changed again.
-    LiveRun changes({folder, run.record, database, kept_.graph, kept_.types, kept_.context},
-                    progress, LiveRun::WhenDone::kEnd, stop);
-    LoadModules(kept_.graph, run.checkpoint.state, changes.BeforeRestore(run.checkpoint.episode));
-    tasks_ = FindTaskModules(kept_.graph, learner_);
-    learner_.StopLearning();
-  }
-
-  EpisodeRecord RunEpisode(int64_t number, const AfterStep& after_step) {
-    return runtime::RunEpisode(number, {environment_, learner_, tasks_}, after_step);
-  }
-
- private:
-  const ScratchFolder scratch_;
-  KeptRun kept_;
-  RobotEnvironment& environment_;
-  Learner& learner_;
-  TaskModules tasks_;
-};
 
 // Fewer than planned where a stop was requested.
 std::vector<EpisodeRecord> RunEpisodes(Performer& performer, int64_t count, Progress& progress,
@@ -94,6 +34,8 @@ std::vector<EpisodeRecord> RunEpisodes(Performer& performer, int64_t count, Prog
 
 PolicyEvaluation Summary(const LearnedRun& run, const std::string& profile,
                          const std::vector<EpisodeRecord>& episodes) {
+  const FinalMeans learned =
+      MeansAtTheEnd(run.record, run.episodes, MeanWindow(run.record.episodes_planned));
   const FinalMeans means =
       MeansAtTheEnd(run.record, episodes, static_cast<int64_t>(episodes.size()));
   PolicyEvaluation evaluation{.profile = profile,
@@ -102,9 +44,9 @@ PolicyEvaluation Summary(const LearnedRun& run, const std::string& profile,
                               .checkpoint_episode = run.checkpoint.episode,
                               .checkpoint = StateHash(run.checkpoint.state),
                               .mean_return = means.episode_return,
-                              .learned_return = run.means.episode_return,
+                              .learned_return = learned.episode_return,
                               .metrics = means.metrics,
-                              .learned_metrics = run.means.metrics};
+                              .learned_metrics = learned.metrics};
   for (const EpisodeRecord& episode : episodes) {
     evaluation.returns.push_back(episode.active.episode_return);
     ++evaluation.ends[episode.active.end_kind];
@@ -139,7 +81,7 @@ std::optional<PolicyEvaluation> EvaluateRun(const std::filesystem::path& folder,
                                             const EvaluationPlan& plan, ProgressStyle style,
                                             const StopRequest& stop, const ModuleTypes& types) {
   auto database = std::make_unique<RunDatabase>(RunDatabase::OpenToRead(folder));
-  LearnedRun run(folder, *database);
+  LearnedRun run(folder, *database, "to evaluate");
   RunRecord planned = run.record;
   planned.episodes_planned = plan.episodes;
   Progress progress(style, planned, stdout, stderr);

@@ -13,6 +13,7 @@
 #include "runtime/training/learning/motion_player.h"
 #include "runtime/training/learning/motion_search.h"
 #include "runtime/training/run/checkpoint.h"
+#include "runtime/training/run/module_types.h"
 #include "runtime/training/run/run_database.h"
 
 namespace runtime {
