@@ -1,6 +1,7 @@
 #include "runtime/analysis/export/csv.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -67,6 +68,14 @@ std::string CsvOf(const std::vector<TableOfRun>& runs) {
   for (const auto& [run, table] : runs)
     AppendTable(table, names, has_many ? Quoted(run) + ',' : "", csv);
   return csv;
+}
+
+std::string CsvOf(const std::vector<std::string>& columns,
+                  const std::vector<std::vector<double>>& rows) {
+  std::string csv;
+  for (const std::string& column : columns) csv += (csv.empty() ? "" : ",") + Quoted(column);
+  for (const std::vector<double>& row : rows) csv += fmt::format("\n{}", fmt::join(row, ","));
+  return csv + '\n';
 }
 
 }  // namespace runtime

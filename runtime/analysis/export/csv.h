@@ -1,4 +1,4 @@
-// The episodes of runs as comma-separated values (RFC 4180, with lines that end as Unix' do).
+// Comma-separated values (RFC 4180, with lines that end as Unix' do).
 #pragma once
 
 #include <string>
@@ -17,5 +17,9 @@ struct TableOfRun {
 // it ended, and the columns of all tables. Numbers are the record's own, every digit of them; what
 // is not there is empty.
 std::string CsvOf(const std::vector<TableOfRun>& runs);
+
+// A line with the columns' names, then the rows, each with a number for each column.
+std::string CsvOf(const std::vector<std::string>& columns,
+                  const std::vector<std::vector<double>>& rows);
 
 }  // namespace runtime

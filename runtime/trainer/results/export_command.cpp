@@ -4,11 +4,14 @@
 #include <nlohmann/json.hpp>
 
 #include "base/text/print.h"
+#include "runtime/analysis/export/c_header.h"
 #include "runtime/analysis/export/csv.h"
 #include "runtime/analysis/export/episode_table.h"
 #include "runtime/analysis/export/mcap_episode.h"
+#include "runtime/analysis/export/onnx.h"
 #include "runtime/analysis/export/tensorboard.h"
 #include "runtime/trainer/commands.h"
+#include "runtime/trainer/results/learned_policy.h"
 #include "runtime/trainer/results/motion_agent.h"
 #include "runtime/trainer/results/recorded_episode.h"
 #include "runtime/trainer/runs/many_runs.h"
@@ -26,6 +29,9 @@ struct ExportOptions {
   std::filesystem::path tensorboard;
   std::filesystem::path mcap;
   std::filesystem::path motion;
+  std::filesystem::path onnx;
+  std::filesystem::path c_header;
+  std::filesystem::path decisions;
   int64_t episode = 0;  // 0: the last that was recorded
   bool json = false;
 };
@@ -42,16 +48,35 @@ std::vector<TableOfRun> ReadTables(const std::filesystem::path& folder) {
   return tables;
 }
 
+void Write(const std::filesystem::path& file, const char* what, const std::string& bytes,
+           Files& files) {
+  WriteOutput(file, what, bytes);
+  files.push_back(file);
+}
+
 // Each run in a folder of its own, which TensorBoard takes for the run's name.
-Files WriteEvents(const std::filesystem::path& folder, const std::vector<TableOfRun>& runs) {
-  Files files;
+void WriteEvents(const std::filesystem::path& folder, const std::vector<TableOfRun>& runs,
+                 Files& files) {
   for (const auto& [run, table] : runs) {
     const std::filesystem::path file = (folder / run / kEventFile).lexically_normal();
     MakeRunFolder(file.parent_path());
-    WriteOutput(file, "the events", TensorBoardEvents(table));
-    files.push_back(file);
+    Write(file, "the events", TensorBoardEvents(table), files);
   }
-  return files;
+}
+
+void WriteTables(const ExportOptions& options, Files& files) {
+  const std::vector<TableOfRun> runs = ReadTables(options.folder);
+  if (!options.csv.empty()) Write(options.csv, "the table", CsvOf(runs), files);
+  if (!options.tensorboard.empty()) WriteEvents(options.tensorboard, runs, files);
+}
+
+void WritePolicy(const ExportOptions& options, Files& files) {
+  LearnedPolicy policy(options.folder);
+  if (!options.onnx.empty()) Write(options.onnx, "the policy", OnnxOf(policy.exported()), files);
+  if (!options.c_header.empty())
+    Write(options.c_header, "the policy", CHeaderOf(policy.exported()), files);
+  if (!options.decisions.empty())
+    Write(options.decisions, "the decisions", policy.RunEpisode(), files);
 }
 
 std::string ReadMcap(const std::filesystem::path& folder, int64_t wanted) {
@@ -76,33 +101,23 @@ void Print(const Files& files, bool is_json) {
 }
 
 void Export(const ExportOptions& options) {
-  if (options.csv.empty() && options.tensorboard.empty() && options.mcap.empty() &&
-      options.motion.empty()) {
+  const bool wants_tables = !options.csv.empty() || !options.tensorboard.empty();
+  const bool wants_policy =
+      !options.onnx.empty() || !options.c_header.empty() || !options.decisions.empty();
+  if (!wants_tables && !wants_policy && options.mcap.empty() && options.motion.empty()) {
     throw CallError(
-        "say what to write: --csv FILE, --tensorboard DIR, --mcap FILE or --motion FILE");
+        "say what to write: --csv FILE, --tensorboard DIR, --mcap FILE, --motion FILE, "
+        "--onnx FILE, --c-header FILE or --decisions FILE");
   }
   if (options.episode != 0 && options.mcap.empty())
     throw CallError("--episode says which one --mcap writes, which is not given");
   Files files;
-  if (!options.csv.empty() || !options.tensorboard.empty()) {
-    const std::vector<TableOfRun> runs = ReadTables(options.folder);
-    if (!options.csv.empty()) {
-      WriteOutput(options.csv, "the table", CsvOf(runs));
-      files.push_back(options.csv);
-    }
-    if (!options.tensorboard.empty()) {
-      const Files events = WriteEvents(options.tensorboard, runs);
-      files.insert(files.end(), events.begin(), events.end());
-    }
-  }
-  if (!options.mcap.empty()) {
-    WriteOutput(options.mcap, "the episode", ReadMcap(options.folder, options.episode));
-    files.push_back(options.mcap);
-  }
-  if (!options.motion.empty()) {
-    WriteOutput(options.motion, "the agent", MotionAgent(options.folder));
-    files.push_back(options.motion);
-  }
+  if (wants_tables) WriteTables(options, files);
+  if (!options.mcap.empty())
+    Write(options.mcap, "the episode", ReadMcap(options.folder, options.episode), files);
+  if (!options.motion.empty())
+    Write(options.motion, "the agent", MotionAgent(options.folder), files);
+  if (wants_policy) WritePolicy(options, files);
   Print(files, options.json);
 }
 
@@ -111,7 +126,9 @@ void Export(const ExportOptions& options) {
 void AddExportCommand(command_line::Command& program) {
   const auto options = std::make_shared<ExportOptions>();
   command_line::Command& command = program.AddCommand(
-      "export", "Writes what a run has recorded for other programs: tables, TensorBoard, MCAP.");
+      "export",
+      "Writes for other programs what a run has recorded, as tables or MCAP, or what it has "
+      "learned, as ONNX or C.");
   command.AddOption("DIR", options->folder, "folder of the run, or of many runs").Required();
   command
       .AddOption("--csv", options->csv,
@@ -133,6 +150,20 @@ void AddExportCommand(command_line::Command& program) {
       .AddOption("--episode", options->episode,
                  "number of the episode for --mcap; by default the last that is recorded")
       .Positive();
+  command
+      .AddOption("--onnx", options->onnx,
+                 "write what the run has learned as an ONNX model: from what the robot observes to "
+                 "its joints' targets")
+      .ValueName("FILE");
+  command
+      .AddOption("--c-header", options->c_header,
+                 "write the same as a C header that needs no library")
+      .ValueName("FILE");
+  command
+      .AddOption("--decisions", options->decisions,
+                 "let it act for an episode, and write what it observed and did as comma-separated "
+                 "values, to check what runs elsewhere")
+      .ValueName("FILE");
   command.AddFlag("--json", options->json, "print the files' names as JSON");
   command.OnRun([options] {
     Export(*options);

@@ -46,6 +46,7 @@ void JointOffsets::Prepare() {
   }
   offsets_.setZero(joints);
   targets_ = rest_;
+  moved_joints_ = dof.representatives;
   action_size_ = dof.dof();
 }
 
@@ -63,6 +64,24 @@ void JointOffsets::Execute(const Eigen::VectorXd& action) {
 
 void JointOffsets::StartOfTimeStep(double) {
   if (motion_.connected()) targets_ = (motion_() + offsets_).cwiseMax(low_).cwiseMin(high_);
+}
+
+PolicyGraph::Value JointOffsets::AddTo(PolicyGraph& graph, PolicyGraph::Value action) const {
+  if (motion_.connected()) {
+    throw UserError(fmt::format(
+        "the policy cannot be exported: `{}` is connected, and with a motion the joints' targets "
+        "change from one time step to the next, whatever is observed",
+        motion_.full_name()));
+  }
+  std::vector<PolicyElement> elements;
+  for (const int joint : moved_joints_) {
+    elements.push_back({robot_.joints[static_cast<size_t>(joint)].name, ""});
+  }
+  graph.others.push_back({"action", action, std::move(elements)});
+  graph.time_steps = hold_;
+  const PolicyGraph::Value targets = graph.Add(PolicyGraph::Affine{
+      action, (scale_ * mapping_.factors()).cast<float>(), rest_.cast<float>()});
+  return graph.Add(PolicyGraph::Clamp{targets, low_.cast<float>(), high_.cast<float>()});
 }
 
 void JointOffsets::EndOfTimeStep(double) {

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "runtime/core/module/context.h"
 #include "runtime/core/module/module.h"
 #include "runtime/core/module/values.h"
 #include "runtime/training/learning/dof_mapping.h"
+#include "runtime/training/learning/policy_graph.h"
 
 namespace runtime {
 
@@ -16,11 +18,14 @@ namespace runtime {
 //
 //   in  motion: the joints' targets that the offsets are from, in each time step; unconnected: the
 //       rest pose
-class JointOffsets : public Module {
+class JointOffsets : public Module, public PolicyPart {
  public:
   JointOffsets(std::string name, const Context& context);
 
   void Start() override { ActionSize(); }
+
+  // Throws UserError also where the offsets are from a motion.
+  PolicyGraph::Value AddTo(PolicyGraph& graph, PolicyGraph::Value action) const override;
 
  private:
   void Execute(const Eigen::VectorXd& action);
@@ -37,6 +42,7 @@ class JointOffsets : public Module {
   double scale_ = 1;
 
   int action_size_ = 0;
+  std::vector<int> moved_joints_;  // for each element of an action the joint that stands for it
   DofMapping mapping_;
   Eigen::VectorXd rest_;
   Eigen::VectorXd low_;  // stops

@@ -45,7 +45,7 @@ const Eigen::MatrixX<Scalar>& Mlp<Scalar>::Forward(const Matrix& inputs, Pass& p
   for (size_t i = 0; i < layers_.size(); ++i) {
     Matrix& output = pass.outputs[i];
     output.noalias() = WeightsOf(layers_[i]) * *previous;
-    output.colwise() += weights_.segment(layers_[i].bias(), layers_[i].outputs);
+    output.colwise() += BiasesOf(layers_[i]);
     if (i + 1 < layers_.size()) output.array() = output.array().tanh();
     previous = &output;
   }

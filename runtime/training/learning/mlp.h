@@ -41,6 +41,11 @@ class Mlp {
   const Vector& weights() const { return weights_; }
   Vector& weights() { return weights_; }
 
+  // W_i and b_i; i counts from 0 here.
+  size_t layer_count() const { return layers_.size(); }
+  Eigen::Map<const Matrix> LayerWeights(size_t i) const { return WeightsOf(layers_[i]); }
+  Eigen::Map<const Vector> LayerBiases(size_t i) const { return BiasesOf(layers_[i]); }
+
   // y; it belongs to `pass`.
   const Matrix& Forward(const Matrix& inputs, Pass& pass) const;
   // The derivative by the weights of a loss whose derivative by y is `output_errors`. `inputs` and
@@ -58,6 +63,9 @@ class Mlp {
 
   Eigen::Map<const Matrix> WeightsOf(const Layer& layer) const {
     return {weights_.data() + layer.start, layer.outputs, layer.inputs};
+  }
+  Eigen::Map<const Vector> BiasesOf(const Layer& layer) const {
+    return {weights_.data() + layer.bias(), layer.outputs};
   }
 
   std::vector<int> sizes_;

@@ -185,6 +185,11 @@ void Ppo::Forget() {
   has_credit_ = false;
 }
 
+PolicyGraph::Value Ppo::AddTo(PolicyGraph& graph, PolicyGraph::Value observation) const {
+  if (state_.action_size() > 0) return state_.AddPolicy(graph, observation);
+  throw UserError(fmt::format("`{}` has no policy before its first episode", name()));
+}
+
 void Ppo::Save(std::ostream& out) const {
   out << kPpoFormat << ' ' << random_ << ' ' << (state_.action_size() > 0) << ' ';
   if (state_.action_size() > 0) state_.Save(out);

@@ -7,6 +7,7 @@
 #include "runtime/core/module/context.h"
 #include "runtime/core/module/values.h"
 #include "runtime/training/learning/learner.h"
+#include "runtime/training/learning/policy_graph.h"
 #include "runtime/training/learning/ppo_update.h"
 
 namespace runtime {
@@ -20,7 +21,7 @@ namespace runtime {
 // `batch` decisions that were not learned from. An episode ends at once. What its last state is
 // worth counts where a limit has cut it off, and not where it has succeeded or failed; a diverged
 // episode is not learned from at all.
-class Ppo : public Learner {
+class Ppo : public Learner, public PolicyPart {
  public:
   Ppo(std::string name, const Context& context);
 
@@ -37,6 +38,10 @@ class Ppo : public Learner {
   void Forget() override;
   // The action is the mean, and nothing is collected.
   void StopLearning() override { learns_ = false; }
+
+  // The mean action. What an observation is limited to before anything else is left out: a number
+  // as large is far beyond the limit of what is normalized.
+  PolicyGraph::Value AddTo(PolicyGraph& graph, PolicyGraph::Value observation) const override;
 
   const PpoState& state() const { return state_; }
 

@@ -71,6 +71,25 @@ void PpoState::Normalize(Eigen::Ref<Eigen::MatrixXf> matrix) const {
   }
 }
 
+PolicyGraph::Value PpoState::AddPolicy(PolicyGraph& graph, PolicyGraph::Value observation) const {
+  const Eigen::Index size = observations.size();
+  Eigen::VectorXf mean(size), factor(size);
+  for (Eigen::Index i = 0; i < size; ++i) {
+    mean[i] = static_cast<float>(observations.Mean(i));
+    factor[i] = static_cast<float>(1 / observations.Deviation(i));
+  }
+  const Eigen::VectorXf limit = Eigen::VectorXf::Constant(size, kLargestObservation);
+  PolicyGraph::Value result = graph.Add(PolicyGraph::Normalize{observation, mean, factor});
+  result = graph.Add(PolicyGraph::Clamp{result, -limit, limit});
+  const size_t layers = policy.mean.layer_count();
+  for (size_t i = 0; i < layers; ++i) {
+    result = graph.Add(
+        PolicyGraph::Affine{result, policy.mean.LayerWeights(i), policy.mean.LayerBiases(i)});
+    if (i + 1 < layers) result = graph.Add(PolicyGraph::Tanh{result});
+  }
+  return result;
+}
+
 void PpoState::Save(std::ostream& out) const {
   for (const Mlp<float>* network : {&policy.mean, &value}) {
     out << network->sizes().size() << ' ';

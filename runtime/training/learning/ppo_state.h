@@ -10,6 +10,7 @@
 #include "runtime/training/learning/adam.h"
 #include "runtime/training/learning/decision_batch.h"
 #include "runtime/training/learning/gaussian_policy.h"
+#include "runtime/training/learning/policy_graph.h"
 #include "runtime/training/learning/running_moments.h"
 
 namespace runtime {
@@ -40,6 +41,9 @@ struct PpoState {
   // An observation, or each of many, as the networks get it: measured by the moments of all that
   // were learned from, and at most 10 in size.
   void Normalize(Eigen::Ref<Eigen::MatrixXf> observations) const;
+
+  // The same, and then the mean of the policy: from an observation to an action.
+  PolicyGraph::Value AddPolicy(PolicyGraph& graph, PolicyGraph::Value observation) const;
 
   void Save(std::ostream& out) const;
   // Throws nothing: the stream has failed where it holds something else.

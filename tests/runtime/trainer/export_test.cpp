@@ -10,7 +10,8 @@ namespace {
 using testing::HasSubstr;
 using testing::StartsWith;
 
-// What is in the files is tested where they are made, and by web/tests/exports.ts.
+// What is in the files of what is recorded is tested where they are made, and by
+// web/tests/exports.ts.
 class ExportTest : public TrainerTest {
  protected:
   void WriteRun(const std::string& name) const {
@@ -70,7 +71,8 @@ TEST_F(ExportTest, SaysWhatIsMissing) {
   WriteRun("run");
   const ProgramResult nothing = Export({RunFolder("run")});
   EXPECT_EQ(nothing.exit_status, 2);
-  EXPECT_THAT(nothing.errors, HasSubstr("--tensorboard DIR, --mcap FILE or --motion FILE"));
+  EXPECT_THAT(nothing.errors,
+              HasSubstr("--mcap FILE, --motion FILE, --onnx FILE, --c-header FILE"));
   const ProgramResult episode = Export({RunFolder("run"), "--episode", "2", "--csv", "x"});
   EXPECT_EQ(episode.exit_status, 2);
   EXPECT_EQ(Export({RunFolder("none"), "--csv", "x"}).exit_status, 1);

@@ -38,5 +38,10 @@ TEST(Csv, OfManyRunsHasTheColumnsOfAll) {
   EXPECT_THAT(csv, testing::HasSubstr("\nb,2,failure,fell,2,,,,,,,,,,,,,,,,,,,,,0.25\n"));
 }
 
+TEST(Csv, OfNumbersHasThemInEveryDigit) {
+  EXPECT_EQ(CsvOf({"time [s]", "turn[0, 1]"}, {{0, 0.1}, {0.04, 1.0 / 3}}),
+            "time [s],\"turn[0, 1]\"\n0,0.1\n0.04,0.3333333333333333\n");
+}
+
 }  // namespace
 }  // namespace runtime

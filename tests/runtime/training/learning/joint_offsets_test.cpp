@@ -138,6 +138,24 @@ TEST_F(CrouchingJointOffsetsTest, OffsetsAreFromTheRestPose) {
   EXPECT_EQ(TargetOf("neck_yaw"), 0.05);
 }
 
+TEST_F(CrouchingJointOffsetsTest, SaysWhatItDoesWithAnAction) {
+  offsets_.Set("scale", 0.5);
+  offsets_.Set("hold", int64_t{3});
+  Use("5");
+  PolicyGraph graph;
+  EXPECT_EQ(offsets_.AddTo(graph, PolicyGraph::kObservation), 2u);
+  EXPECT_EQ(graph.time_steps, 3);
+  EXPECT_EQ(graph.others.at(0).name, "action");
+  EXPECT_EQ(graph.others.at(0).elements.at(0).name, "left_shoulder_pitch");
+  const auto& offsets = std::get<PolicyGraph::Affine>(graph.steps.at(0));
+  const int shoulder = *Humanoid().FindJoint("right_shoulder_pitch");
+  EXPECT_EQ(offsets.factors(shoulder, 0), 0.5f);
+  EXPECT_EQ(offsets.offsets[shoulder], 0.05f);
+  EXPECT_EQ(offsets.factors.row(*Humanoid().FindJoint("neck_yaw")).norm(), 0);
+  const auto& stops = std::get<PolicyGraph::Clamp>(graph.steps.at(1));
+  EXPECT_EQ(stops.high[shoulder], static_cast<float>(Humanoid().joints[shoulder].high));
+}
+
 // Where the joints are to go without offsets.
 class MovingPose : public Module {
  public:
@@ -166,6 +184,9 @@ TEST_F(JointOffsetsTest, OffsetsAreFromAMotionInEachTimeStep) {
   motion.targets[shoulder] = 100;  // beyond its stop
   start(kStep);
   EXPECT_EQ(TargetOf("left_shoulder_pitch"), Humanoid().joints[shoulder].high);
+  PolicyGraph graph;
+  EXPECT_THAT(UserErrorOf([&] { offsets_.AddTo(graph, PolicyGraph::kObservation); }),
+              HasSubstr("`action_space.motion` is connected"));
 }
 
 }  // namespace
