@@ -14,6 +14,8 @@ namespace {
 
 constexpr const char* kScheduled = "scheduled";
 constexpr const char* kLearned = "learned";
+constexpr const char* kKeep = "keep";  // of what belongs to a task, for the next one
+constexpr const char* kForget = "forget";
 constexpr const char* kPpoFormat = "ppo_1";  // of a checkpoint
 constexpr int kLargestLayer = 4096;
 constexpr double kLargestCorrelation = 0.999;
@@ -67,6 +69,16 @@ Ppo::Ppo(std::string name, const Context& context)
       &noise_correlation_, 0, kLargestCorrelation);
   add("deviation_decisions", "decisions over which it is brought down, in equal steps",
       &settings_.deviation_decisions, 0, kNoLimit);
+  const auto add_choice = [this](const char* parameter, const char* doc, std::string* target) {
+    *target = kKeep;
+    AddParameter({.name = parameter, .doc = doc, .target = target, .choices = {kKeep, kForget}});
+  };
+  add_choice("new_task_value", "with a swapped task: what observations are worth",
+             &new_task_value_);
+  add_choice("new_task_scale", "with a swapped task: how large rewards are", &new_task_scale_);
+  add_choice("new_task_optimizers",
+             "with a swapped task: the moments and the rate of the optimizers",
+             &new_task_optimizers_);
   AddCurve({"entropy", "", "of the distribution of actions", &shown_.entropy});
   AddCurve({"deviation", "", "standard deviation of actions", &shown_.deviation});
   AddCurve(
@@ -178,6 +190,10 @@ void Ppo::FinishEpisode() {
 void Ppo::ForgetCredit() {
   state_.batch.Clear();
   has_credit_ = false;
+  if (state_.action_size() == 0) return;
+  if (new_task_value_ == kForget) state_.ForgetValue(random_);
+  if (new_task_scale_ == kForget) state_.ForgetScale();
+  if (new_task_optimizers_ == kForget) state_.ForgetOptimizers();
 }
 
 void Ppo::Forget() {

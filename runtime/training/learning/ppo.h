@@ -33,7 +33,8 @@ class Ppo : public Learner, public PolicyPart {
 
   const double& discount() const override { return settings_.discount; }
   bool ends_at_once() const override { return true; }
-  // Decisions of another task, and the action that runs, are not learned from.
+  // Decisions of another task, and the action that runs, are not learned from. What else belongs to
+  // the task is kept or forgotten as the parameters `new_task_...` say; the policy is kept.
   void ForgetCredit() override;
   void Forget() override;
   // The action is the mean, and nothing is collected.
@@ -64,6 +65,7 @@ class Ppo : public Learner, public PolicyPart {
   std::vector<double> hidden_ = {64, 64};
   int batch_ = 1024;
   std::string deviation_mode_;
+  std::string new_task_value_, new_task_scale_, new_task_optimizers_;
   double noise_correlation_ = 0;
   PpoSettings settings_;
 

@@ -90,6 +90,20 @@ PolicyGraph::Value PpoState::AddPolicy(PolicyGraph& graph, PolicyGraph::Value ob
   return result;
 }
 
+void PpoState::ForgetValue(Random& random) {
+  value.Randomize(1, random);
+  value_optimizer = Adam<float>(value.weights().size());
+}
+
+void PpoState::ForgetScale() { returns = RunningMoments(1); }
+
+void PpoState::ForgetOptimizers() {
+  mean_optimizer = Adam<float>(policy.mean.weights().size());
+  deviation_optimizer = Adam<float>(policy.log_deviations.size());
+  value_optimizer = Adam<float>(value.weights().size());
+  rate_factor = 1;
+}
+
 void PpoState::Save(std::ostream& out) const {
   for (const Mlp<float>* network : {&policy.mean, &value}) {
     out << network->sizes().size() << ' ';

@@ -45,6 +45,12 @@ struct PpoState {
   // The same, and then the mean of the policy: from an observation to an action.
   PolicyGraph::Value AddPolicy(PolicyGraph& graph, PolicyGraph::Value observation) const;
 
+  // As before the first update, by themselves: the estimate of what observations are worth, with
+  // its optimizer; how large rewards are; the optimizers, with the learning rate.
+  void ForgetValue(Random& random);
+  void ForgetScale();
+  void ForgetOptimizers();
+
   void Save(std::ostream& out) const;
   // Throws nothing: the stream has failed where it holds something else.
   static PpoState Load(std::istream& in);

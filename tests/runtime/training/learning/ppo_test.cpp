@@ -181,6 +181,29 @@ TEST(Ppo, AnotherTaskIsNotPaidWithDecisionsOfTheOldOne) {
   EXPECT_EQ(trainee.learner().state().batch.rewards()[0], 2);
 }
 
+// Each choice forgets what it names and nothing else.
+TEST(Ppo, WhatASwappedTaskKeepsIsChosen) {
+  const auto swapped = [](const std::string& parameter) {
+    PpoTrainee trainee;
+    trainee.Train(9);
+    if (!parameter.empty()) trainee.learner().Set(parameter, std::string("forget"));
+    trainee.learner().ForgetCredit();
+    return trainee.learner().state();
+  };
+  const PpoState kept = swapped("");
+  EXPECT_GT(kept.returns.Deviation(0), 1e-3);
+  EXPECT_NE(kept.rate_factor, 1);
+  for (const std::string parameter : {"new_task_value", "new_task_scale", "new_task_optimizers"}) {
+    const PpoState state = swapped(parameter);
+    EXPECT_EQ(state.policy.mean.weights(), kept.policy.mean.weights());
+    EXPECT_EQ(state.decisions, kept.decisions);
+    EXPECT_EQ(state.value.weights() == kept.value.weights(), parameter != "new_task_value");
+    EXPECT_EQ(state.returns.Deviation(0) == kept.returns.Deviation(0),
+              parameter != "new_task_scale");
+    EXPECT_EQ(state.rate_factor == kept.rate_factor, parameter != "new_task_optimizers");
+  }
+}
+
 TEST(Ppo, ForgetsAllButTheRandomNumbers) {
   PpoTrainee trainee;
   trainee.Train(6);
