@@ -11,6 +11,7 @@
 #include "compiler/check/expressions.h"
 #include "compiler/check/names.h"
 #include "compiler/check/report.h"
+#include "compiler/check/starts.h"
 #include "compiler/check/type.h"
 
 namespace compiler {
@@ -80,6 +81,12 @@ std::optional<Range> CheckRange(const ParamOrSensor& owner, const DeclaredType& 
 // What a task declares beside the sensors of its robot must not be mistaken for one of them.
 bool IsOfRobot(const SensorDeclaration& sensor, const Identifier& robot, TaskScope& scope) {
   const std::string known = ClashWithRobots(sensor.name.text);
+  if (known.empty() && IsStartValue(sensor.name.text)) {
+    Report(scope.diagnostics, code::kSensorOfRobot, sensor.name.span,
+           fmt::format("`{}` is what a start sets of the robot", sensor.name.text),
+           {.help = "choose another name", .labels = {{robot.span, "the robot"}}});
+    return true;
+  }
   if (known.empty()) return false;
   const bool is_same = known == sensor.name.text;
   Report(

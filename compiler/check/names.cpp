@@ -196,8 +196,10 @@ std::optional<CheckedExpression> ResolveBuiltIn(const Identifier& name, const Pl
     Report(scope.diagnostics, code::kMisplacedReward, name.span,
            "`reward` is known only inside the block of an event",
            {.note = "it is the sum of the terms that this block has paid so far",
-            .help = fmt::format("add it to a `memory` there, and {} that",
-                                place.kind == Place::kObservation ? "observe" : "measure")});
+            .help = place.kind == Place::kPotential
+                        ? "a potential says how good it is to be somewhere: let it read sensors"
+                        : fmt::format("add it to a `memory` there, and {} that",
+                                      place.kind == Place::kObservation ? "observe" : "measure")});
     return std::nullopt;
   }
   if (place.has_time_step()) return CheckedExpression{name.span, real, kSecond, TimeStep{}};

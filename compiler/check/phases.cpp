@@ -126,12 +126,14 @@ CheckedStatement EndAtLimit(const CheckedPhase::Limit& limit, const CheckedTask&
 void DeclarePhases(const SyntaxTree& tree, TaskScope& scope, CheckedTask& task) {
   for (const PhaseDeclaration* phase : PhasesIn(tree)) {
     const auto first = std::ranges::find(task.phases, phase->name.text, &CheckedPhase::name);
-    if (first != task.phases.end())
+    if (first == task.phases.end()) {
+      scope.phases.push_back(phase->name.text);
+    } else {
       Report(scope.diagnostics, code::kRepeatedName, phase->name.span,
              fmt::format("there is already a phase `{}`", phase->name.text),
              {.labels = {{first->span, "first declared here"}}});
+    }
     NoteReference(phase->name, ReferenceKind::kPhase, scope);
-    scope.phases.push_back(phase->name.text);
     task.phases.push_back({.name = phase->name.text, .doc = phase->doc, .span = phase->name.span});
   }
   if (task.phases.empty()) return;

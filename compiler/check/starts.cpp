@@ -145,4 +145,9 @@ std::string ListOfStartValues() {
   return List(names);
 }
 
+bool IsStartValue(std::string_view name) {
+  return std::ranges::find(kStartValues, name, &StartValueDescription::name) !=
+         std::end(kStartValues);
+}
+
 }  // namespace compiler

@@ -70,4 +70,7 @@ void CheckStart(const SyntaxTree& tree, const robot::RobotDescription* robot, Lo
 // "`joint.angle`, ... and `base.angular_velocity`"
 std::string ListOfStartValues();
 
+// "base.yaw": is it something that a start sets?
+bool IsStartValue(std::string_view name);
+
 }  // namespace compiler

@@ -40,7 +40,7 @@ Span NameSpan(const TableColumn& column) {
   return {column.span.begin, column.span.begin + static_cast<uint32_t>(column.name.size())};
 }
 
-// The columns of a file, of which some may be nobody's.
+// The columns of a file: whether they are called as tables want them. Others may be there.
 class FileCheck {
  public:
   FileCheck(const TableDeclaration& table, const std::vector<std::string>& wanted,
@@ -56,17 +56,16 @@ class FileCheck {
       ReportChoice();
       return wanted_;
     }
-    std::vector<TableColumn> unknown;
     for (const TableColumn& column : columns_) {
       if (std::ranges::find(wanted_, column.name) != wanted_.end()) continue;
-      if (const auto nearest = NearestMissing(column.name)) {
-        ReportUnknown(column, {column.name}, DidYouMean(NameSpan(column), *nearest));
-        misspelled_.push_back(*nearest);
-      } else {
-        unknown.push_back(column);
-      }
+      const auto nearest = NearestMissing(column.name);
+      if (!nearest) continue;
+      messages_.Add(code::kBadColumn, NameSpan(column),
+                    fmt::format("no table takes the column `{}`", column.name),
+                    {.help = DidYouMean(NameSpan(column), *nearest),
+                     .labels = {{table_.name.span, "for this table"}}});
+      misspelled_.push_back(*nearest);
     }
-    if (!unknown.empty()) ReportUnknown(unknown);
     return misspelled_;
   }
 
@@ -100,20 +99,6 @@ class FileCheck {
         "a table of a single number has one column beside its argument",
         {.help = fmt::format("leave out the others, or call the column `{}`", table_.name.text),
          .labels = {{table_.name.span, "for this table"}}});
-  }
-
-  void ReportUnknown(const std::vector<TableColumn>& unknown) {
-    std::vector<std::string> names;
-    for (const TableColumn& column : unknown) names.push_back(column.name);
-    ReportUnknown(unknown.front(), names,
-                  fmt::format("the columns are {}", ListOfColumns(wanted_)));
-  }
-
-  void ReportUnknown(const TableColumn& first, const std::vector<std::string>& names, Help help) {
-    messages_.Add(code::kBadColumn, NameSpan(first),
-                  fmt::format("no table takes the column{} {}", names.size() == 1 ? "" : "s",
-                              ListOfColumns(names)),
-                  {.help = std::move(help), .labels = {{table_.name.span, "for this table"}}});
   }
 
   const TableDeclaration& table_;
