@@ -29,11 +29,6 @@ struct Callable {
   bool is_open = false;
 };
 
-// A type with a unit, as a declaration writes it: "vec3 [m/s]".
-std::string TypeText(const Type& type, const Unit& unit);
-// " m/s" or " / s", to stand behind a number; "" for a plain one.
-std::string UnitOfLiteral(const Unit& unit);
-
 class RandomExpressions {
  public:
   // Both lists may change between two expressions. Readable must be a bool, an int and a plain real

@@ -8,6 +8,7 @@
 #include "compiler/check/unit.h"
 #include "compiler/syntax/words.h"
 #include "tests/compiler/random/random_expression.h"
+#include "tests/compiler/random/random_units.h"
 
 namespace compiler {
 namespace {
