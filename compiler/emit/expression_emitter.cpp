@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/variant/overloaded.h"
+#include "compiler/check/traversal.h"
 #include "compiler/check/type.h"
 #include "compiler/emit/chain.h"
 #include "compiler/emit/lookup_tables.h"
@@ -50,6 +51,16 @@ bool IsMereRead(const CheckedExpression& expression) {
     return IsMereRead(*elements->operand);
   }
   return Operands(expression).empty() && !std::holds_alternative<FunctionCall>(expression.node);
+}
+
+// Whether it has one value in a whole callback.
+bool IsFixed(const CheckedExpression& expression) {
+  bool is_fixed = true;
+  ForEachPart(expression, [&](const CheckedExpression& part) {
+    is_fixed = is_fixed && !std::holds_alternative<MemoryRead>(part.node) &&
+               !std::holds_alternative<RewardSoFar>(part.node);
+  });
+  return is_fixed;
 }
 
 bool HasRepetition(std::vector<uint32_t> indices) {
@@ -160,22 +171,31 @@ void ExpressionEmitter::PrepareDraw(const CheckedExpression& expression, const D
   if (draw.distribution == Distribution::kChoice) NameChoice(expression, draw);
 }
 
-// The row is searched for once; rotations are computed as a whole.
+// Rotations are computed as a whole.
 void ExpressionEmitter::PrepareTable(const CheckedExpression& expression, const TableRead& read) {
-  Prepare(*read.operand, Use::kOnce);
-  const std::string place = names_.Add("place");
-  const std::string& table = values_.tables[read.table];
-  parts_.push_back(
-      fmt::format("const TablePlace {} = {};", place,
-                  TablePlaceText(table, read.repeats, Element(*read.operand, {}).text, helpers_)));
-  places_[&expression] = place;
-  helpers_.Use(Helper::kBetween);
+  const std::string place = places_[&expression] = PlaceOf(read);
   if (!IsOfQuaternions(expression.type)) return;
+  helpers_.Use(Helper::kBetween);
   const std::string name = names_.Add("part");
   parts_.push_back(Declarator(name, expression.type) + ";");
-  parts_.push_back(
-      fmt::format("{}({}, {}, {});", helpers_.Use(Helper::kReadRotations), table, place, name));
+  parts_.push_back(fmt::format("{}({}, {}, {});", helpers_.Use(Helper::kReadRotations),
+                               values_.tables[read.table].name, place, name));
   named_[&expression] = name;
+}
+
+// A place is searched for once, also for several tables with the same arguments, where nothing can
+// change it meanwhile.
+const std::string& ExpressionEmitter::PlaceOf(const TableRead& read) {
+  Prepare(*read.operand, Use::kOnce);
+  const std::string text = TablePlaceText(values_.tables[read.table].searched, read.repeats,
+                                          Element(*read.operand, {}).text, helpers_);
+  if (!IsFixed(*read.operand)) known_places_.erase(text);
+  const auto [place, is_new] = known_places_.try_emplace(text);
+  if (is_new) {
+    place->second = names_.Add("place");
+    parts_.push_back(fmt::format("const TablePlace {} = {};", place->second, text));
+  }
+  return place->second;
 }
 
 // Which value is chosen: a number, or one for each element.
@@ -406,10 +426,14 @@ CppText ExpressionEmitter::ElementOf(const Draw& node, const CheckedExpression& 
 
 CppText ExpressionEmitter::ElementOf(const TableRead& node, const CheckedExpression& expression,
                                      const Index& index) {
-  const std::string element =
-      index.variable.empty() ? std::to_string(index.number) : index.variable;
-  return CallText(helpers_.Use(Helper::kReadTable),
-                  {{values_.tables[node.table]}, {places_.at(&expression)}, {element}});
+  const LookupTable& table = values_.tables[node.table];
+  const bool is_known = index.variable.empty();
+  const std::string element = is_known ? std::to_string(index.number) : index.variable;
+  const bool is_held =
+      is_known ? table.held[index.number] : std::ranges::find(table.held, true) != table.held.end();
+  if (is_held) helpers_.Use(Helper::kBetween);
+  return CallText(helpers_.Use(is_held ? Helper::kReadHeld : Helper::kReadTable),
+                  {{table.name}, {places_.at(&expression)}, {element}});
 }
 
 CppText ExpressionEmitter::Chosen(const Draw& node, const CheckedExpression& expression,

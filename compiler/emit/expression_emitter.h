@@ -9,6 +9,7 @@
 #include <map>
 #include <string>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "compiler/check/checked_task.h"
@@ -19,11 +20,20 @@
 
 namespace compiler {
 
+// A table of the task.
+struct LookupTable {
+  std::string name;  // "table_gait"
+  // The table in which its rows are searched for: the first one with the same arguments.
+  std::string searched;
+  // Of each element: whether a value between two rows can be rounded to beyond one of them.
+  std::vector<bool> held;
+};
+
 // How C++ calls the values of a task inside one function, and the task's functions. Indexed like
 // the lists of the task, of the event, and of the function.
 struct ValueNames {
   std::vector<std::string> consts;
-  std::vector<std::string> tables;
+  std::vector<LookupTable> tables;
   std::vector<std::string> sensors;
   std::vector<std::string> params;
   std::vector<std::string> memory;  // with the struct: "memory.fallen"
@@ -34,6 +44,9 @@ struct ValueNames {
 
 class ExpressionEmitter {
  public:
+  // Places in tables that have been searched for: by their text, their names.
+  using Places = std::map<std::string, std::string>;
+
   // Refers to its arguments, which must outlive it. `names` gains those of the parts it names.
   // Operations on up to `written_out` elements are written out, those on more become loops.
   ExpressionEmitter(const ValueNames& values, UniqueNames& names, HelperSet& helpers,
@@ -49,6 +62,11 @@ class ExpressionEmitter {
 
   // Up to so many elements are written out.
   uint32_t written_out() const { return written_out_; }
+
+  // What is found in a block of C++ is known to the end of this block: whoever closes it sets back
+  // what was known where it began.
+  const Places& known_places() const { return known_places_; }
+  void set_known_places(Places places) { known_places_ = std::move(places); }
 
   // The lines that have to stand before the texts emitted since the last call.
   std::vector<std::string> TakeParts();
@@ -69,6 +87,7 @@ class ExpressionEmitter {
   void PrepareCall(const CheckedExpression& expression, const FunctionCall& call);
   void PrepareDraw(const CheckedExpression& expression, const Draw& draw);
   void PrepareTable(const CheckedExpression& expression, const TableRead& read);
+  const std::string& PlaceOf(const TableRead& read);
   void NameChoice(const CheckedExpression& expression, const Draw& draw);
   void NameValue(const CheckedExpression& expression);
   void NameResult(const CheckedExpression& expression, const FunctionCall& call);
@@ -110,6 +129,7 @@ class ExpressionEmitter {
   std::map<std::vector<uint32_t>, std::string> tables_;  // of Elements::indices, among parts_
   // Where in its table a value is read: the name of a place.
   std::unordered_map<const CheckedExpression*, std::string> places_;
+  Places known_places_;
   // Which value a draw has chosen: a number, or an array of them.
   struct Choice {
     std::string name;

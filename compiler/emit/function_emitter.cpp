@@ -5,6 +5,7 @@
 
 #include "compiler/check/after_end.h"
 #include "compiler/check/memory_reset.h"
+#include "compiler/emit/lookup_tables.h"
 #include "compiler/emit/time_function_lines.h"
 #include "compiler/syntax/words.h"
 
@@ -67,10 +68,7 @@ PluginNames::PluginNames(const CheckedTask& task) {
   for (const CheckedConst& constant : task.consts) {
     consts.push_back(taken.Add("const_" + constant.name));
   }
-  for (const CheckedTable& table : task.tables) {
-    tables.push_back(taken.Add("table_" + table.name));
-    for (const char* part : {"_arguments", "_elements"}) taken.Reserve(tables.back() + part);
-  }
+  tables = NameLookupTables(task, taken);
   UniqueNames members;
   for (const CheckedMemory& variable : task.memory) memory.push_back(members.Add(variable.name));
 }
@@ -344,10 +342,12 @@ void FunctionEmitter::End() {
 // ---- Statements -----------------------------------------------------------------------------
 
 void FunctionEmitter::EmitBlock(const CheckedBlock& block) {
+  const ExpressionEmitter::Places outer = expressions_->known_places();
   for (const CheckedStatement& statement : block) {
     SourceLine line = LineOf(statement.span);
     std::visit([&](const auto& node) { Emit(node, line); }, statement.node);
   }
+  expressions_->set_known_places(outer);
 }
 
 void FunctionEmitter::Emit(const CheckedLet& let, SourceLine line) {
@@ -381,11 +381,13 @@ void FunctionEmitter::Emit(const CheckedAssign& assign, SourceLine line) {
 
 void FunctionEmitter::Emit(const CheckedIf& node, SourceLine line) {
   int nested = 0;  // conditions that need lines before them: an `if` inside the `else`
+  ExpressionEmitter::Places outer;
   for (size_t i = 0; i < node.branches.size(); ++i) {
     const CheckedIfBranch& branch = node.branches[i];
     SourceLine branch_line = i == 0 ? line : LineOf(branch.condition.span);
     std::string condition = expressions_->EmitScalar(branch.condition).text;
     std::vector<std::string> parts = expressions_->TakeParts();
+    if (i == 0) outer = expressions_->known_places();
     if (i > 0 && !parts.empty()) {
       writer_.Line("} else {");
       writer_.Indent();
@@ -409,6 +411,7 @@ void FunctionEmitter::Emit(const CheckedIf& node, SourceLine line) {
     writer_.Outdent();
     writer_.Line("}");
   }
+  expressions_->set_known_places(std::move(outer));
 }
 
 void FunctionEmitter::Emit(const CheckedFor& loop, SourceLine line) {

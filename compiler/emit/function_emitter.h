@@ -26,8 +26,8 @@ struct PluginNames {
   std::vector<std::string> functions;  // "fn_shape"
   std::vector<std::string> draws;      // of each goal, the function that draws it: "draw_velocity"
   std::vector<std::string> consts;     // "const_home"
-  std::vector<std::string> tables;     // "table_gait"
-  std::vector<std::string> memory;     // members of the struct
+  std::vector<LookupTable> tables;
+  std::vector<std::string> memory;  // members of the struct
 };
 
 // Whether the plugin draws in which of several poses an episode starts, and changes the pose.

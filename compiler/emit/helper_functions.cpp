@@ -145,7 +145,7 @@ struct Table {
   int rows;
   int columns;
 };
-// A row and the next one, by their first elements, and how far from one to the other.
+// A row and the next one, and how far from one to the other.
 struct TablePlace {
   int from;
   int to;
@@ -157,6 +157,7 @@ double InFirstRound(const Table& table, double argument) {
   const double first = table.arguments[0];
   const double length = table.arguments[table.rows - 1] - first;
   const double passed = argument - first;
+  if (passed >= 0 && passed < length) return first + passed;
   return first + (passed - __builtin_floor(passed / length) * length);
 })"},
     {Helper::kFindPlace, "FindPlace",
@@ -165,8 +166,7 @@ double InFirstRound(const Table& table, double argument) {
 TablePlace FindPlace(const Table& table, double argument) {
   const double* at = table.arguments;
   const int last = table.rows - 1;
-  const int columns = table.columns;
-  if (argument >= at[last]) return {last * columns, last * columns, 0};
+  if (argument >= at[last]) return {last, last, 0};
   if (!(argument > at[0])) return {0, 0, argument == argument ? 0 : argument};
   int row = (int)((argument - at[0]) / (at[last] - at[0]) * last);
   if (row >= last) row = last - 1;
@@ -181,7 +181,7 @@ TablePlace FindPlace(const Table& table, double argument) {
       }
     }
   }
-  return {row * columns, (row + 1) * columns, (argument - at[row]) / (at[row + 1] - at[row])};
+  return {row, row + 1, (argument - at[row]) / (at[row + 1] - at[row])};
 })"},
     {Helper::kBetween, "Between",
      R"(// Never beyond the end, however the sum is rounded.
@@ -191,17 +191,25 @@ double Between(double from, double to, double share) {
 })"},
     {Helper::kReadTable, "ReadTable",
      R"(double ReadTable(const Table& table, const TablePlace& place, int column) {
-  return Between(table.elements[place.from + column], table.elements[place.to + column],
-                 place.share);
+  const double from = table.elements[place.from * table.columns + column];
+  const double to = table.elements[place.to * table.columns + column];
+  return from + (to - from) * place.share;
+})"},
+    {Helper::kReadHeld, "ReadHeld",
+     R"(// Of a column in which the sum would be rounded to beyond the next row.
+double ReadHeld(const Table& table, const TablePlace& place, int column) {
+  return Between(table.elements[place.from * table.columns + column],
+                 table.elements[place.to * table.columns + column], place.share);
 })"},
     {Helper::kReadRotations, "ReadRotations",
      R"(void ReadRotations(const Table& table, const TablePlace& place, double* rotations) {
+  const double* from = table.elements + place.from * table.columns;
+  const double* to = table.elements + place.to * table.columns;
   for (int i = 0; i < table.columns; i += 4) {
     double* rotation = rotations + i;
     double square = 0;
     for (int k = 0; k < 4; ++k) {
-      rotation[k] = Between(table.elements[place.from + i + k], table.elements[place.to + i + k],
-                            place.share);
+      rotation[k] = Between(from[i + k], to[i + k], place.share);
       square += rotation[k] * rotation[k];
     }
     const double length = __builtin_sqrt(square);

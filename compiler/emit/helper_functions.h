@@ -42,6 +42,7 @@ enum class Helper {
   kFindPlace,
   kBetween,
   kReadTable,
+  kReadHeld,
   kReadRotations,
   kLastGrowth,
   kCount
