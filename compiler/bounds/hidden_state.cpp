@@ -47,7 +47,7 @@ class HiddenState {
       Look({goal.memory, fmt::format("the goal `{}`", goal.name),
             fmt::format("`observe {}`", goal.name)});
     if (!task_.phases.empty()) {
-      Look({task_.phase_memory.present, "the phase", "`observe phase == NAME`, for each but one"});
+      Look({task_.phase_memory.present, "the phase", "`observe phase`"});
       Look({task_.phase_memory.time, "`phase_time`", "`observe phase_time`"});
     }
     for (const CheckedTimeFunction& function : task_.time_functions) {

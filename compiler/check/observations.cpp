@@ -6,6 +6,7 @@
 
 #include "compiler/check/expressions.h"
 #include "compiler/check/names.h"
+#include "compiler/check/phase_names.h"
 #include "compiler/check/report.h"
 
 namespace compiler {
@@ -17,7 +18,8 @@ class ObservationCheck {
 
   void Check(const ObserveDeclaration& observation) {
     CheckName(observation);
-    auto value = CheckExpression(observation.value, {Place::kObservation}, scope_);
+    auto value = PhaseFlags(observation.value, scope_);
+    if (!value) value = CheckExpression(observation.value, {Place::kObservation}, scope_);
     if (!value) {
       scope_.refused.insert(observation.name.text);
       return;

@@ -32,6 +32,19 @@ bool MayBePhaseComparison(const BinaryExpression& binary, const TaskScope& scope
   return false;
 }
 
+CheckedExpressionPtr Number(Span span, decltype(CheckedExpression::node) node) {
+  return std::make_unique<CheckedExpression>(
+      CheckedExpression{span, ScalarType(Scalar::kInt), {}, std::move(node)});
+}
+
+// `phase == lift`, with the place of each part.
+CheckedExpression Comparison(BinaryOperator op, Span span, Span present_span, uint32_t present,
+                             Span phase_span, uint32_t phase) {
+  CheckedBinary comparison{op, Number(present_span, MemoryRead{present}),
+                           Number(phase_span, Constant{static_cast<double>(phase)})};
+  return {span, ScalarType(Scalar::kBool), {}, std::move(comparison)};
+}
+
 void ReportNoPhases(Span span, const TaskScope& scope) {
   Report(scope.diagnostics, code::kNoPhases, span, "this task has no phases",
          {.help = "declare them: `phase NAME { ... }`; an episode begins in the first"});
@@ -78,13 +91,19 @@ std::optional<CheckedExpression> CheckPhaseComparison(const BinaryExpression& bi
   }
   const auto phase = FindPhase(name->name, scope);
   if (!phase) return std::nullopt;
-  const auto number = [](Span of, auto node) {
-    return std::make_unique<CheckedExpression>(
-        CheckedExpression{of, ScalarType(Scalar::kInt), {}, std::move(node)});
-  };
-  CheckedBinary comparison{binary.op, number(present.span, MemoryRead{symbol->index}),
-                           number(other.span, Constant{static_cast<double>(*phase)})};
-  return CheckedExpression{span, ScalarType(Scalar::kBool), {}, std::move(comparison)};
+  return Comparison(binary.op, span, present.span, symbol->index, other.span, *phase);
+}
+
+std::optional<CheckedExpression> PhaseFlags(const Expression& expression, const TaskScope& scope) {
+  const Symbol* symbol = scope.symbols.Find(kPhase);
+  if (symbol == nullptr || !IsPresentPhase(expression, scope)) return std::nullopt;
+  const Span span = expression.span;
+  BuiltinCall flags{Builtin::kVector, {}};
+  for (uint32_t i = 0; i < scope.phases.size(); ++i)
+    flags.arguments.push_back(std::make_unique<CheckedExpression>(
+        Comparison(BinaryOperator::kEqual, span, span, symbol->index, span, i)));
+  const auto count = static_cast<uint32_t>(scope.phases.size());
+  return CheckedExpression{span, ArrayOf(ScalarType(Scalar::kBool), count), {}, std::move(flags)};
 }
 
 void ReportPhaseAsValue(Span span, const TaskScope& scope) {

@@ -30,6 +30,10 @@ bool ComparesPhase(const BinaryExpression& binary, const TaskScope& scope);
 std::optional<CheckedExpression> CheckPhaseComparison(const BinaryExpression& binary, Span span,
                                                       const Place& place, const TaskScope& scope);
 
+// `phase` alone, as the learner sees it: a condition for each phase, in their order. Nothing where
+// it is anything else, or there are no phases.
+std::optional<CheckedExpression> PhaseFlags(const Expression& expression, const TaskScope& scope);
+
 // Reports that the present phase stands where a value is needed.
 void ReportPhaseAsValue(Span span, const TaskScope& scope);
 

@@ -7,6 +7,7 @@
 
 #include "compiler/check/expressions.h"
 #include "compiler/check/names.h"
+#include "compiler/check/phase_names.h"
 #include "compiler/check/report.h"
 #include "compiler/check/type.h"
 #include "compiler/check/written_form.h"
@@ -105,7 +106,8 @@ class TestReadCheck {
       NoteReference(name, ReferenceKind::kObservation, scope_);
     } else {
       // Its name is made of others, which tools know here as well.
-      CheckExpression(*call_.arguments[0], place_, scope_);
+      const Expression& argument = *call_.arguments[0];
+      if (!PhaseFlags(argument, scope_)) CheckExpression(argument, place_, scope_);
     }
     return {span_, observation.value.type, observation.value.unit,
             TestRead{TestRead::kObservation, index}};

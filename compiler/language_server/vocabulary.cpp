@@ -34,7 +34,7 @@ constexpr auto kDeclarations = std::to_array<ExplainedWord>({
     {"on", "What is done at an event: `on EVENT { ... }`."},
     {"phase",
      "A stretch of an episode with rewards and rules of its own: `phase NAME within 3 s else OTHER "
-     "{ ... }`. As a value the present one: `phase == NAME`."},
+     "{ ... }`. The present one: `phase == NAME`, `observe phase`."},
     {"fn", "A function: `fn NAME(ARGUMENT: TYPE) -> TYPE = VALUE`."},
     {"import",
      "Imports the functions of a library: `import \"std/gait\"`, or of a file: `import \"FILE\"`."},

@@ -303,6 +303,7 @@ class TaskWriter {
     }
     Line(fmt::format("observe {}", random_.OneOf(goals_).name));
     Line(fmt::format("observe previous({})", random_.OneOf(memory_).name));
+    if (!phases_.empty()) Line("observe phase");
   }
 
   void WritePhase(const std::string& name) {
