@@ -49,20 +49,22 @@ class Leap : public Published {
     return terms;
   }
 
+  Payments Potentials(const RobotState& state, const compiler::Instance&) const override {
+    const double up = (state.position.z() - kLow) / 0.1;
+    return {{"way", phase_ == kBend ? -up : up}};
+  }
+
  private:
   enum Phase { kBend, kPush, kFly, kLand };
 
   // Gives the phase that comes next.
   Phase StepOfPhase(const RobotState& state, Payments& terms) {
-    const double way = state.velocity.z() * kTimeStep / 0.1;
     const int feet = CountOf(state, true);
     const bool is_late = time_ > kPatience - kTimeStep / 2;
     switch (phase_) {
       case kBend:
-        terms["way"] = -way;
         return state.position.z() < kLow && feet == 2 ? kPush : kBend;
       case kPush:
-        terms["way"] = way;
         if (feet > 0 || CountOf(state, false) > 0) return is_late ? kBend : kPush;
         return kFly;
       case kFly:

@@ -67,7 +67,6 @@ class PressUp : public Published {
     const Eigen::Vector3d forward = state.orientation * Eigen::Vector3d::UnitX();
     if (forward.z() > 0.3) terms["turn"] = -5;
     const double height = state.position.z();
-    const double way = 2 * state.velocity.z() * kTimeStep / (kHigh - kLow);
     time_ += kTimeStep;
     Phase next = phase_;
     switch (phase_) {
@@ -79,7 +78,6 @@ class PressUp : public Published {
         break;
       case kUp:
       case kDown:
-        terms["way"] = phase_ == kUp ? way : -way;
         terms["straight"] = 0.5 * Straightness(state) * kTimeStep;
         if (time_ > kPatience - kTimeStep / 2) next = kLying;
         if (phase_ == kUp && height > kHigh && StandsOnSupports(state)) next = kDown;
@@ -92,6 +90,12 @@ class PressUp : public Published {
     if (next != phase_) time_ = 0;
     phase_ = next;
     return terms;
+  }
+
+  Payments Potentials(const RobotState& state, const compiler::Instance&) const override {
+    const double up = state.position.z() - kLow;
+    const double gone = phase_ == kDown ? 2 * (kHigh - kLow) - up : up;
+    return {{"way", 2 * gone / (kHigh - kLow)}};
   }
 
  private:

@@ -118,6 +118,8 @@ RobotState RandomState(std::mt19937_64& random, double time) {
   draw.Fill(state.joint_accelerations, 300);
   draw.Fill(state.torques, 1.029);
   draw.Fill(state.targets, 0.5);
+  state.wish = draw.Uniform(-0.5, 0.5);
+  draw.Fill(state.leader, 3);
   return state;
 }
 
@@ -143,8 +145,11 @@ void Sense(const RobotState& state, const taskc_plugin& plugin, compiler::Instan
       {"joint.acceleration", ListOf(state.joint_accelerations)},
       {"joint.torque", ListOf(state.torques)},
       {"joint.target", ListOf(state.targets)},
+      {"wish", {state.wish}},
+      {"leader.position", ListOf(state.leader)},
   };
   for (const taskc_sensor& sensor : std::span(plugin.sensors, plugin.sensor_count)) {
+    if (sensor.read_by == 1u << TASKC_OBSERVE) continue;
     instance.Sense(sensor.name, sensors.at(sensor.name));
   }
 }

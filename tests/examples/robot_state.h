@@ -31,6 +31,9 @@ struct RobotState {
   OfJoints joint_accelerations;
   OfJoints torques;
   OfJoints targets;
+  // What comes from outside.
+  double wish = 0;         // a speed
+  Eigen::Vector2d leader;  // a place on the ground
 
   // Whether the link touches the ground: less than 1 N is no contact.
   bool Touches(int link) const { return contact_forces.col(link).norm() > 1; }
@@ -46,7 +49,7 @@ int JointOf(const std::string& name);
 // their feet on the ground.
 RobotState RandomState(std::mt19937_64& random, double time);
 
-// Sets all sensors that the task reads.
+// Sets all sensors that the task reads, but for those that only the learner sees.
 void Sense(const RobotState& state, const taskc_plugin& plugin, compiler::Instance& instance);
 
 }  // namespace examples

@@ -44,6 +44,10 @@ class Instance {
   void SetParam(const std::string& param, double value);
   // Of the goals of the episodes that start from now on.
   void SetSeed(taskc_uint64 seed) { frame_.seed = seed; }
+  // Of the learner, for potentials.
+  void SetDiscount(double discount) { frame_.discount = discount; }
+  // How the episode has ended, for `end_of_episode`: TASKC_SUCCESS, TASKC_FAILURE, TASKC_TRUNCATED.
+  void SetOutcome(taskc_int32 outcome) { frame_.outcome = outcome; }
   void Initialize() { plugin_.initialize(&frame_); }
   // Calls one event; an event that the task does not have does nothing.
   void Fire(int event, double time_step = 0);
