@@ -28,13 +28,32 @@ OrderedJson ByName(const std::vector<Record>& records, const std::vector<double>
   return json;
 }
 
+// What the robot was told, in the order of time.
+OrderedJson GoalsJson(const Evaluation& evaluation, const TaskRecord& task) {
+  OrderedJson json = OrderedJson::array();
+  for (const GoalDraw& draw : evaluation.goals)
+    json.push_back(
+        {{"name", task.goals[draw.goal].name}, {"time", draw.time}, {"value", draw.value}});
+  return json;
+}
+
+OrderedJson PhasesJson(const Evaluation& evaluation, const TaskRecord& task) {
+  OrderedJson json = OrderedJson::object();
+  for (size_t i = 0; i < evaluation.phases.size(); ++i)
+    json[task.phases[i].name] = {{"time", evaluation.phases[i].time},
+                                 {"return", evaluation.phases[i].reward}};
+  return json;
+}
+
 OrderedJson EvaluationJson(const Evaluation& evaluation, const TaskRecord& task) {
   return {{"task", task.task},
           {"return", evaluation.episode_return},
           {"end", {{"kind", evaluation.end_kind}, {"reason", evaluation.end_reason}}},
           {"terms", ByName(task.terms, evaluation.terms)},
           {"metrics", ByName(task.metrics, evaluation.metrics)},
-          {"logs", ByName(task.logs, evaluation.logs)}};
+          {"logs", ByName(task.logs, evaluation.logs)},
+          {"goals", GoalsJson(evaluation, task)},
+          {"phases", PhasesJson(evaluation, task)}};
 }
 
 }  // namespace

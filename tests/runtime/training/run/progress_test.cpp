@@ -114,6 +114,18 @@ TEST(EpisodeJson, NamesTermsMetricsAndLogs) {
   EXPECT_FALSE(json.contains("shadows"));
 }
 
+TEST(EpisodeJson, TellsGoalsAndPhasesAsTheRecordHasThem) {
+  const auto json = nlohmann::json::parse(EpisodeJson(SampleEpisode(7), SampleRun()).dump());
+  const TaskRecord task = SampleTask();
+  ASSERT_EQ(json["goals"].size(), 2u);
+  EXPECT_EQ(json["goals"][1]["name"], task.goals[0].name);
+  EXPECT_EQ(json["goals"][1]["time"], 3.005);
+  EXPECT_EQ(json["goals"][1]["value"], (std::vector<double>{1e-9, 1.0 / 3.0}));
+  ASSERT_EQ(json["phases"].size(), 2u);
+  EXPECT_EQ(json["phases"][task.phases[1].name]["time"], 18.505);
+  EXPECT_EQ(json["phases"][task.phases[1].name]["return"], -4.0 / 3.0);
+}
+
 TEST(EpisodeJson, TellsWhatTheLearnerShows) {
   EpisodeRecord episode = SampleEpisode(7);
   episode.learner = {{"rate", 0.25}, {"loss", std::nan("")}};
