@@ -1,8 +1,8 @@
 // What a time step costs with each of the six tasks, besides physics and learning:
 //   Sensing    the sensors that the task reads at the end of every time step, out of the simulation
 //   Callback   the task's end_of_time_step on them
-// and what functions of the past, a goal and phases cost, beside the same written out with memory,
-// and what tables cost, beside the same in C++.
+// and what functions of the past, a goal, phases and potentials cost, beside the same written out
+// with memory, and what tables, observations and starts cost, beside the same in C++.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "bench/by_hand.h"
 #include "bench/motion_by_hand.h"
 #include "bench/random_motion.h"
 #include "plugins/host/task_frame.h"
@@ -87,17 +88,107 @@ void Sensing(benchmark::State& state, const char* task) {
   for (auto _ : state) scene.Sense();
 }
 
-void Callback(benchmark::State& state, const char* task) {
+void Call(benchmark::State& state, const char* task, int event, double time_step) {
   const taskc_plugin& plugin = LoadTask(task).table();
   Scene scene(plugin);
   host::TaskFrame frame(plugin);
   scene.Bind(frame);
   frame.Initialize();
-  const taskc_event_function callback = plugin.events[TASKC_END_OF_TIME_STEP];
+  frame.Call(TASKC_START_OF_EPISODE, 0);
+  const taskc_event_function callback = plugin.events[event];
   for (auto _ : state) {
     benchmark::ClobberMemory();
-    callback(frame.Next(0.005));
+    callback(frame.Next(time_step));
     benchmark::DoNotOptimize(frame.frame().reward);
+  }
+}
+
+void Callback(benchmark::State& state, const char* task) {
+  Call(state, task, TASKC_END_OF_TIME_STEP, 0.005);
+}
+
+void EndOfAction(benchmark::State& state, const char* task) {
+  Call(state, task, TASKC_END_OF_ACTION, 0);
+}
+
+const void* DataOf(const host::TaskFrame& frame, std::string_view name) {
+  const taskc_plugin& plugin = frame.plugin();
+  for (taskc_uint32 i = 0; i < plugin.sensor_count; ++i)
+    if (plugin.sensors[i].name == name) return frame.frame().sensors[i];
+  throw std::runtime_error("the task lacks a sensor");
+}
+
+const double* RealsOf(const host::TaskFrame& frame, std::string_view name) {
+  return static_cast<const double*>(DataOf(frame, name));
+}
+
+void Observe(benchmark::State& state) {
+  const taskc_plugin& plugin = LoadTask("bench/tasks/observe").table();
+  Scene scene(plugin);
+  host::TaskFrame frame(plugin);
+  scene.Bind(frame);
+  frame.Initialize();
+  for (auto _ : state) {
+    benchmark::ClobberMemory();
+    frame.Observe();
+    benchmark::DoNotOptimize(frame.observations().data());
+  }
+}
+
+void ObserveByHand(benchmark::State& state) {
+  const taskc_plugin& plugin = LoadTask("bench/tasks/observe").table();
+  Scene scene(plugin);
+  host::TaskFrame frame(plugin);
+  scene.Bind(frame);
+  const std::vector<double>& rest = Humanoid().poses[0].joint_angles;
+  const double command[] = {0.3, 0.1};
+  const ObservationByHand by_hand{
+      .orientation = RealsOf(frame, "base.orientation"),
+      .velocity = RealsOf(frame, "base.velocity"),
+      .angular_velocity = RealsOf(frame, "base.angular_velocity"),
+      .up = RealsOf(frame, "base.up"),
+      .angles = RealsOf(frame, "joint.angle"),
+      .joint_velocities = RealsOf(frame, "joint.velocity"),
+      .contacts = static_cast<const unsigned char*>(DataOf(frame, "contact")),
+      .command = command,
+      .rest = rest.data()};
+  std::vector<double> observed(plugin.observation_size);
+  for (auto _ : state) {
+    benchmark::ClobberMemory();
+    by_hand.Observe(observed.data());
+    benchmark::DoNotOptimize(observed.data());
+  }
+}
+
+// What a task draws; without what the trainer makes of it.
+void DrawStart(benchmark::State& state) {
+  host::TaskFrame frame(LoadTask("bench/tasks/drawn").table());
+  frame.Initialize();
+  taskc_uint64 seed = 0;
+  for (auto _ : state) {
+    frame.SetSeed(++seed);
+    benchmark::DoNotOptimize(frame.DrawPose());
+    frame.DrawStart();
+    benchmark::ClobberMemory();
+  }
+}
+
+void DrawStartByHand(benchmark::State& state) {
+  std::vector<double> low;
+  std::vector<double> high;
+  for (const robot::Joint& joint : Humanoid().joints) {
+    low.push_back(joint.low);
+    high.push_back(joint.high);
+  }
+  StartByHand start(1);
+  for (auto _ : state) {
+    std::vector<double> angles = Humanoid().poses[0].joint_angles;
+    double position[3] = {};
+    double velocity[3] = {};
+    double yaw = 0;
+    start.Draw(low, high, angles, position, &yaw, velocity);
+    benchmark::DoNotOptimize(angles.data());
+    benchmark::DoNotOptimize(start.pose());
   }
 }
 
@@ -108,14 +199,9 @@ void TableByHand(benchmark::State& state) {
   host::TaskFrame frame(plugin);
   scene.Bind(frame);
   static const MotionByHand motion(SOURCE_DIR "/examples/tasks/track.csv");
-  const auto sensor = [&](std::string_view name) {
-    for (taskc_uint32 i = 0; i < plugin.sensor_count; ++i)
-      if (plugin.sensors[i].name == name) return static_cast<const double*>(frame.sensor(i));
-    throw std::runtime_error("the task lacks a sensor");
-  };
-  const double* time = sensor("time");
-  const double* angles = sensor("joint.angle");
-  const double* positions = sensor("link.position");
+  const double* time = RealsOf(frame, "time");
+  const double* angles = RealsOf(frame, "joint.angle");
+  const double* positions = RealsOf(frame, "link.position");
   for (auto _ : state) {
     benchmark::ClobberMemory();
     benchmark::DoNotOptimize(0.005 * motion.Reward(*time, angles, positions));
@@ -138,6 +224,12 @@ BENCHMARK_CAPTURE(Callback, table, "bench/tasks/table");
 BENCHMARK(TableByHand);
 BENCHMARK_CAPTURE(Callback, phases, "bench/tasks/phases");
 BENCHMARK_CAPTURE(Callback, phases_by_hand, "bench/tasks/phases_by_hand");
+BENCHMARK_CAPTURE(EndOfAction, potential, "bench/tasks/potential");
+BENCHMARK_CAPTURE(EndOfAction, potential_by_hand, "bench/tasks/potential_by_hand");
+BENCHMARK(Observe);
+BENCHMARK(ObserveByHand);
+BENCHMARK(DrawStart);
+BENCHMARK(DrawStartByHand);
 
 }  // namespace
 }  // namespace runtime
