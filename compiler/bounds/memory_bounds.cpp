@@ -12,8 +12,10 @@ namespace compiler {
 namespace {
 
 // Bounds that grow are looked at again this often before they jump to the next landmark, and only
-// so many times before they jump to infinity.
+// so many times before they jump to infinity. What has jumped a few times hardly ever comes to rest
+// by itself: from then on it jumps in each round.
 constexpr int kRoundsBetweenJumps = 3;
+constexpr int kPatientJumps = 8;
 constexpr int kMostJumps = 20;
 // What jumped too far is drawn in again so often.
 constexpr int kRoundsBack = 2;
@@ -84,7 +86,8 @@ class MemoryFixpoint {
     for (int round = 1;; ++round) {
       std::vector<Box> grown = Join(memory, AfterAnyEvent(memory));
       if (grown == memory) break;
-      if (round % kRoundsBetweenJumps == 0) Jump(memory, grown, ++jumps <= kMostJumps);
+      if (jumps >= kPatientJumps || round % kRoundsBetweenJumps == 0)
+        Jump(memory, grown, ++jumps <= kMostJumps);
       memory = std::move(grown);
     }
     for (int i = 0; jumps > 0 && i < kRoundsBack; ++i) memory = AfterAnyEvent(memory);
