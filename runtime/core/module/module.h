@@ -49,6 +49,8 @@ class Module {
   virtual ~Module() = default;
 
   const std::string& name() const { return name_; }
+  // How ModuleTypes calls modules of its kind; "" for one that was not made by name.
+  const std::string& type() const { return type_; }
   // In the order of their creation.
   const std::vector<Port*>& ports() const { return ports_; }
   const std::vector<Parameter>& parameters() const { return parameters_; }
@@ -81,8 +83,10 @@ class Module {
 
  private:
   friend class Port;
+  friend class ModuleTypes;
 
   std::string name_;
+  std::string type_;
   std::vector<Port*> ports_;
   std::vector<Parameter> parameters_;
 };

@@ -76,7 +76,13 @@ std::string ReadText(std::istream& stream) {
 }  // namespace
 
 void ModuleTypes::Add(std::string type, ModuleFactory factory) {
-  factories_.insert_or_assign(std::move(type), std::move(factory));
+  ModuleFactory named = [type, made = std::move(factory)](std::string name,
+                                                          const Context& context) {
+    std::unique_ptr<Module> module = made(std::move(name), context);
+    module->type_ = type;
+    return module;
+  };
+  factories_.insert_or_assign(std::move(type), std::move(named));
 }
 
 const ModuleFactory& ModuleTypes::Find(std::string_view type) const {

@@ -3,17 +3,10 @@
 #include <cstring>
 #include <utility>
 
+#include "runtime/core/module/episode_seed.h"
+
 namespace runtime {
 namespace {
-
-// SplitMix64 (G. L. Steele and others, "Fast splittable pseudorandom number generators", 2014): no
-// two episodes have keys that look alike.
-uint64_t Mixed(uint64_t x) {
-  x += 0x9E3779B97F4A7C15;
-  x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9;
-  x = (x ^ (x >> 27)) * 0x94D049BB133111EB;
-  return x ^ (x >> 31);
-}
 
 template <class Number>
 double LoadAs(const std::byte* place) {
@@ -50,7 +43,7 @@ TaskGoals::TaskGoals(host::TaskFrame& host)
     : host_(host), goals_(host.plugin().goals, host.plugin().goal_count), counts_(goals_.size()) {}
 
 void TaskGoals::StartEpisode(uint64_t run_seed, int64_t episode) {
-  host_.SetSeed(Mixed(Mixed(run_seed) + static_cast<uint64_t>(episode)));
+  host_.SetSeed(EpisodeSeed(run_seed, episode));
   draws_.clear();
   counts_.assign(goals_.size(), 0);
   for (size_t i = 0; i < goals_.size(); ++i) {

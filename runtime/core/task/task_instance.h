@@ -93,6 +93,9 @@ class TaskInstance {
 
   const TaskPhases& phases() const { return phases_; }
 
+  // Whether an episode can depend on those before it.
+  bool remembers_episodes() const { return memory_.outlives_episodes(); }
+
   std::span<const double> term_sums() const { return host_.terms(); }
   std::span<const Incidents> faults() const { return faults_; }
   int64_t fault_count() const { return fault_count_; }
@@ -106,6 +109,9 @@ class TaskInstance {
   // memory of the run. `in_episode`: also all other memory, and what was paid, measured and logged
   // in the current episode.
   void TakeOver(const TaskInstance& old, bool in_episode);
+
+  // As if this instance had run the episodes that `other`, of the same plugin, has run.
+  void TakeOverRun(const TaskInstance& other) { memory_.TakeOver(other.memory_, false); }
 
   // The values of the params and of the variables that live as long as the run.
   void Save(std::ostream& stream) const;

@@ -43,6 +43,21 @@ void TaskMemory::TakeOver(const TaskMemory& old, bool all) {
   }
 }
 
+bool TaskMemory::outlives_episodes() const {
+  const taskc_plugin& table = host_.plugin();
+  const std::span goals(table.goals, table.goal_count);
+  const std::span starts(table.start_values, table.start_value_count);
+  return std::ranges::any_of(kept_, [&](const taskc_memory& variable) {
+    const auto is_of_goal = [&](const taskc_goal& goal) {
+      return variable.offset == goal.offset || variable.offset == goal.held_offset;
+    };
+    const auto is_of_start = [&](const taskc_start_value& value) {
+      return variable.offset == value.offset;
+    };
+    return std::ranges::none_of(goals, is_of_goal) && std::ranges::none_of(starts, is_of_start);
+  });
+}
+
 void TaskMemory::Save(std::ostream& stream) const {
   SaveNumber(stream, static_cast<uint32_t>(kept_.size()));
   for (const taskc_memory& variable : kept_) {

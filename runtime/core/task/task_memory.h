@@ -22,6 +22,10 @@ class TaskMemory {
   // as the run, or all of them.
   void TakeOver(const TaskMemory& old, bool all);
 
+  // Whether an episode can depend on those before it: whether the task itself has variables that
+  // live as long as the run, besides its goals and how it starts, which every episode draws anew.
+  bool outlives_episodes() const;
+
   // The variables that live as long as the run: the only ones that survive an episode's boundary.
   void Save(std::ostream& stream) const;
   // Takes over each variable that the task still has under the same name, type and unit; the others

@@ -96,6 +96,8 @@ class UniversalTask : public Module, public TaskObservations {
   // The previous task again; the present one becomes the previous. Throws UserError if there is
   // none.
   void Rollback(const ModuleGraph& graph);
+  // As if this module had run the episodes that `other`, which has the same task, has run.
+  void TakeOverRun(const UniversalTask& other) { instance_->TakeOverRun(*other.instance_); }
   // Null before the first swap.
   const TaskInstance* previous() const { return previous_.get(); }
   // Throws UserError before the first swap.

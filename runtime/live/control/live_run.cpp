@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "base/variant/overloaded.h"
@@ -121,6 +122,16 @@ bool LiveRun::AtSafePoint(int64_t episode, int64_t step) {
   return std::exchange(graph_has_changed_, false);
 }
 
+int64_t LiveRun::undisturbed_until() const {
+  if (counts_ || state_ == State::kPaused) return position_.episode - 1;
+  if (journal_.due().empty()) return std::numeric_limits<int64_t>::max();
+  return journal_.due().front().position().episode - 1;
+}
+
+void LiveRun::Anticipate(int64_t episode, ModuleGraph& copy) const {
+  schedules_.Anticipate(episode, copy);
+}
+
 void LiveRun::CountDown() {
   if (!counts_ || (*counts_ == StepUnit::kEpisode && position_.step != 0)) return;
   if (steps_left_-- > 0) return;
@@ -170,7 +181,9 @@ void LiveRun::NoteDone(const ChangeRecord& record) {
 void LiveRun::AfterEpisode(const EpisodeRecord& episode, const ReturnStatistics& statistics,
                            bool checkpoint_was_saved) {
   episodes_done_ = episode.number;
-  last_episode_ = episode;
+  constexpr double kKept = 0.9;
+  simulated_seconds_ = kKept * simulated_seconds_ + episode.simulated_seconds;
+  wall_seconds_ = kKept * wall_seconds_ + episode.wall_seconds;
   statistics_ = statistics;
   std::erase_if(recent_,
                 [&](const ChangeRecord& change) { return change.episode < episode.number; });

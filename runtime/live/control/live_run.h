@@ -54,6 +54,8 @@ class LiveRun : public RequestHandler, public TrainingHooks {
   std::set<std::string> BeforeRestore(int64_t episode) override;
   void AfterRestore(const ReturnStatistics& statistics) override { statistics_ = statistics; }
   bool AtSafePoint(int64_t episode, int64_t step) override;
+  int64_t undisturbed_until() const override;
+  void Anticipate(int64_t episode, ModuleGraph& copy) const override;
   void AfterEpisode(const EpisodeRecord& episode, const ReturnStatistics& statistics,
                     bool checkpoint_was_saved) override;
   void OnWarning(const std::string& text) override;
@@ -135,7 +137,9 @@ class LiveRun : public RequestHandler, public TrainingHooks {
   std::set<std::string> not_again_;   // modules that came or went with a change not done again
 
   int64_t episodes_done_ = 0;
-  EpisodeRecord last_episode_;
+  // Of simulation, in each second of the last episodes; 0 before the first one.
+  double speed() const { return wall_seconds_ > 0 ? simulated_seconds_ / wall_seconds_ : 0; }
+  double simulated_seconds_ = 0, wall_seconds_ = 0;
   ReturnStatistics statistics_;
 };
 

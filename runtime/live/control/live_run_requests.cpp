@@ -55,7 +55,6 @@ Json LiveRun::Status(const Json&) const { return StatusJson(); }
 
 Json LiveRun::StatusJson() const {
   static constexpr const char* kNames[] = {"running", "paused", "finished"};
-  const double wall = last_episode_.wall_seconds;
   return {{"run", run_.folder.string()},
           {"task", graph_.active_task().plugin().name},
           {"robot", run_.record.robot},
@@ -65,7 +64,7 @@ Json LiveRun::StatusJson() const {
           {"time", position_.step == 0 ? 0.0 : graph_.environment().time()},
           {"episodes_done", episodes_done_},
           {"episodes_planned", run_.record.episodes_planned},
-          {"speed", wall > 0 ? last_episode_.simulated_seconds / wall : 0.0},
+          {"speed", speed()},
           {"last_return", statistics_.last()},
           {"mean_return", statistics_.mean()},
           {"best_return", FiniteOrNull(statistics_.best())},

@@ -37,4 +37,17 @@ void Schedules::Apply(int64_t episode, LiveGraph& graph) {
   });
 }
 
+void Schedules::Anticipate(int64_t episode, ModuleGraph& copy) const {
+  for (const auto& [name, schedule] : schedules_) {
+    const size_t dot = name.find('.');
+    try {
+      Module& module = copy.Find(name.substr(0, dot));
+      const Parameter& parameter = module.FindParameter(name.substr(dot + 1));
+      module.Set(parameter.name, ValueFor(parameter, schedule.At(episode)));
+    } catch (const UserError&) {
+      // It has none of these values by then.
+    }
+  }
+}
+
 }  // namespace runtime

@@ -30,6 +30,10 @@ class Schedules {
   // parameter is gone, or does not take its value any more, is dropped.
   void Apply(int64_t episode, LiveGraph& graph);
 
+  // Gives the parameters of a copy of the graph the values that they will have in an episode that
+  // comes later.
+  void Anticipate(int64_t episode, ModuleGraph& copy) const;
+
   const std::map<std::string, Schedule>& all() const { return schedules_; }
 
  private:

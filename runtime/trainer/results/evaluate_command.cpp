@@ -140,7 +140,7 @@ void AddEvaluateCommand(command_line::Command& program) {
   command.AddOption("--episodes", options->plan.episodes, "how many episodes for each run")
       .Range(1, 1'000'000)
       .ShowDefault();
-  AddJobsOption(command, options->jobs, "evaluate");
+  AddJobsOption(command, options->jobs, "how many runs to evaluate at a time");
   options->output.AddTo(command, "one JSON object per episode and one per run");
   command.OnRun([options] { return Evaluate(*options); });
 }

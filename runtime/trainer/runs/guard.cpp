@@ -8,6 +8,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <climits>
@@ -189,39 +190,52 @@ bool IsCrash(const End& end) {
 
 void Say(const std::string& text) { text::Print(stderr, "warning: {}\n", text); }
 
-// Makes the run continue without what has brought its process down. Returns whether it
-// can.
-bool RemoveCause(const End& end) {
+bool RanSideBySide(const PluginWatch& watch) {
+  return std::any_of(watch.threads.begin() + 1, watch.threads.end(),
+                     [](const PluginWatch::Thread& thread) { return thread.id != 0; });
+}
+
+// Makes the run continue without what has brought its process down, or in a way in which that will
+// be found out. Returns whether it can.
+bool RemoveCause(const End& end, Pace& pace) {
   const PluginWatch& watch = shared_page->watch;
   if (watch.loading_thread != 0) {
     Say(fmt::format("{}: a task could not be loaded ({}); continuing without it", shared_page->run,
                     Reason(end)));
     return true;
   }
+  if (RanSideBySide(watch)) {
+    Say(fmt::format("{}: {}; continuing from the last checkpoint, one episode at a time",
+                    shared_page->run, Reason(end)));
+    pace = Pace::kOneAtATime;
+    return true;
+  }
+  const int64_t running = watch.threads.front().running;
   RunDatabase database = RunDatabase::Open(shared_page->run);
   // A graph that calls itself without end may fail inside of a plugin as well, and without its
   // first task the run is over: the last change is blamed first.
-  const bool is_first_task = watch.running == database.ReadRun().tasks.front().id;
-  if ((watch.running == 0 || is_first_task) && QuarantineLastChange(database, Reason(end))) {
+  const bool is_first_task = running == database.ReadRun().tasks.front().id;
+  if ((running == 0 || is_first_task) && QuarantineLastChange(database, Reason(end))) {
     Say(fmt::format(
         "{}: {}; the last change is undone, and the run continues from the last checkpoint",
         shared_page->run, Reason(end)));
     return true;
   }
-  if (watch.running == 0) return false;
-  QuarantineTask(database, watch.running, Reason(end));
+  if (running == 0) return false;
+  QuarantineTask(database, running, Reason(end));
   Say(fmt::format(
       "{}: the task `{}` has failed ({}); continuing without it from the last checkpoint",
-      shared_page->run, TaskWithId(database.ReadRun(), watch.running).task, Reason(end)));
+      shared_page->run, TaskWithId(database.ReadRun(), running).task, Reason(end)));
   return true;
 }
 
-bool CanGoOn(const End& end) {
+bool CanGoOn(const End& end, Pace& pace) {
+  pace = Pace::kAsAsked;
   const Intent intent = shared_page->intent;
   if (intent != Intent::kNone) return intent == Intent::kStartAgain;
   if (shared_page->run[0] == '\0' || !IsCrash(end)) return false;
   try {
-    return RemoveCause(end);
+    return RemoveCause(end, pace);
   } catch (const RecordError& error) {
     throw UserError(
         fmt::format("{0}: {1}, and that cannot be recorded: {2}; then `trainer resume {0}` "
@@ -286,17 +300,18 @@ int RunToTheEnd(const Work& work) {
 }  // namespace
 
 int RunGuarded(const std::function<int()>& train,
-               const std::function<int(const std::filesystem::path& run)>& again) {
+               const std::function<int(const std::filesystem::path& run, Pace pace)>& again) {
   if (IsBeingDebugged()) return train();
   shared_page = MakeSharedPage();
   bool is_child = false;
   End end = RunChild(is_child);
   if (is_child) return RunToTheEnd(train);
-  while (CanGoOn(end)) {
+  Pace pace = Pace::kAsAsked;
+  while (CanGoOn(end, pace)) {
     const std::filesystem::path run = shared_page->run;
     new (shared_page) SharedPage;
     end = RunChild(is_child);
-    if (is_child) return RunToTheEnd([&] { return again(run); });
+    if (is_child) return RunToTheEnd([&] { return again(run, pace); });
   }
   if (WasStoppedAtOnce(end) && shared_page->run[0] != '\0') SayWhatIsKept(shared_page->run);
   return StatusOf(end);

@@ -13,9 +13,13 @@ namespace runtime {
 // task goes into quarantine in the run's record and a new child runs `again`. So does one after the
 // same while a plugin was being loaded, and after StartAgain(). Any other end is the end.
 //
+// Where episodes ran side by side, it cannot be told which of them has failed: the new child then
+// repeats them one at a time, and no task goes into quarantine unless it fails there.
+//
 // A process that is being debugged is not guarded: the debugger gets the crash.
+enum class Pace { kAsAsked, kOneAtATime };
 int RunGuarded(const std::function<int()>& train,
-               const std::function<int(const std::filesystem::path& run)>& again);
+               const std::function<int(const std::filesystem::path& run, Pace pace)>& again);
 
 // In the child: the run that is being trained, from the moment on at which it could go on.
 void TellGuard(const std::filesystem::path& run);

@@ -37,9 +37,14 @@ bool LoopDetector::Stay::IsTooLong(int64_t what_now, double now) {
 }
 
 bool LoopDetector::IsLooping(const PluginWatch& watch) {
-  const int64_t call = watch.running != 0 ? watch.calls + 1 : 0;
+  bool is_call_too_long = false;
+  for (size_t i = 0; i < calls_.size(); ++i) {
+    const PluginWatch::Thread& thread = watch.threads[i];
+    const pid_t id = i == 0 ? process_ : thread.id.load();
+    const int64_t call = thread.running != 0 ? thread.calls + 1 : 0;
+    is_call_too_long |= calls_[i].IsTooLong(call, call == 0 ? 0 : CpuTime(process_, id));
+  }
   const pid_t loader = watch.loading_thread;
-  const bool is_call_too_long = call_.IsTooLong(call, CpuTime(process_, process_));
   const bool is_loading_too_long = loading_.IsTooLong(loader == 0 ? 0 : watch.loads + 1,
                                                       loader == 0 ? 0 : CpuTime(process_, loader));
   return is_call_too_long || is_loading_too_long;

@@ -3,6 +3,7 @@
 
 #include <sys/types.h>
 
+#include <array>
 #include <cstdint>
 
 #include "runtime/core/task/plugin_watch.h"
@@ -14,11 +15,11 @@ class LoopDetector {
  public:
   static constexpr double kPatience = 10;  // [s] of the thread's CPU time in one call of a plugin
 
-  // `process` runs tasks in its first thread.
+  // `process`: the one with the watch.
   explicit LoopDetector(pid_t process) : process_(process) {}
 
-  // Whether one and the same call, or the loading of one shared object, takes longer than it
-  // should.
+  // Whether one and the same call, in whatever thread, or the loading of one shared object takes
+  // longer than it should.
   bool IsLooping(const PluginWatch& watch);
 
  private:
@@ -30,7 +31,7 @@ class LoopDetector {
   };
 
   pid_t process_;
-  Stay call_;
+  std::array<Stay, PluginWatch::kMostThreads> calls_;
   Stay loading_;
 };
 

@@ -83,10 +83,8 @@ RunProgress ReadProgressOrFailure(const std::filesystem::path& run,
   }
 }
 
-void AddJobsOption(command_line::Command& command, int& jobs, const std::string& verb) {
-  command
-      .AddOption("--jobs", jobs,
-                 fmt::format("how many runs to {} at a time; by default one per core", verb))
+void AddJobsOption(command_line::Command& command, int& jobs, const std::string& what) {
+  command.AddOption("--jobs", jobs, fmt::format("{}; by default one per core", what))
       .Range(1, 1024);
 }
 
@@ -106,8 +104,12 @@ std::vector<RunProgress> RunsToTrain(const std::filesystem::path& folder,
   return found;
 }
 
-std::vector<std::string> WordsToTrain(const RunProgress& run) {
-  return {"resume", run.folder.string(), "--json"};
+WorkerWords WordsToTrain(const std::vector<RunProgress>& runs, int jobs) {
+  const auto waiting = std::ranges::count(runs, RunProgressState::kWaiting, &RunProgress::state);
+  const int64_t share = std::max<int64_t>(1, jobs / std::max<int64_t>(1, waiting));
+  return [share](const RunProgress& run) -> std::vector<std::string> {
+    return {"resume", run.folder.string(), "--json", "--jobs", std::to_string(share)};
+  };
 }
 
 int TrainRuns(const std::filesystem::path& folder, const std::vector<std::filesystem::path>& runs,
@@ -115,7 +117,9 @@ int TrainRuns(const std::filesystem::path& folder, const std::vector<std::filesy
   jobs = JobsOrCores(jobs);
   WarnOfUnfinishedRuns(folder);
   RunTablePrinter printer(output.style(), jobs, stdout, stderr);
-  Supervisor supervisor(RunsToTrain(folder, runs), WordsToTrain, jobs, printer);
+  std::vector<RunProgress> progress = RunsToTrain(folder, runs);
+  const WorkerWords words = WordsToTrain(progress, jobs);
+  Supervisor supervisor(std::move(progress), words, jobs, printer);
   printer.Follow(supervisor.runs());
   const StopRequest stop(StopRequest::Second::kIsNoted);
   const bool are_all_finished = supervisor.Run(stop);

@@ -28,16 +28,16 @@ void WarnOfUnfinishedRuns(const std::filesystem::path& folder);
 RunProgress ReadProgressOrFailure(const std::filesystem::path& run,
                                   const std::filesystem::path& folder);
 
-// --jobs, on whose help `verb` says what is done to the runs: "train"; 0 stands for as many as
-// there are cores.
-void AddJobsOption(command_line::Command& command, int& jobs, const std::string& verb);
+// --jobs; `what`: "how many runs to train at a time"; 0 stands for as many as there are cores.
+void AddJobsOption(command_line::Command& command, int& jobs, const std::string& what);
 int JobsOrCores(int jobs);
 
 // How far these runs of `folder` are; those that are not over wait.
 std::vector<RunProgress> RunsToTrain(const std::filesystem::path& folder,
                                      const std::vector<std::filesystem::path>& runs);
-// What a worker is called with that trains a run on from its last checkpoint.
-std::vector<std::string> WordsToTrain(const RunProgress& run);
+// What a worker is called with that trains a run on from its last checkpoint. Where those that wait
+// of `runs` are fewer than `jobs`, each runs several episodes at a time.
+WorkerWords WordsToTrain(const std::vector<RunProgress>& runs, int jobs);
 
 // Trains these runs of `folder` to their end, in this order, from their last checkpoints, `jobs` at
 // a time; returns the exit status.

@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <memory>
 
 #include "runtime/analysis/report/report.h"
+#include "runtime/core/task/plugin_watch.h"
 #include "runtime/live/server/server.h"
 #include "runtime/trainer/commands.h"
-#include "runtime/trainer/runs/guard.h"
+#include "runtime/trainer/runs/many_runs.h"
 #include "runtime/training/run/record_error.h"
 #include "runtime/training/run/stop_request.h"
 #include "runtime/training/run/training.h"
@@ -47,6 +49,19 @@ std::unique_ptr<Server> StartServer(const RunParts& run, const SessionOptions& o
   }
 }
 
+// Where it cannot be now, it may be once another task is there.
+void RunSideBySide(Training& training, const RunParts& run, const SessionOptions& options,
+                   Progress& progress) {
+  constexpr int kMost = PluginWatch::kMostThreads - 1;
+  const int jobs = std::min(JobsOrCores(options.jobs), kMost);
+  if (jobs == 1) return;
+  const std::string why_not = training.WhyNotSideBySide();
+  if (!why_not.empty() && options.jobs > 1) {
+    progress.Note(fmt::format("one episode at a time: {}", why_not));
+  }
+  training.RunSideBySide(jobs, run.types, run.context);
+}
+
 }  // namespace
 
 void OutputOptions::AddTo(command_line::Command& command, const std::string& objects) {
@@ -58,6 +73,12 @@ void OutputOptions::AddTo(command_line::Command& command, const std::string& obj
 ProgressStyle OutputOptions::style() const {
   if (json) return ProgressStyle::kJson;
   return quiet ? ProgressStyle::kQuiet : ProgressStyle::kText;
+}
+
+SessionOptions SessionOptions::At(Pace pace) const {
+  SessionOptions options = *this;
+  if (pace == Pace::kOneAtATime) options.jobs = 1;
+  return options;
 }
 
 void SessionOptions::AddTo(command_line::Command& command) {
@@ -76,6 +97,7 @@ int RunSession(const RunParts& run, const SessionOptions& options) {
   LiveRun live(run, progress, options.when_done, stop);
   Training training(run.graph, run.record, run.database, progress, live);
   training.Restore();
+  RunSideBySide(training, run, options, progress);
   const std::unique_ptr<Server> server = StartServer(run, options, live, progress);
   live.PublishTo(server.get());
   progress.Note(fmt::format("{}: task {}, robot {}, profile {}, seed {}, episodes {} to {}", name,

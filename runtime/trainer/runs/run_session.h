@@ -6,6 +6,7 @@
 
 #include "base/command_line/command.h"
 #include "runtime/live/control/live_run.h"
+#include "runtime/trainer/runs/guard.h"
 #include "runtime/training/run/progress.h"
 
 namespace runtime {
@@ -25,7 +26,9 @@ struct SessionOptions {
   OutputOptions output;
   uint16_t port = 0;  // on the loopback; 0: any that is free
   LiveRun::WhenDone when_done = LiveRun::WhenDone::kEnd;
+  int jobs = 0;  // episodes at a time, where the learner allows that; 0: one for each core
 
+  SessionOptions At(Pace pace) const;
   // --json, --quiet and --port
   void AddTo(command_line::Command& command);
 };

@@ -125,7 +125,7 @@ void AddProbeCommand(command_line::Command& program) {
                  "how many episodes of each search instead: then the same is found on any machine")
       .Range(1, 1'000'000'000)
       .Excludes(seconds);
-  AddJobsOption(command, options->jobs, "train");
+  AddJobsOption(command, options->jobs, "how many runs to train at a time");
   command
       .AddOption("--out", options->out,
                  "folder of the searches and the page, by default runs/probe-TASK-VERSION; a probe "

@@ -71,7 +71,9 @@ ProbeEnd Search(const std::filesystem::path& folder, const Folders& runs, const 
     left = BestOf(std::move(left), round.searches);
     done += round.episodes;
     for (const auto& run : left) RunDatabase::Open(run).SetEpisodesPlanned(done);
-    Supervisor supervisor(RunsToTrain(folder, left), WordsToTrain, jobs, progress);
+    std::vector<RunProgress> searches = RunsToTrain(folder, left);
+    const WorkerWords words = WordsToTrain(searches, jobs);
+    Supervisor supervisor(std::move(searches), words, jobs, progress);
     progress.Follow(supervisor.runs());
     const bool are_all_finished = supervisor.Run(stop);
     progress.Erase();

@@ -13,16 +13,14 @@ namespace {
 struct ResumeOptions {
   std::filesystem::path folder;
   std::optional<int64_t> episodes;
-  int jobs = 0;
   SessionOptions session;
 };
 
 int ResumeOne(const ResumeOptions& options) {
-  const auto resume = [&](std::optional<int64_t> episodes) {
-    return ResumeOneRun(options.folder, episodes, options.session);
-  };
-  return RunGuarded([&] { return resume(options.episodes); },
-                    [&](const std::filesystem::path&) { return resume(std::nullopt); });
+  return RunGuarded([&] { return ResumeOneRun(options.folder, options.episodes, options.session); },
+                    [&](const std::filesystem::path& run, Pace pace) {
+                      return ResumeOneRun(run, std::nullopt, options.session.At(pace));
+                    });
 }
 
 // In a folder of runs the new number of episodes is set first, for all of them.
@@ -38,7 +36,7 @@ int ResumeMany(const ResumeOptions& options, const std::vector<std::filesystem::
       }
     }
   }
-  return TrainRuns(options.folder, runs, options.jobs, options.session.output);
+  return TrainRuns(options.folder, runs, options.session.jobs, options.session.output);
 }
 
 int Resume(const ResumeOptions& options) {
@@ -57,7 +55,8 @@ void AddResumeCommand(command_line::Command& program) {
       .AddOption("--episodes", options->episodes,
                  "how many episodes the run is to have in total; by default as planned")
       .Range(1, 1'000'000'000);
-  AddJobsOption(command, options->jobs, "train");
+  AddJobsOption(command, options->session.jobs,
+                "how many runs to train, or episodes of one run to run, at a time");
   options->session.AddTo(command);
   command.OnRun([options] { return Resume(*options); });
 }

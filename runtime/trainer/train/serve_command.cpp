@@ -3,6 +3,7 @@
 
 #include "runtime/trainer/commands.h"
 #include "runtime/trainer/runs/guard.h"
+#include "runtime/trainer/runs/many_runs.h"
 #include "runtime/trainer/runs/one_run.h"
 #include "runtime/training/run/run_database.h"
 
@@ -17,13 +18,13 @@ struct ServeOptions {
 };
 
 int Serve(const ServeOptions& options) {
-  const auto resume = [&](const std::filesystem::path& run) {
-    return ResumeOneRun(run, std::nullopt, options.session);
+  const auto resume = [&](const std::filesystem::path& run, Pace pace) {
+    return ResumeOneRun(run, std::nullopt, options.session.At(pace));
   };
   const bool is_run = RunDatabase::Exists(options.task.task);
   return RunGuarded(
       [&] {
-        return is_run ? resume(options.task.task)
+        return is_run ? resume(options.task.task, Pace::kAsAsked)
                       : TrainOneRun(options.task, options.plan, options.out, options.session);
       },
       resume);
@@ -43,6 +44,7 @@ void AddServeCommand(command_line::Command& program) {
       .AddOption("--out", options->out,
                  "folder of a new run; by default runs/TASK-PROFILE-seedSEED")
       .ValueName("DIR");
+  AddJobsOption(command, options->session.jobs, "how many episodes to run at a time");
   options->session.AddTo(command);
   command.Footer("`trainer ctl` talks to it.");
   command.OnRun([options] { return Serve(*options); });

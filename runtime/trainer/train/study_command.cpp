@@ -64,7 +64,7 @@ void AddStudyCommand(command_line::Command& program) {
   command.AddOption("FILE", options->file, "the study, a TOML file").Required();
   command.AddOption("--out", options->out, "folder of the runs; by default runs/FILE")
       .ValueName("DIR");
-  AddJobsOption(command, options->jobs, "train");
+  AddJobsOption(command, options->jobs, "how many runs to train at a time");
   options->output.AddTo(command);
   command.OnRun([options] { return RunStudy(*options); });
 }

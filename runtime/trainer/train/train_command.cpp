@@ -17,7 +17,6 @@ struct TrainOptions {
   TaskOptions task;
   RunPlan plan;
   int64_t runs = 1;
-  int jobs = 0;  // 0: one for each core
   std::filesystem::path out;
   SessionOptions session;
 };
@@ -25,8 +24,8 @@ struct TrainOptions {
 int TrainOne(const TrainOptions& options) {
   return RunGuarded(
       [&] { return TrainOneRun(options.task, options.plan, options.out, options.session); },
-      [&](const std::filesystem::path& run) {
-        return ResumeOneRun(run, std::nullopt, options.session);
+      [&](const std::filesystem::path& run, Pace pace) {
+        return ResumeOneRun(run, std::nullopt, options.session.At(pace));
       });
 }
 
@@ -49,7 +48,7 @@ int TrainMany(const TrainOptions& options) {
   for (uint64_t seed = run.seed; seed < end; ++seed) {
     PrepareRun(SeedFolder(folder, seed), setup, run, seed);
   }
-  return TrainRuns(folder, FindRuns(folder), options.jobs, options.session.output);
+  return TrainRuns(folder, FindRuns(folder), options.session.jobs, options.session.output);
 }
 
 int Train(const TrainOptions& options) {
@@ -67,7 +66,8 @@ void AddTrainCommand(command_line::Command& program) {
   command.AddOption("--runs", options->runs, "how many runs to train, each with its own seed")
       .Range(1, 10'000)
       .ShowDefault();
-  AddJobsOption(command, options->jobs, "train");
+  AddJobsOption(command, options->session.jobs,
+                "how many runs to train, or episodes of one run to run, at a time");
   command
       .AddOption("--out", options->out,
                  "folder of the run, by default runs/TASK-PROFILE-seedSEED; of many runs, the "

@@ -48,9 +48,21 @@ void BoxSearch::Begin(const Eigen::VectorXd& start, double sigma, int population
 void BoxSearch::FindMiddle() { middle_ = search_.mean().unaryExpr(&FoldedIntoBox); }
 
 const Eigen::VectorXd& BoxSearch::Ask(const Settings& settings, Random& random) {
-  if (end_.IsReached(search_, first_sigma_, settings.least_step)) Restart(settings, random);
+  if (IsAtEnd(settings)) Restart(settings, random);
   candidate_ = search_.Ask(random).unaryExpr(&FoldedIntoBox);
   return candidate_;
+}
+
+Eigen::VectorXd BoxSearch::Foresee(Random& random) const {
+  return search_.Foresee(random).unaryExpr(&FoldedIntoBox);
+}
+
+int BoxSearch::foreseen(const Settings& settings) const {
+  return IsAtEnd(settings) ? 0 : search_.left();
+}
+
+bool BoxSearch::IsAtEnd(const Settings& settings) const {
+  return end_.IsReached(search_, first_sigma_, settings.least_step);
 }
 
 void BoxSearch::Restart(const Settings& settings, Random& random) {

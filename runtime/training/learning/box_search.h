@@ -46,6 +46,10 @@ class BoxSearch {
   // The next candidate, a place in the box, until it is told what that costs. A search that has
   // come to its end is followed by another, from somewhere in the box.
   const Eigen::VectorXd& Ask(const Settings& settings, Random& random);
+  // The same, for those that are told of before it; the search stays as it is.
+  Eigen::VectorXd Foresee(Random& random) const;
+  // How many candidates from the next one on can be foreseen; 0 where Ask() starts another search.
+  int foreseen(const Settings& settings) const;
   void Tell(double cost);
   // The costs told so far are not those of the function any more: this generation begins again.
   void ForgetCosts();
@@ -56,6 +60,7 @@ class BoxSearch {
 
  private:
   void Begin(const Eigen::VectorXd& start, double sigma, int population);
+  bool IsAtEnd(const Settings& settings) const;
   void Restart(const Settings& settings, Random& random);
   void FindMiddle();
 

@@ -58,7 +58,8 @@ void CmaEs::Allocate() {
   solver_ = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(dimensions());
   order_.resize(static_cast<size_t>(population()));
   for (Eigen::VectorXd* each :
-       {&solver_axes_, &candidate_, &mean_drawn_, &mean_step_, &rotated_, &step_}) {
+       {&solver_axes_, &mean_drawn_, &mean_step_, &rotated_, &step_, &candidate_.drawn,
+        &candidate_.step, &candidate_.rotated, &candidate_.place}) {
     each->setZero(dimensions());
   }
 }
@@ -69,14 +70,24 @@ void CmaEs::Decompose() {
   solver_axes_ = solver_.eigenvalues().cwiseMax(std::numeric_limits<double>::min()).cwiseSqrt();
 }
 
+void CmaEs::Draw(Random& random, Candidate& candidate) const {
+  for (double& each : candidate.drawn) each = random.Normal();
+  candidate.step = solver_axes_.cwiseProduct(candidate.drawn);
+  candidate.rotated.noalias() = solver_.eigenvectors() * candidate.step;
+  candidate.place = mean_ + sigma_ * candidate.rotated;
+}
+
 const Eigen::VectorXd& CmaEs::Ask(Random& random) {
-  auto drawn = drawn_.col(told_ % population());
-  for (double& each : drawn) each = random.Normal();
+  Draw(random, candidate_);
+  drawn_.col(told_ % population()) = candidate_.drawn;
   if (told_ == population()) told_ = 0;
-  step_ = solver_axes_.cwiseProduct(drawn);
-  rotated_.noalias() = solver_.eigenvectors() * step_;
-  candidate_ = mean_ + sigma_ * rotated_;
-  return candidate_;
+  return candidate_.place;
+}
+
+Eigen::VectorXd CmaEs::Foresee(Random& random) const {
+  Candidate candidate = candidate_;
+  Draw(random, candidate);
+  return candidate.place;
 }
 
 bool CmaEs::Tell(double cost) {

@@ -58,6 +58,10 @@ class CmaEs {
   // Draws the next candidate of this generation. Asked again before it is told what that one cost,
   // it draws another in its place.
   const Eigen::VectorXd& Ask(Random& random);
+  // What Ask() would draw, as long as the generation is the same.
+  Eigen::VectorXd Foresee(Random& random) const;
+  // How many candidates of this generation are still to be told of.
+  int left() const { return population() - told_ % population(); }
   // What the candidate cost that was asked for last; infinite or not a number: more than any other.
   // Returns whether the generation is over with it. Allocates nothing.
   bool Tell(double cost);
@@ -72,8 +76,13 @@ class CmaEs {
   void Load(std::istream& in);
 
  private:
+  struct Candidate {
+    Eigen::VectorXd drawn, step, rotated, place;  // z, D z, B D z, x
+  };
+
   void Allocate();
   void Decompose();
+  void Draw(Random& random, Candidate& candidate) const;
   void SortCandidates();
   void MoveMean();
   void AdaptSigma();
@@ -97,7 +106,8 @@ class CmaEs {
 
   // Scratch.
   std::vector<int> order_;
-  Eigen::VectorXd candidate_, mean_drawn_, mean_step_, rotated_, step_;
+  Candidate candidate_;
+  Eigen::VectorXd mean_drawn_, mean_step_, rotated_, step_;
 };
 
 }  // namespace runtime

@@ -8,21 +8,24 @@
 
 namespace runtime {
 
-void DecisionBatch::Append(const Eigen::VectorXf& observation) {
+void DecisionBatch::MakeRoom(int columns) {
   constexpr int kLeastRoom = 1024;
-  if (columns_ == observations_.cols()) {
-    const Eigen::Index room = std::max(kLeastRoom, 2 * columns_);
-    observations_.conservativeResize(Eigen::NoChange, room);
-    actions_.conservativeResize(Eigen::NoChange, room);
-    rewards_.resize(static_cast<size_t>(room));
-  }
+  if (columns <= observations_.cols()) return;
+  const Eigen::Index room = std::max({kLeastRoom, columns, 2 * columns_});
+  observations_.conservativeResize(Eigen::NoChange, room);
+  actions_.conservativeResize(Eigen::NoChange, room);
+  rewards_.resize(static_cast<size_t>(room));
+}
+
+void DecisionBatch::AppendColumn(const Eigen::VectorXf& observation) {
+  MakeRoom(columns_ + 1);
   observations_.col(columns_) = observation;
   ++columns_;
 }
 
 void DecisionBatch::Add(const Eigen::VectorXf& observation, const Eigen::VectorXf& action,
                         double reward) {
-  Append(observation);
+  AppendColumn(observation);
   actions_.col(columns_ - 1) = action;
   rewards_[static_cast<size_t>(columns_ - 1)] = reward;
 }
@@ -30,12 +33,27 @@ void DecisionBatch::Add(const Eigen::VectorXf& observation, const Eigen::VectorX
 void DecisionBatch::EndEpisode(const Eigen::VectorXf& last_observation, bool is_terminal) {
   const int count = columns_ - finished_columns_;
   if (count == 0) return;
-  Append(last_observation);
+  AppendColumn(last_observation);
   actions_.col(columns_ - 1).setZero();
   rewards_[static_cast<size_t>(columns_ - 1)] = 0;
   episodes_.push_back({finished_columns_, count, is_terminal});
   finished_columns_ = columns_;
   decisions_ += count;
+}
+
+void DecisionBatch::Append(const DecisionBatch& other) {
+  const int count = other.finished_columns_;
+  MakeRoom(columns_ + count);
+  observations_.middleCols(columns_, count) = other.observations_.leftCols(count);
+  actions_.middleCols(columns_, count) = other.actions_.leftCols(count);
+  std::copy_n(other.rewards_.begin(), count, rewards_.begin() + columns_);
+  for (Episode episode : other.episodes_) {
+    episode.first += columns_;
+    episodes_.push_back(episode);
+  }
+  columns_ += count;
+  finished_columns_ = columns_;
+  decisions_ += other.decisions_;
 }
 
 void DecisionBatch::Clear() {

@@ -24,10 +24,18 @@ class DecisionBatch {
   void Add(const Eigen::VectorXf& observation, const Eigen::VectorXf& action, double reward);
   // What was added since the last episode's end is an episode.
   void EndEpisode(const Eigen::VectorXf& last_observation, bool is_terminal);
+  // The episodes that have ended in `other`, whose decisions have the same sizes, after those here.
+  // Precondition: all that was added here is part of an episode.
+  void Append(const DecisionBatch& other);
   // What was added since then is no part of any.
   void DropUnfinished() { columns_ = finished_columns_; }
   void Clear();
 
+  // Whether decisions have the same sizes.
+  bool IsLike(const DecisionBatch& other) const {
+    return observations_.rows() == other.observations_.rows() &&
+           actions_.rows() == other.actions_.rows();
+  }
   int decisions() const { return decisions_; }  // of the episodes that have ended
   const std::vector<Episode>& episodes() const { return episodes_; }
 
@@ -42,7 +50,9 @@ class DecisionBatch {
   void Load(std::istream& in);
 
  private:
-  void Append(const Eigen::VectorXf& observation);
+  void AppendColumn(const Eigen::VectorXf& observation);
+  // Room for as many columns, at least.
+  void MakeRoom(int columns);
 
   Eigen::MatrixXf observations_;
   Eigen::MatrixXf actions_;

@@ -2,7 +2,28 @@
 
 namespace runtime {
 
+void Learner::Follow(const Learner& leader, int64_t number) {
+  follows_ = true;
+  phase_ = Phase::kOver;
+  early_end_.reset();
+  episode_ = number;
+  ActLike(leader);
+  SetNextEpisode(number);
+}
+
+void Learner::TakeOver(const Learner& follower) {
+  episode_ = follower.episode_;
+  NoteEnd(follower.episode_end());
+  return_ = follower.episode_return();
+  reward_ = 0;
+  actions_ = follower.actions_;
+  passed_over_ = follower.passed_over_;
+  Collect(follower);
+  FinishEpisode();
+}
+
 void Learner::StartOfEpisode() {
+  ++episode_;
   SelectFirst();
   phase_ = Phase::kRunning;
   end_.reset();
@@ -60,7 +81,7 @@ void Learner::Finish() {
   if (end_->kind != EndKind::kDiverged && actions_ > 0) LearnFromEnd(reward_, *end_);
   return_ += reward_;
   reward_ = 0;
-  FinishEpisode();
+  if (!follows_) FinishEpisode();
   phase_ = Phase::kOver;
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "runtime/core/module/episode_seed.h"
 #include "runtime/core/module/module.h"
 #include "runtime/core/module/values.h"
 
@@ -70,6 +71,30 @@ class Learner : public Module {
   virtual void Forget() = 0;
   // From now on it acts as it would in the next episode, and learns nothing.
   virtual void StopLearning() = 0;
+  // The number in the run of the episode that starts next; else it is one more than the last.
+  void SetNextEpisode(int64_t number) { episode_ = number - 1; }
+
+  // ---- episodes side by side
+  //
+  // A learner that learns between episodes only acts in some of them by the same: these can be run
+  // before their turn, each in a graph of its own where another object of the class follows this
+  // one. What they brought is taken over in their order, so that all is as if this learner had run
+  // them itself, one after the other.
+
+  // Whether an episode is changed by what is learned in it: then there is nothing to run ahead.
+  virtual bool learns_within_episodes() const { return true; }
+  // How many episodes from the next one on, that included, are acted in by the same, as far as can
+  // be told now. 1 where only this learner itself can run the next one.
+  virtual int64_t EpisodesAlike() const { return 1; }
+  // Another number whenever what it acts by has changed: what was run ahead before is void then.
+  int64_t policy_number() const { return policy_number_; }
+
+  // In the episode `number`, its next one, this object acts as `leader` would, and learns nothing.
+  // What an earlier episode left behind, which may not have come to its end, is forgotten.
+  // Precondition: `leader` is of the same class and has the same parameters.
+  void Follow(const Learner& leader, int64_t number);
+  // As if this learner had run the episode that `follower`, which acted as it would, has run.
+  void TakeOver(const Learner& follower);
 
  protected:
   // ---- what a learner does. Within an episode nothing here allocates once one has been run.
@@ -84,8 +109,18 @@ class Learner : public Module {
   // The episode is over, and with it an action that brought `reward`.
   virtual void LearnFromEnd(double reward, const EpisodeEnd& end) = 0;
   // The episode is over, and was learned from if it could be: brings up to date what the curves
-  // show and what counts episodes.
+  // show and what counts episodes, and does what is learned between episodes. Not called where this
+  // object follows another one.
   virtual void FinishEpisode() {}
+
+  // Of Follow() and TakeOver(): what the class adds. Only where it does not learn within episodes.
+  virtual void ActLike(const Learner& /*leader*/) {}
+  virtual void Collect(const Learner& /*follower*/) {}
+
+  bool follows() const { return follows_; }
+  // The number in the run of the episode that runs or ran last.
+  int64_t episode() const { return episode_; }
+  void NoteNewPolicy() { ++policy_number_; }
 
   // The action that is over was not learned from (passed_over_count()).
   void NotePassedOver() { ++passed_over_; }
@@ -105,6 +140,9 @@ class Learner : public Module {
   void Finish();
 
   std::vector<LearnerCurve> curves_;
+  bool follows_ = false;
+  int64_t episode_ = 0;
+  int64_t policy_number_ = 0;
   Phase phase_ = Phase::kOver;
   std::string end_reason_;               // of end_: its task may be swapped before it is over
   std::optional<EpisodeEnd> end_;        // the first one that was asked for in this episode

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <istream>
 #include <limits>
@@ -18,13 +19,13 @@ constexpr const char* kContinue = "continue";
 constexpr const char* kBest = "best";
 constexpr const char* kMiddle = "middle";
 
-constexpr const char* kSearchFormat = "motion_search_1";  // of a checkpoint
+constexpr const char* kSearchFormat = "motion_search_2";  // of a checkpoint
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
 MotionSearch::MotionSearch(std::string name, const Context& context)
-    : Learner(std::move(name)), random_(context.seed), best_return_(kNone) {
+    : Learner(std::move(name)), seed_(context.seed), best_return_(kNone) {
   AddParameter({.name = "sigma",
                 .doc = "first step size, where actions reach from -1 to 1; of the next start",
                 .target = &settings_.sigma,
@@ -73,22 +74,46 @@ void MotionSearch::Start() {
 
 void MotionSearch::SelectFirst() {
   const Eigen::VectorXd& standstill = standstill_in_();
+  episode_frequency_ = kNone;
+  if (follows()) return CheckFits(action_.size(), standstill.size());
   if (search_.dimensions() == 0) search_ = BoxSearch(standstill, settings_);
-  CheckFits(standstill);
+  CheckFits(search_.dimensions(), standstill.size());
   is_counted_ = is_learning_;
   if (is_learning_) {
-    action_ = search_.Ask(settings_, random_);
+    Random random = EpisodeRandom();
+    action_ = search_.Ask(settings_, random);
   } else {
     action_ = plays_ == kBest && best_.size() > 0 ? best_ : search_.middle();
   }
 }
 
-void MotionSearch::CheckFits(const Eigen::VectorXd& standstill) const {
-  if (search_.dimensions() == standstill.size()) return;
+void MotionSearch::Execute() {
+  execute_(action_);
+  episode_frequency_ = frequency_in_();
+}
+
+int64_t MotionSearch::EpisodesAlike() const {
+  return search_.dimensions() == 0 ? 1 : std::max(1, search_.foreseen(settings_));
+}
+
+void MotionSearch::ActLike(const Learner& leader) {
+  Random random = EpisodeRandom();
+  action_ = dynamic_cast<const MotionSearch&>(leader).search_.Foresee(random);
+}
+
+void MotionSearch::Collect(const Learner& follower) {
+  Random random = EpisodeRandom();
+  action_ = search_.Ask(settings_, random);
+  is_counted_ = true;
+  episode_frequency_ = dynamic_cast<const MotionSearch&>(follower).episode_frequency_;
+}
+
+void MotionSearch::CheckFits(Eigen::Index searched, Eigen::Index present) const {
+  if (searched == present) return;
   throw UserError(
       fmt::format("`{}` has searched actions of {} numbers, and those of the agent have "
                   "{}: continue with the action space that it began with, or start over",
-                  name(), search_.dimensions(), standstill.size()));
+                  name(), searched, present));
 }
 
 void MotionSearch::FinishEpisode() {
@@ -99,7 +124,9 @@ void MotionSearch::FinishEpisode() {
       best_return_ = value;
       best_ = action_;
     }
+    const int64_t generation = search_.generation();
     search_.Tell(std::isfinite(value) ? -value : std::numeric_limits<double>::infinity());
+    if (search_.generation() != generation) NoteNewPolicy();
     is_counted_ = false;
   }
   NoteCurves();
@@ -108,7 +135,6 @@ void MotionSearch::FinishEpisode() {
 void MotionSearch::NoteCurves() {
   episode_best_ = best_return_;
   episode_sigma_ = search_.sigma();
-  episode_frequency_ = frequency_in_();
   episode_generation_ = static_cast<double>(search_.generation());
   episode_population_ = search_.population();
 }
@@ -132,7 +158,7 @@ void MotionSearch::Forget() {
 }
 
 void MotionSearch::Save(std::ostream& out) const {
-  out << kSearchFormat << ' ' << (search_.dimensions() > 0) << ' ' << random_ << '\n';
+  out << kSearchFormat << ' ' << (search_.dimensions() > 0) << '\n';
   SaveMatrix(out, best_);
   SaveMatrix(out, Eigen::VectorXd::Constant(1, best_return_));
   if (search_.dimensions() > 0) search_.Save(out);
@@ -141,8 +167,7 @@ void MotionSearch::Save(std::ostream& out) const {
 void MotionSearch::Load(std::istream& in) {
   std::string format;
   bool has_begun = false;
-  Random random(0);
-  in >> format >> has_begun >> random;
+  in >> format >> has_begun;
   in.get();
   const Eigen::MatrixXd best = LoadMatrix(in);
   const Eigen::MatrixXd best_return = LoadMatrix(in);
@@ -151,7 +176,6 @@ void MotionSearch::Load(std::istream& in) {
   if (!in || format != kSearchFormat || best_return.size() != 1) {
     throw UserError(fmt::format("the checkpoint of `{}` is damaged or of another version", name()));
   }
-  random_ = random;
   best_ = best.reshaped();
   best_return_ = best_return(0, 0);
   search_ = std::move(search);

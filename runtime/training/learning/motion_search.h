@@ -38,6 +38,10 @@ class MotionSearch : public Learner {
   // parameter `plays`.
   void StopLearning() override { is_learning_ = false; }
 
+  bool learns_within_episodes() const override { return false; }
+  // The rest of the generation.
+  int64_t EpisodesAlike() const override;
+
   const Eigen::VectorXd& action() const { return action_; }
   // The best candidate, and its return; not a number where none was tried since the task is what it
   // is.
@@ -47,12 +51,16 @@ class MotionSearch : public Learner {
 
  private:
   void SelectFirst() override;
-  void Execute() override { execute_(action_); }
+  void Execute() override;
   void LearnAndSelect(double) override {}
   void LearnFromEnd(double, const EpisodeEnd&) override {}
   void FinishEpisode() override;
+  void ActLike(const Learner& leader) override;
+  void Collect(const Learner& follower) override;
 
-  void CheckFits(const Eigen::VectorXd& standstill) const;
+  Random EpisodeRandom() const { return Random(EpisodeSeed(seed_, episode())); }
+  // Of actions with so many numbers.
+  void CheckFits(Eigen::Index searched, Eigen::Index present) const;
   void NoteCurves();
 
   const double discount_ = 1;  // what counts is the return, a plain sum
@@ -60,7 +68,7 @@ class MotionSearch : public Learner {
   std::string new_task_ = "restart";
   std::string plays_ = "best";
 
-  Random random_;
+  const uint64_t seed_;
   BoxSearch search_;
   Eigen::VectorXd best_;
   double best_return_;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <istream>
 #include <ostream>
@@ -24,7 +25,10 @@ constexpr double kLargestNumber = 1e15;  // that is observed: its square is a fl
 }  // namespace
 
 Ppo::Ppo(std::string name, const Context& context)
-    : Learner(std::move(name)), deviation_mode_(kScheduled), random_(context.seed) {
+    : Learner(std::move(name)),
+      deviation_mode_(kScheduled),
+      seed_(context.seed),
+      random_(context.seed) {
   constexpr double kNoLimit = std::numeric_limits<double>::infinity();
   const auto add = [this](const char* parameter, const char* doc, auto* target, double minimum,
                           double maximum) {
@@ -134,6 +138,7 @@ void Ppo::PrepareState() {
 
 void Ppo::SelectFirst() {
   PrepareState();
+  action_random_ = Random(EpisodeSeed(seed_, episode()));
   if (learns_) DrawNoise(0);
   Select();
 }
@@ -149,7 +154,8 @@ void Ppo::Observe() {
 void Ppo::DrawNoise(double correlation) {
   const auto kept = static_cast<float>(correlation);
   const auto fresh = static_cast<float>(std::sqrt(1 - correlation * correlation));
-  for (float& noise : noise_) noise = kept * noise + fresh * static_cast<float>(random_.Normal());
+  for (float& noise : noise_)
+    noise = kept * noise + fresh * static_cast<float>(action_random_.Normal());
 }
 
 void Ppo::Select() {
@@ -162,29 +168,47 @@ void Ppo::Select() {
   has_credit_ = learns_;
 }
 
-void Ppo::Collect(double reward) {
+void Ppo::Note(double reward) {
   if (has_credit_) state_.batch.Add(observation_, action_, reward);
 }
 
 void Ppo::LearnAndSelect(double reward) {
-  Collect(reward);
+  Note(reward);
   if (learns_) DrawNoise(noise_correlation_);
   Select();
 }
 
 void Ppo::LearnFromEnd(double reward, const EpisodeEnd& end) {
-  Collect(reward);
+  Note(reward);
   Observe();
   state_.batch.EndEpisode(observation_, IsTerminal(end.kind));
 }
 
 void Ppo::FinishEpisode() {
   state_.batch.DropUnfinished();
+  if (const auto episodes = static_cast<double>(state_.batch.episodes().size()); episodes > 0) {
+    episode_decisions_ = state_.batch.decisions() / episodes;
+  }
   if (state_.batch.decisions() >= batch_) {
     const int passed_over = update_.Learn(settings_, state_, random_);
     for (int i = 0; i < passed_over; ++i) NotePassedOver();
+    NoteNewPolicy();
   }
   shown_ = state_.figures;
+}
+
+int64_t Ppo::EpisodesAlike() const {
+  if (state_.action_size() == 0 || episode_decisions_ == 0) return 1;
+  const int missing = batch_ - state_.batch.decisions();
+  return std::max<int64_t>(1, static_cast<int64_t>(std::ceil(missing / episode_decisions_)));
+}
+
+void Ppo::ActLike(const Learner& leader) {
+  state_.ActLike(dynamic_cast<const Ppo&>(leader).state_);
+}
+
+void Ppo::Collect(const Learner& follower) {
+  state_.batch.Append(dynamic_cast<const Ppo&>(follower).state_.batch);
 }
 
 void Ppo::ForgetCredit() {

@@ -44,6 +44,10 @@ class Ppo : public Learner, public PolicyPart {
   // as large is far beyond the limit of what is normalized.
   PolicyGraph::Value AddTo(PolicyGraph& graph, PolicyGraph::Value observation) const override;
 
+  bool learns_within_episodes() const override { return false; }
+  // Until the batch is full, if episodes last as long as those before.
+  int64_t EpisodesAlike() const override;
+
   const PpoState& state() const { return state_; }
 
  private:
@@ -52,6 +56,8 @@ class Ppo : public Learner, public PolicyPart {
   void LearnAndSelect(double reward) override;
   void LearnFromEnd(double reward, const EpisodeEnd& end) override;
   void FinishEpisode() override;
+  void ActLike(const Learner& leader) override;
+  void Collect(const Learner& follower) override;
 
   std::vector<int> HiddenSizes() const;
   // Makes the networks before the first episode. Throws UserError where what was learned has other
@@ -60,7 +66,7 @@ class Ppo : public Learner, public PolicyPart {
   void Observe();
   void DrawNoise(double correlation);
   void Select();
-  void Collect(double reward);
+  void Note(double reward);
 
   std::vector<double> hidden_ = {64, 64};
   int batch_ = 1024;
@@ -69,11 +75,14 @@ class Ppo : public Learner, public PolicyPart {
   double noise_correlation_ = 0;
   PpoSettings settings_;
 
-  Random random_;
+  const uint64_t seed_;
+  Random random_;            // for what is learned
+  Random action_random_{0};  // for the actions of one episode
   PpoState state_;
   PpoUpdate update_;
   bool learns_ = true;
-  bool has_credit_ = false;  // the action that runs is learned from
+  bool has_credit_ = false;       // the action that runs is learned from
+  double episode_decisions_ = 0;  // of an episode, on average in the last batch; 0: none yet
 
   Eigen::VectorXf observation_;  // that the action was selected for
   Eigen::MatrixXf normalized_;   // the same for the network, a column

@@ -104,6 +104,14 @@ void PpoState::ForgetOptimizers() {
   rate_factor = 1;
 }
 
+void PpoState::ActLike(const PpoState& other) {
+  policy = other.policy;
+  observations = other.observations;
+  if (!batch.IsLike(other.batch))
+    batch = DecisionBatch(other.observation_size(), other.action_size());
+  batch.Clear();
+}
+
 void PpoState::Save(std::ostream& out) const {
   for (const Mlp<float>* network : {&policy.mean, &value}) {
     out << network->sizes().size() << ' ';

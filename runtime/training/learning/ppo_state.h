@@ -51,6 +51,10 @@ struct PpoState {
   void ForgetScale();
   void ForgetOptimizers();
 
+  // From now on the same actions come of the same observations as with `other`, and the batch, of
+  // the same sizes as the other one, is empty.
+  void ActLike(const PpoState& other);
+
   void Save(std::ostream& out) const;
   // Throws nothing: the stream has failed where it holds something else.
   static PpoState Load(std::istream& in);

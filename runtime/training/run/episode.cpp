@@ -17,10 +17,7 @@ EpisodeRecord RecordOf(const EpisodeModules& modules) {
   episode.active.episode_return = learner.episode_return();
   episode.active.end_kind = EndKindName(learner.episode_end().kind);
   episode.active.end_reason = learner.episode_end().reason;
-  episode.active.faults += learner.passed_over_count();
-  for (const LearnerCurve& curve : learner.curves()) {
-    episode.learner.push_back({curve.name, *curve.value});
-  }
+  NoteLearner(learner, episode);
   for (const UniversalTask* shadow : modules.tasks.shadows) {
     if (shadow->has_ended()) episode.shadows.push_back(EvaluationOf(*shadow));
   }
@@ -29,12 +26,27 @@ EpisodeRecord RecordOf(const EpisodeModules& modules) {
 
 }  // namespace
 
+void NoteLearner(const Learner& learner, EpisodeRecord& episode) {
+  episode.active.faults += learner.passed_over_count();
+  episode.learner.clear();
+  for (const LearnerCurve& curve : learner.curves()) {
+    episode.learner.push_back({curve.name, *curve.value});
+  }
+}
+
+double ThreadSeconds() {
+  timespec time;
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
 EpisodeRecord RunEpisode(int64_t number, const EpisodeModules& modules,
                          const AfterStep& after_step) {
   using Clock = std::chrono::steady_clock;
   const Clock::time_point start = Clock::now();
-  const std::clock_t cpu_start = std::clock();
+  const double cpu_start = ThreadSeconds();
   int64_t steps = 0;
+  modules.learner.SetNextEpisode(number);
   modules.tasks.active->SetNextEpisode(number);
   for (UniversalTask* shadow : modules.tasks.shadows) shadow->SetNextEpisode(number);
   modules.environment.StartEpisode(modules.tasks.active->DrawStart());
@@ -47,7 +59,7 @@ EpisodeRecord RunEpisode(int64_t number, const EpisodeModules& modules,
   episode.number = number;
   episode.steps = steps;
   episode.wall_seconds = std::chrono::duration<double>(Clock::now() - start).count();
-  episode.cpu_seconds = static_cast<double>(std::clock() - cpu_start) / CLOCKS_PER_SEC;
+  episode.cpu_seconds = ThreadSeconds() - cpu_start;
   return episode;
 }
 

@@ -14,7 +14,7 @@ namespace runtime {
 // What an episode needs of a graph, which outlives this.
 struct EpisodeModules {
   RobotEnvironment& environment;
-  const Learner& learner;
+  Learner& learner;
   const TaskModules& tasks;
 };
 
@@ -25,5 +25,11 @@ using AfterStep = std::function<void(int64_t steps)>;
 // at the end.
 EpisodeRecord RunEpisode(int64_t number, const EpisodeModules& modules,
                          const AfterStep& after_step);
+
+// What the learner shows of the episode that ran last, and what it has passed over in it.
+void NoteLearner(const Learner& learner, EpisodeRecord& episode);
+
+// [s] of CPU time that this thread has used.
+double ThreadSeconds();
 
 }  // namespace runtime

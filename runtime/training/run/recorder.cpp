@@ -35,6 +35,11 @@ std::span<float> Recorder::NextFrame() {
   return std::span(poses_).subspan(frame_size_ * frames_++, frame_size_);
 }
 
+void Recorder::Capture(const RobotEnvironment& environment) {
+  const std::span<float> frame = NextFrame();
+  if (!frame.empty()) environment.CapturePose(frame);
+}
+
 void Recorder::HalveFrameRate() {
   for (size_t kept = 1; 2 * kept < frames_; ++kept) {
     std::copy_n(poses_.begin() + static_cast<std::ptrdiff_t>(2 * kept * frame_size_), frame_size_,

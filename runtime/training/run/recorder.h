@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "runtime/training/run/run_records.h"
+#include "runtime/training/simulation/robot_environment.h"
 
 namespace runtime {
 
@@ -25,6 +26,9 @@ class Recorder {
   // the result is the place to write it to: kFloatsPerLink floats for each link; otherwise it is
   // empty.
   std::span<float> NextFrame();
+
+  // The same with what the environment is like now for the frame.
+  void Capture(const RobotEnvironment& environment);
 
   // The episode up to now, compressed.
   Recording Finish(bool is_best) const;

@@ -117,9 +117,9 @@ struct EpisodeRecord {
   int64_t steps = 0;
   int64_t actions = 0;
   double simulated_seconds = 0;
-  double wall_seconds = 0;
-  double cpu_seconds = 0;  // of the trainer's process, while the episode ran
-  Evaluation active;       // of the task that paid the learner at the episode's end
+  double wall_seconds = 0;  // that the run has waited for it
+  double cpu_seconds = 0;   // of the thread that ran it, and learned from it
+  Evaluation active;        // of the task that paid the learner at the episode's end
   std::vector<Evaluation> shadows;
   std::vector<NamedValue> learner;
 };

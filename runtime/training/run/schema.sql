@@ -66,8 +66,8 @@ CREATE TABLE IF NOT EXISTS episode (
   steps INTEGER NOT NULL,   -- time steps
   actions INTEGER NOT NULL,
   simulated_seconds REAL NOT NULL,
-  wall_seconds REAL NOT NULL,
-  cpu_seconds REAL NOT NULL -- of the trainer's process
+  wall_seconds REAL NOT NULL, -- that the run has waited for it
+  cpu_seconds REAL NOT NULL   -- of the threads that ran it and learned from it
 );
 
 -- How each task that was loaded at the episode's end evaluates it. A value that is not a number is

@@ -3,14 +3,15 @@
 
 #include <chrono>
 #include <cstdint>
-#include <map>
+#include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "runtime/core/module/module_graph.h"
 #include "runtime/core/task/universal_task.h"
 #include "runtime/training/learning/learner.h"
+#include "runtime/training/run/episode_warnings.h"
+#include "runtime/training/run/episodes_ahead.h"
 #include "runtime/training/run/progress.h"
 #include "runtime/training/run/recorder.h"
 #include "runtime/training/run/return_statistics.h"
@@ -30,6 +31,12 @@ class Training {
   Training(ModuleGraph& graph, const RunRecord& run, RunDatabase& database, Progress& progress,
            TrainingHooks& hooks);
 
+  // From now on `jobs` episodes at a time, where the learner and the tasks allow that; what comes
+  // of them is the same. `types` and `context`, which the graph was made of, outlive the training.
+  void RunSideBySide(int jobs, const ModuleTypes& types, const Context& context);
+  // Why no two episodes are run at a time whatever is asked for; "" where they can be.
+  std::string WhyNotSideBySide() const { return WhyNotAhead(learner_, tasks_); }
+
   // Goes back to the last checkpoint (the start, if there is none): loads the modules' state and
   // deletes the episodes that came after it. They will come again, bit for bit.
   void Restore();
@@ -45,20 +52,20 @@ class Training {
 
   void RunPlannedEpisodes(const StopRequest& stop);
   bool stops(const StopRequest& stop) const;
+  // An episode of the run's own graph, with which somebody may do something at each time step.
   EpisodeRecord RunNextEpisode(const StopRequest& stop);
+  // Who has run the next episode; null where that is for the run itself, or where it must not be
+  // run any more. `has_changed` becomes true where somebody has changed the graph meanwhile.
+  Collector* WaitForCollector(const StopRequest& stop, bool& has_changed);
+  void Finish(const EpisodeRecord& episode, const UniversalTask& task, const Recorder& recorder,
+              const StopRequest& stop);
   // Lets whoever wants to change something do so, after `step` time steps of the episode.
   // Returns whether somebody did.
   bool AllowChanges(int64_t step);
   void SaveBeforeStop(bool has_changed);
   void NoteStop(const StopRequest& stop);
-  void CaptureFrame();
-  void Warn(const std::string& text);
-  void WarnAbout(const EpisodeRecord& episode);
-  void WarnAboutFaults(const EpisodeRecord& episode);
-  void WarnAboutLearner(const EpisodeRecord& episode);
-  void WarnAboutViolations(const EpisodeRecord& episode);
-  void WarnAboutObservations(const EpisodeRecord& episode);
-  std::optional<Recording> RecordingOf(const EpisodeRecord& episode) const;
+  std::optional<Recording> RecordingOf(const EpisodeRecord& episode,
+                                       const Recorder& recorder) const;
   std::optional<Checkpoint> CheckpointIfDue(bool is_last_episode);
 
   ModuleGraph& graph_;
@@ -67,14 +74,14 @@ class Training {
   Progress& progress_;
   TrainingHooks& hooks_;
   RobotEnvironment& environment_;
-  const Learner& learner_;
+  Learner& learner_;
   TaskModules tasks_;
   Recorder recorder_;
   ReturnStatistics statistics_;
   int64_t episodes_done_ = 0;
   bool stop_is_noted_ = false;
-  // Of each task (TaskRecord::id), for each requirement: whether a warning was given.
-  std::map<int64_t, std::vector<bool>> violations_noted_;
+  EpisodeWarnings warnings_;
+  std::unique_ptr<EpisodesAhead> ahead_;  // null: one at a time
   Clock::time_point last_checkpoint_ = Clock::now();
 };
 

@@ -5,6 +5,7 @@
 #include <set>
 #include <string>
 
+#include "runtime/core/module/module_graph.h"
 #include "runtime/training/run/return_statistics.h"
 #include "runtime/training/run/run_records.h"
 
@@ -23,9 +24,16 @@ class TrainingHooks {
   // With the returns of all episodes that the run continues from.
   virtual void AfterRestore(const ReturnStatistics& statistics) = 0;
 
-  // Where nothing of the run is running: before the first step of episode `episode` (`step` is 0),
-  // and after each of its time steps. May change the graph; returns whether it did.
+  // Where nothing of the run is running: before the first step of episode `episode` (`step` is 0,
+  // any number of times), and after each of its time steps, unless it is run ahead. May change the
+  // graph; returns whether it did.
   virtual bool AtSafePoint(int64_t episode, int64_t step) = 0;
+  // The last episode that nobody means to take part in, nor in those before it from now on: up to
+  // there they may be run ahead.
+  virtual int64_t undisturbed_until() const = 0;
+  // Makes `copy`, a copy of the graph as it is now (CopyOf()), what the graph would be for episode
+  // `episode`, which is to come, as far as that is planned.
+  virtual void Anticipate(int64_t episode, ModuleGraph& copy) const = 0;
 
   virtual void AfterEpisode(const EpisodeRecord& episode, const ReturnStatistics& statistics,
                             bool checkpoint_was_saved) = 0;

@@ -32,6 +32,8 @@ class LearnerRunTest : public testing::Test {
 
   ModuleTypes& types() { return types_; }
   TaskOptions& task() { return task_; }
+  // How many episodes runs have at a time from now on; at first one.
+  void UseJobs(int jobs) { jobs_ = jobs; }
   std::filesystem::path Run(const std::string& name) const { return folder_.path() / name; }
 
   int Train(const std::string& name, int64_t episodes) const {
@@ -77,12 +79,13 @@ class LearnerRunTest : public testing::Test {
   }
 
  private:
-  static SessionOptions Session(LiveRun::WhenDone when_done = LiveRun::WhenDone::kEnd) {
-    return {.output = {.json = false, .quiet = true}, .when_done = when_done};
+  SessionOptions Session(LiveRun::WhenDone when_done = LiveRun::WhenDone::kEnd) const {
+    return {.output = {.json = false, .quiet = true}, .when_done = when_done, .jobs = jobs_};
   }
 
   const ScopedEnvironment robots_{"TASKC_ROBOT_PATH", ROBOTS};
   TaskOptions task_;
+  int jobs_ = 1;
   ModuleTypes types_ = ProgramModuleTypes();
   TemporaryFolder folder_;
 };

@@ -52,6 +52,21 @@ TEST_F(PluginEndTest, NorDoesOneThatIsNeverLoadedWhileTheRunLearns) {
   EXPECT_EQ(Stop().exit_status, 0);
 }
 
+// Of the episodes that run then, it cannot be told which one has failed: they are run again, one at
+// a time.
+TEST_F(PluginEndTest, OneThatCrashesInEpisodesSideBySideIsFound) {
+  Serve(1'000'000, {"--agent", "ppo", "--jobs", "3", "--checkpoint-every", "0"},
+        TaskFile("swaying"));
+  Ask({"load", Plugin("stumbles"), "as", "shadow"});
+  Ctl({"resume"});
+  ASSERT_TRUE(trainer_->WaitForError("one episode at a time"));
+  ASSERT_TRUE(trainer_->WaitForError("the task `stumbles` has failed (crash: "));
+  WaitForState("running");
+  EXPECT_THAT(Ask({"list"})["tasks"], SizeIs(1));
+  EXPECT_EQ(Stop().exit_status, 0);
+  EXPECT_THAT(Changes(), Contains(HasSubstr("quarantine")).Times(1));
+}
+
 // Nothing is known of a run yet.
 TEST_F(PluginEndTest, AFirstTaskThatExitsIsAFailure) {
   const ProgramResult result =

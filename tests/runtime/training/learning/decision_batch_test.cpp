@@ -41,6 +41,29 @@ TEST(DecisionBatch, WhatHasNotEndedCanBeDropped) {
   EXPECT_EQ(batch.episodes().size(), 1u);
 }
 
+TEST(DecisionBatch, EpisodesThatEndedAreAppendedToThoseOfAnother) {
+  DecisionBatch batch(1, 1);
+  batch.Add(Vector(1), Vector(0.1f), 10);
+  batch.EndEpisode(Vector(2), true);
+  DecisionBatch other(1, 1);
+  for (int i = 0; i < 1500; ++i) other.Add(Vector(3), Vector(0.3f), i);
+  other.EndEpisode(Vector(4), false);
+  other.Add(Vector(5), Vector(5), 5);
+  batch.Append(other);
+  EXPECT_EQ(batch.decisions(), 1501);
+  ASSERT_EQ(batch.episodes().size(), 2u);
+  EXPECT_EQ(batch.episodes()[1].first, 2);
+  EXPECT_EQ(batch.episodes()[1].decisions, 1500);
+  EXPECT_FALSE(batch.episodes()[1].is_terminal);
+  ASSERT_EQ(batch.observations().cols(), 1503);
+  EXPECT_EQ(batch.observations()(0, 2), 3);
+  EXPECT_EQ(batch.observations()(0, 1502), 4);
+  EXPECT_EQ(batch.actions()(0, 1501), 0.3f);
+  EXPECT_EQ(batch.rewards()[1501], 1499);
+  batch.Append(DecisionBatch(1, 1));
+  EXPECT_EQ(batch.decisions(), 1501);
+}
+
 TEST(DecisionBatch, IsSavedAsItIs) {
   DecisionBatch batch(2, 1);
   for (int i = 0; i < 1500; ++i) {

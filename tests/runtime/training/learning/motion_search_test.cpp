@@ -185,6 +185,7 @@ TEST_F(MotionSearchTest, GoesOnBitForBitInTheMiddleOfAGeneration) {
   MotionSearch restored("learner", HumanoidContext());
   SearchWorld same(restored);
   restored.Load(stream);
+  restored.SetNextEpisode(34);
   world_.candidates.clear();
   world_.RunEpisodes(200);
   same.RunEpisodes(200);
@@ -194,6 +195,35 @@ TEST_F(MotionSearchTest, GoesOnBitForBitInTheMiddleOfAGeneration) {
   learner_.Save(one);
   restored.Save(other);
   EXPECT_EQ(one.str(), other.str());
+}
+
+TEST_F(MotionSearchTest, TakesOverWhatOthersHaveRunAsIfItHadRunThat) {
+  world_.RunEpisodes(120);
+  MotionSearch leader("learner", HumanoidContext());
+  SearchWorld own(leader);
+  MotionSearch follower("learner", HumanoidContext());
+  SearchWorld others(follower);
+  EXPECT_EQ(leader.EpisodesAlike(), 1);  // it knows nothing of actions yet
+  own.RunEpisode();
+  for (int64_t episode = 2; episode <= 120; ++episode) {
+    const int64_t told = (episode - 1) % 7;
+    EXPECT_EQ(leader.EpisodesAlike(), 7 - told);
+    if (told == 3) {  // this does not matter: it is run ahead, and once more in its turn
+      follower.Follow(leader, episode + 2);
+      others.RunEpisode();
+    }
+    follower.Follow(leader, episode);
+    others.RunEpisode();
+    const int64_t policy = leader.policy_number();
+    leader.TakeOver(follower);
+    EXPECT_EQ(leader.policy_number() == policy, told != 6);
+    EXPECT_EQ(leader.action(), follower.action());
+  }
+  std::ostringstream one, other;
+  learner_.Save(one);
+  leader.Save(other);
+  EXPECT_EQ(one.str(), other.str());
+  EXPECT_EQ(leader.episode_return(), learner_.episode_return());
 }
 
 TEST_F(MotionSearchTest, ADamagedCheckpointChangesNothing) {

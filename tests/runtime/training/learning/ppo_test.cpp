@@ -273,9 +273,10 @@ TEST(PpoCheckpoint, TrainingGoesOnBitForBit) {
   trainee.trace().clear();
   trainee.Train(5);
 
-  PpoTrainee resumed(2);  // another seed: the numbers come from the checkpoint
+  PpoTrainee resumed(1);
   resumed.Load(checkpoint);
   EXPECT_EQ(resumed.Saved(), checkpoint);
+  resumed.learner().SetNextEpisode(6);
   resumed.Train(5);
   EXPECT_EQ(resumed.trace(), trainee.trace());
   EXPECT_EQ(resumed.Saved(), trainee.Saved());
@@ -283,11 +284,45 @@ TEST(PpoCheckpoint, TrainingGoesOnBitForBit) {
 
 TEST(PpoCheckpoint, HoldsALearnerThatHasNotLearned) {
   PpoTrainee trainee(1);
-  PpoTrainee resumed(2);
+  PpoTrainee resumed(1);
   resumed.Load(trainee.Saved());
   trainee.Train(4);
   resumed.Train(4);
   EXPECT_EQ(resumed.Saved(), trainee.Saved());
+}
+
+TEST(Ppo, TakesOverWhatOthersHaveRunAsIfItHadRunThat) {
+  const auto play = [](PpoTrainee& trainee, int64_t episode) {
+    trainee.PlayEpisode(15, episode % 2 == 0 ? kFall : kTimeIsUp);
+  };
+  PpoTrainee alone(1);
+  for (int64_t episode = 1; episode <= 9; ++episode) play(alone, episode);
+
+  PpoTrainee leader(1);
+  play(leader, 1);
+  std::vector<PpoTrainee> followers(3);
+  std::vector<int64_t> rounds;
+  for (int64_t next = 2; next <= 9; next += rounds.back()) {
+    rounds.push_back(leader.learner().EpisodesAlike());
+    ASSERT_LE(rounds.back(), 3);
+    const int64_t policy = leader.learner().policy_number();
+    for (int64_t i = rounds.back(); i-- > 0;) {
+      PpoTrainee& follower = followers[static_cast<size_t>(i)];
+      follower.learner().Follow(leader.learner(), next + i);
+      if (i == 1) follower.world().start_of_episode();  // and no more than that
+      follower.learner().Follow(leader.learner(), next + i);
+      play(follower, next + i);
+    }
+    for (int64_t i = 0; i < rounds.back(); ++i) {
+      EXPECT_EQ(leader.learner().policy_number(), policy);
+      leader.learner().TakeOver(followers[static_cast<size_t>(i)].learner());
+      EXPECT_EQ(leader.learner().action_count(), 15);
+    }
+    EXPECT_EQ(leader.learner().policy_number(), policy + 1);
+  }
+  EXPECT_EQ(rounds, (std::vector<int64_t>{2, 3, 3}));
+  EXPECT_EQ(leader.Saved(), alone.Saved());
+  EXPECT_EQ(leader.learner().episode_return(), alone.learner().episode_return());
 }
 
 TEST(PpoCheckpoint, OneOfAnotherAgentIsRefused) {

@@ -1,0 +1,56 @@
+#include "runtime/training/run/collector.h"
+
+#include <utility>
+
+#include "runtime/training/run/episode.h"
+#include "runtime/training/run/graph_copy.h"
+
+namespace runtime {
+namespace {
+
+struct IsUnwanted {};
+
+}  // namespace
+
+Collector::Collector(ModuleGraph graph)
+    : graph_(std::move(graph)),
+      environment_(graph_.FindOnly<RobotEnvironment>()),
+      learner_(graph_.FindOnly<Learner>()),
+      tasks_(FindTaskModules(graph_, learner_)),
+      recorder_(environment_.link_count(), environment_.time_step()) {}
+
+void Collector::Prepare(int64_t episode, const ModuleGraph& graph, const Learner& leader) {
+  episode_ = episode;
+  failure_ = nullptr;
+  CopyParameters(graph, graph_);
+  learner_.Follow(leader, episode);
+}
+
+void Collector::Run(const std::atomic<bool>& is_unwanted) {
+  try {
+    record_ = RunEpisode(episode_, {environment_, learner_, tasks_}, [&](int64_t steps) {
+      if (is_unwanted.load(std::memory_order_relaxed)) throw IsUnwanted();
+      if (steps == 0) recorder_.StartEpisode();
+      recorder_.Capture(environment_);
+    });
+  } catch (const IsUnwanted&) {
+    // Nobody will ask.
+  } catch (...) {
+    failure_ = std::current_exception();
+  }
+}
+
+EpisodeRecord Collector::HandOver(const ModuleGraph& graph, Learner& leader) {
+  if (failure_ != nullptr) std::rethrow_exception(failure_);
+  const double start = ThreadSeconds();
+  record_.active.faults -= learner_.passed_over_count();
+  leader.TakeOver(learner_);
+  for (const UniversalTask* task : graph_.FindAll<UniversalTask>()) {
+    graph.FindAs<UniversalTask>(task->name()).TakeOverRun(*task);
+  }
+  NoteLearner(leader, record_);
+  record_.cpu_seconds += ThreadSeconds() - start;
+  return std::move(record_);
+}
+
+}  // namespace runtime
