@@ -4,17 +4,13 @@
 
 #include <array>
 #include <cmath>
-#include <optional>
 #include <vector>
 
-#include "runtime/base/scratch_folder.h"
 #include "runtime/base/user_error.h"
-#include "runtime/trainer/runs/kept_run.h"
+#include "runtime/trainer/results/learned_run.h"
 #include "runtime/training/learning/motion_player.h"
 #include "runtime/training/learning/motion_search.h"
-#include "runtime/training/run/checkpoint.h"
 #include "runtime/training/run/module_types.h"
-#include "runtime/training/run/run_database.h"
 
 namespace runtime {
 namespace {
@@ -39,26 +35,25 @@ std::string Text(const std::filesystem::path& run, const RunRecord& record,
 }  // namespace
 
 std::string MotionAgent(const std::filesystem::path& run) {
-  const RunDatabase database = RunDatabase::OpenToRead(run);
-  const RunRecord record = database.ReadRun();
-  const ScratchFolder scratch;
-  KeptRun kept(run, record, scratch.path(), ProgramModuleTypes());
-  const std::vector<MotionSearch*> searches = kept.graph.FindAll<MotionSearch>();
-  const std::vector<MotionPlayer*> players = kept.graph.FindAll<MotionPlayer>();
+  RunDatabase database = RunDatabase::OpenToRead(run);
+  LearnedRun learned(run, database, "to learn on top of");
+  Progress progress(ProgressStyle::kQuiet, learned.record, stdout, stderr);
+  const StopRequest stop;
+  const Performer performer(run, learned, database, learned.record.profile, progress, stop,
+                            ProgramModuleTypes());
+  const ModuleGraph& graph = performer.kept().graph;
+  const std::vector<MotionSearch*> searches = graph.FindAll<MotionSearch>();
+  const std::vector<MotionPlayer*> players = graph.FindAll<MotionPlayer>();
   if (searches.size() != 1 || players.size() != 1) {
     throw UserError(fmt::format(
         "{}: its agent has not searched for motions: train one with `--agent motion_search`",
         run.string()));
   }
-  const std::optional<Checkpoint> checkpoint = database.ReadCheckpoint();
-  kept.graph.Start();
-  if (checkpoint) LoadModules(kept.graph, checkpoint->state);
   if (std::isnan(searches.front()->best_return())) {
-    throw UserError(
-        fmt::format("{}: it has not tried a motion yet: continue it with `trainer resume {}`",
-                    run.string(), run.string()));
+    throw UserError(fmt::format(
+        "{0}: it has not tried a motion yet: continue it with `trainer resume {0}`", run.string()));
   }
-  return Text(run, record, *searches.front(), *players.front());
+  return Text(run, learned.record, *searches.front(), *players.front());
 }
 
 }  // namespace runtime

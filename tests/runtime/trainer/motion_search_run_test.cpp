@@ -85,6 +85,7 @@ TEST_F(MotionSearchRunTest, SearchesAnotherTaskAroundTheBestMotion) {
   EXPECT_EQ(CurveIn(episodes[7], "best"), episodes[7].active.episode_return);
   EXPECT_EQ(CurveIn(episodes[11], "generation"), 1);  // of 4 candidates since the swap
   ASSERT_EQ(Resume("run", 13), 0);
+  EXPECT_THAT(MotionAgent(Run("run")), HasSubstr(" in upright ("));
 }
 
 TEST_F(MotionSearchRunTest, APolicyStandsOnTheBestMotion) {
