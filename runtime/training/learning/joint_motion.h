@@ -4,6 +4,7 @@
 
 #include "plugins/robot/robot_description.h"
 #include "runtime/training/learning/dof_mapping.h"
+#include "runtime/training/learning/joint_stops.h"
 #include "runtime/training/learning/parametric_motion.h"
 
 namespace runtime {
@@ -32,8 +33,8 @@ class JointMotion {
  private:
   robot::DofConfiguration dof_;
   DofMapping mapping_;
+  JointStops stops_;
   ParametricMotion motion_;
-  Eigen::VectorXd low_, high_;    // stops of the joints
   Eigen::VectorXd pose_;          // of the joints
   Eigen::VectorXd rest_;          // of the coordinates
   Eigen::VectorXd displacement_;  // scratch: of the coordinates

@@ -38,12 +38,7 @@ void JointOffsets::Prepare() {
   const robot::DofConfiguration dof = FindDofOrAll(robot_, dof_, name() + ".dof");
   mapping_ = DofMapping(dof, static_cast<int>(joints));
   rest_ = Eigen::Map<const Eigen::VectorXd>(robot_.poses.front().joint_angles.data(), joints);
-  low_.resize(joints);
-  high_.resize(joints);
-  for (Eigen::Index i = 0; i < joints; ++i) {
-    low_[i] = robot_.joints[static_cast<size_t>(i)].low;
-    high_[i] = robot_.joints[static_cast<size_t>(i)].high;
-  }
+  stops_ = JointStops(robot_);
   offsets_.setZero(joints);
   targets_ = rest_;
   moved_joints_ = dof.representatives;
@@ -58,12 +53,17 @@ void JointOffsets::Execute(const Eigen::VectorXd& action) {
   }
   mapping_.Apply(action, offsets_);
   offsets_ *= scale_;
-  if (!motion_.connected()) targets_ = (rest_ + offsets_).cwiseMax(low_).cwiseMin(high_);
+  if (!motion_.connected()) OffsetFrom(rest_);
   steps_left_ = hold_;
 }
 
+void JointOffsets::OffsetFrom(const Eigen::VectorXd& pose) {
+  targets_ = pose + offsets_;
+  stops_.Limit(targets_);
+}
+
 void JointOffsets::StartOfTimeStep(double) {
-  if (motion_.connected()) targets_ = (motion_() + offsets_).cwiseMax(low_).cwiseMin(high_);
+  if (motion_.connected()) OffsetFrom(motion_());
 }
 
 PolicyGraph::Value JointOffsets::AddTo(PolicyGraph& graph, PolicyGraph::Value action) const {
@@ -81,7 +81,8 @@ PolicyGraph::Value JointOffsets::AddTo(PolicyGraph& graph, PolicyGraph::Value ac
   graph.time_steps = hold_;
   const PolicyGraph::Value targets = graph.Add(PolicyGraph::Affine{
       action, (scale_ * mapping_.factors()).cast<float>(), rest_.cast<float>()});
-  return graph.Add(PolicyGraph::Clamp{targets, low_.cast<float>(), high_.cast<float>()});
+  return graph.Add(
+      PolicyGraph::Clamp{targets, stops_.low.cast<float>(), stops_.high.cast<float>()});
 }
 
 void JointOffsets::EndOfTimeStep(double) {

@@ -7,6 +7,7 @@
 #include "runtime/core/module/module.h"
 #include "runtime/core/module/values.h"
 #include "runtime/training/learning/dof_mapping.h"
+#include "runtime/training/learning/joint_stops.h"
 #include "runtime/training/learning/policy_graph.h"
 
 namespace runtime {
@@ -33,6 +34,8 @@ class JointOffsets : public Module, public PolicyPart {
   void EndOfTimeStep(double time_step);
   const int& ActionSize();
 
+  void OffsetFrom(const Eigen::VectorXd& pose);
+
   // When the action's size is first asked for: modules may be started in any order.
   void Prepare();
 
@@ -45,8 +48,7 @@ class JointOffsets : public Module, public PolicyPart {
   std::vector<int> moved_joints_;  // for each element of an action the joint that stands for it
   DofMapping mapping_;
   Eigen::VectorXd rest_;
-  Eigen::VectorXd low_;  // stops
-  Eigen::VectorXd high_;
+  JointStops stops_;
   Eigen::VectorXd offsets_;
   Eigen::VectorXd targets_;
   int steps_left_ = 0;
