@@ -17,7 +17,7 @@ namespace {
 
 // What player and generator of a motion have in common.
 constexpr std::array kShape = {
-    "dof", "kind", "harmonics", "knots", "lowest_frequency", "highest_frequency"};
+    "dof", "symmetry", "kind", "harmonics", "knots", "lowest_frequency", "highest_frequency"};
 
 std::string Text(const std::filesystem::path& run, const RunRecord& record,
                  const MotionSearch& search, const MotionPlayer& player) {

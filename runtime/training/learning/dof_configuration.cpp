@@ -2,10 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <numeric>
+#include <utility>
 #include <vector>
 
 #include "runtime/base/suggestion.h"
 #include "runtime/base/user_error.h"
+#include "runtime/training/learning/joint_mirror.h"
 
 namespace runtime {
 namespace {
@@ -19,6 +22,31 @@ constexpr const char* kAll = "all";
                               robot.name, name, Suggestion(name, names)));
 }
 
+// A coordinate for each of these joints.
+robot::DofConfiguration EachByItself(const std::string& name, const std::vector<int>& joints) {
+  robot::DofConfiguration dof;
+  dof.name = name;
+  for (const int joint : joints) {
+    dof.couplings.push_back({.joint = joint, .coordinate = dof.dof()});
+    dof.representatives.push_back(joint);
+  }
+  return dof;
+}
+
+// The configuration of this name, or that of the group of joints, or "all", which is of `all`.
+robot::DofConfiguration FindWithGroups(const robot::RobotDescription& robot,
+                                       const std::string& name, const std::string& parameter,
+                                       const std::vector<int>& all) {
+  if (const robot::DofConfiguration* found = robot.FindDof(name)) return *found;
+  if (name == kAll) return EachByItself(name, all);
+  std::vector<std::string> others = {kAll};
+  for (const robot::Group& group : robot.joint_groups) {
+    if (group.name == name) return EachByItself(name, group.members);
+    others.push_back(group.name);
+  }
+  ThrowUnknown(robot, name, parameter, std::move(others));
+}
+
 }  // namespace
 
 const robot::DofConfiguration& FindDof(const robot::RobotDescription& robot,
@@ -27,17 +55,20 @@ const robot::DofConfiguration& FindDof(const robot::RobotDescription& robot,
   ThrowUnknown(robot, name, parameter, {});
 }
 
-robot::DofConfiguration FindDofOrAll(const robot::RobotDescription& robot, const std::string& name,
-                                     const std::string& parameter) {
-  if (const robot::DofConfiguration* found = robot.FindDof(name)) return *found;
-  if (name != kAll) ThrowUnknown(robot, name, parameter, {kAll});
-  robot::DofConfiguration all;
-  all.name = kAll;
-  for (int joint = 0; joint < static_cast<int>(robot.joints.size()); ++joint) {
-    all.representatives.push_back(joint);
-    all.couplings.push_back({.joint = joint, .coordinate = joint});
-  }
-  return all;
+robot::DofConfiguration FindDofOrJoints(const robot::RobotDescription& robot,
+                                        const std::string& name, const std::string& parameter) {
+  std::vector<int> all(robot.joints.size());
+  std::iota(all.begin(), all.end(), 0);
+  return FindWithGroups(robot, name, parameter, all);
+}
+
+robot::DofConfiguration FindDofOfOneSide(const robot::RobotDescription& robot,
+                                         const std::string& name, const std::string& parameter) {
+  robot::DofConfiguration dof = FindWithGroups(robot, name, parameter, OneSide(robot));
+  if (dof.dof() > 0) return dof;
+  throw UserError(
+      fmt::format("the robot `{}` has no joints left and right that mirror each other, for `{}`",
+                  robot.name, parameter));
 }
 
 }  // namespace runtime

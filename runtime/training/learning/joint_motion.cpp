@@ -11,7 +11,8 @@ constexpr double kWidestHalf = 2;  // of a coordinate's range [rad]
 }  // namespace
 
 JointMotion::JointMotion(const robot::RobotDescription& robot, robot::DofConfiguration dof,
-                         const ParametricMotion::Settings& settings)
+                         const ParametricMotion::Settings& settings,
+                         const std::optional<robot::DofConfiguration>& half_period_later)
     : dof_(std::move(dof)), mapping_(dof_, static_cast<int>(robot.joints.size())), stops_(robot) {
   Eigen::VectorXd centers(dof_.dof()), halves(dof_.dof());
   for (int i = 0; i < dof_.dof(); ++i) {
@@ -20,9 +21,11 @@ JointMotion::JointMotion(const robot::RobotDescription& robot, robot::DofConfigu
     halves[i] = std::min((stops_.high[joint] - stops_.low[joint]) / 2, kWidestHalf);
   }
   motion_ = ParametricMotion(settings, std::move(centers), std::move(halves));
+  if (half_period_later) half_period_later_.emplace(*half_period_later, mapping_.joints());
   rest_.setZero(dof_.dof());
   displacement_.setZero(dof_.dof());
   pose_.setZero(stops_.low.size());
+  later_targets_.setZero(stops_.low.size());
   standstill_ = motion_.Standstill(rest_);
 }
 
@@ -37,6 +40,11 @@ void JointMotion::SetPose(const Eigen::VectorXd& joint_angles) {
 void JointMotion::ComputeTargets(double time, Eigen::VectorXd& targets) {
   displacement_ = motion_.At(time) - rest_;
   mapping_.Apply(displacement_, targets);
+  if (half_period_later_) {
+    displacement_ = motion_.At(time + 0.5 / frequency()) - rest_;
+    half_period_later_->Apply(displacement_, later_targets_);
+    targets += later_targets_;
+  }
   targets += pose_;
   stops_.Limit(targets);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 
 #include "plugins/robot/robot_description.h"
 #include "runtime/training/learning/dof_mapping.h"
@@ -12,12 +13,14 @@ namespace runtime {
 // A ParametricMotion as targets of a robot's joints: a pose, plus how far the motion moves the
 // coordinates of a DoF configuration away from it, each within its stops. Coordinates range over
 // the stops of the joint that stands for them, but not more than 2 rad to either side of their
-// center. Nothing but the constructor allocates.
+// center. A second configuration of the same coordinates can move other joints by what these
+// coordinates are half a period later. Nothing but the constructor allocates.
 class JointMotion {
  public:
   JointMotion() = default;
   JointMotion(const robot::RobotDescription& robot, robot::DofConfiguration dof,
-              const ParametricMotion::Settings& settings);
+              const ParametricMotion::Settings& settings,
+              const std::optional<robot::DofConfiguration>& half_period_later = {});
 
   int size() const { return motion_.size(); }  // of the parameters
   // The parameters of no motion.
@@ -33,11 +36,13 @@ class JointMotion {
  private:
   robot::DofConfiguration dof_;
   DofMapping mapping_;
+  std::optional<DofMapping> half_period_later_;
   JointStops stops_;
   ParametricMotion motion_;
-  Eigen::VectorXd pose_;          // of the joints
-  Eigen::VectorXd rest_;          // of the coordinates
-  Eigen::VectorXd displacement_;  // scratch: of the coordinates
+  Eigen::VectorXd pose_;           // of the joints
+  Eigen::VectorXd rest_;           // of the coordinates
+  Eigen::VectorXd displacement_;   // scratch: of the coordinates
+  Eigen::VectorXd later_targets_;  // scratch: of the joints
   Eigen::VectorXd standstill_;
 };
 

@@ -35,7 +35,7 @@ const int& JointOffsets::ActionSize() {
 
 void JointOffsets::Prepare() {
   const auto joints = static_cast<Eigen::Index>(robot_.joints.size());
-  const robot::DofConfiguration dof = FindDofOrAll(robot_, dof_, name() + ".dof");
+  const robot::DofConfiguration dof = FindDofOrJoints(robot_, dof_, name() + ".dof");
   mapping_ = DofMapping(dof, static_cast<int>(joints));
   rest_ = Eigen::Map<const Eigen::VectorXd>(robot_.poses.front().joint_angles.data(), joints);
   stops_ = JointStops(robot_);

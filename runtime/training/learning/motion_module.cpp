@@ -6,17 +6,33 @@
 
 #include "runtime/core/module/connections.h"
 #include "runtime/training/learning/dof_configuration.h"
+#include "runtime/training/learning/joint_mirror.h"
 #include "runtime/training/learning/robot_sensor_in.h"
 
 namespace runtime {
+
+namespace {
+
+constexpr const char* kNoSymmetry = "none";
+constexpr const char* kMirrored = "mirrored";
+constexpr const char* kAlternating = "alternating";
+
+}  // namespace
 
 MotionModule::MotionModule(std::string name, const Context& context)
     : Module(std::move(name)),
       robot_(*context.robot),
       joint_angle_(MakeSensorIn(this, robot::SensorId::kJointAngle)) {
-  AddParameter({.name = "dof",
-                .doc = "DoF configuration of the robot; \"all\" moves each joint by itself",
-                .target = &dof_,
+  AddParameter(
+      {.name = "dof",
+       .doc = "DoF configuration of the robot; \"all\" or a group of joints: each by itself",
+       .target = &dof_,
+       .is_live = false});
+  AddParameter({.name = "symmetry",
+                .doc = "of a motion: what is left and what is right mirror each other, at the same "
+                       "time or alternating, half a period later; `dof` moves one side",
+                .target = &symmetry_,
+                .choices = {kNoSymmetry, kMirrored, kAlternating},
                 .is_live = false});
   AddParameter({.name = "kind",
                 .doc = "whether a motion is repeated, or done once from the start of the episode",
@@ -54,8 +70,25 @@ void MotionModule::Start() {
                     "`{0}.highest_frequency` {2} Hz",
                     name(), settings_.lowest_frequency, settings_.highest_frequency));
   }
-  motion_ = JointMotion(robot_, FindDofOrAll(robot_, dof_, name() + ".dof"), settings_);
+  motion_ = MakeMotion();
   joint_targets_.setZero(static_cast<Eigen::Index>(robot_.joints.size()));
+}
+
+JointMotion MotionModule::MakeMotion() const {
+  if (symmetry_ == kNoSymmetry) {
+    return {robot_, FindDofOrJoints(robot_, dof_, name() + ".dof"), settings_};
+  }
+  if (symmetry_ == kAlternating && settings_.kind != ParametricMotion::kPeriodic) {
+    throw UserError(
+        fmt::format("`{0}.symmetry` is `{1}`, but a motion that is done once "
+                    "(`{0}.kind`) has no half a period",
+                    name(), kAlternating));
+  }
+  robot::DofConfiguration side = FindDofOfOneSide(robot_, dof_, name() + ".dof");
+  const robot::DofConfiguration other = MirrorDof(robot_, side, name() + ".dof");
+  if (symmetry_ == kAlternating) return {robot_, std::move(side), settings_, other};
+  side.couplings.insert(side.couplings.end(), other.couplings.begin(), other.couplings.end());
+  return {robot_, std::move(side), settings_};
 }
 
 void MotionModule::BeginEpisode() {

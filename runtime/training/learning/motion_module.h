@@ -15,7 +15,8 @@ namespace runtime {
 // about which motions are.
 class MotionModule : public Module {
  public:
-  // Throws UserError where the robot has no such DoF configuration, or the frequencies are none.
+  // Throws UserError where the robot has no such DoF configuration or symmetry, or the frequencies
+  // are none.
   void Start() override;
 
  protected:
@@ -34,8 +35,11 @@ class MotionModule : public Module {
   double TimeAt(double time_step) const { return static_cast<double>(steps_) * time_step; }
 
  private:
+  JointMotion MakeMotion() const;
+
   const robot::RobotDescription& robot_;
   std::string dof_ = "5";
+  std::string symmetry_ = "none";
   ParametricMotion::Settings settings_;
   JointMotion motion_;
   Eigen::VectorXd joint_targets_;

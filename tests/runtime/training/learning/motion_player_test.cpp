@@ -16,7 +16,8 @@ namespace {
 using testing::HasSubstr;
 
 constexpr double kTimeStep = 0.005;
-constexpr int kNeckYaw = 0, kLeftHipPitch = 8, kLeftKneePitch = 9, kRightHipPitch = 13;
+constexpr int kNeckYaw = 0, kLeftHipRoll = 7, kLeftHipPitch = 8, kLeftKneePitch = 9;
+constexpr int kRightHipRoll = 12, kRightHipPitch = 13;
 
 // Environment and learner of an action space, and hears of the ends of its actions.
 class Stage : public FakeSensorModule {
@@ -99,6 +100,66 @@ TEST_F(MotionPlayerTest, MovesTheCoordinatesAroundThatPose) {
     EXPECT_NEAR(stage_.joint_targets()[kNeckYaw], 0.25, 1e-14);
     stage_.end_of_time_step(kTimeStep);
   }
+}
+
+// One side has eight joints; hips roll from -90 to 20 degrees.
+TEST_F(MotionPlayerTest, SidesAlternate) {
+  player_.Set("dof", std::string("all"));
+  player_.Set("symmetry", std::string("alternating"));
+  player_.Set("action_steps", int64_t{100});
+  Start();
+  ASSERT_EQ(stage_.standstill().size(), 1 + 8 * 3);
+  Eigen::VectorXd motion = stage_.standstill();
+  motion[1 + 3 * 3 + 1] = 0.2;  // sine of the left hip's roll
+  motion[1 + 4 * 3 + 2] = 0.1;  // cosine of its pitch
+  stage_.execute(motion);
+  for (int step = 0; step < 100; ++step) {
+    stage_.start_of_time_step(kTimeStep);
+    const double angle = 4 * std::numbers::pi * kTimeStep * step;
+    const double roll = 0.2 * 55 * std::numbers::pi / 180 * std::sin(angle);
+    const double pitch = 0.1 * std::numbers::pi / 2 * std::cos(angle);
+    EXPECT_NEAR(stage_.joint_targets()[kLeftHipRoll], roll, 1e-12);
+    EXPECT_NEAR(stage_.joint_targets()[kRightHipRoll], roll, 1e-12);  // -1 and half a period
+    EXPECT_NEAR(stage_.joint_targets()[kLeftHipPitch], 0.5 + pitch, 1e-12);
+    EXPECT_NEAR(stage_.joint_targets()[kRightHipPitch], 0.5 - pitch, 1e-12);
+    EXPECT_NEAR(stage_.joint_targets()[kNeckYaw], 0.25, 1e-14);
+    stage_.end_of_time_step(kTimeStep);
+  }
+}
+
+TEST_F(MotionPlayerTest, AGroupOfJointsMovesEachByItself) {
+  player_.Set("dof", std::string("left_leg"));
+  player_.Set("symmetry", std::string("alternating"));
+  Start();
+  EXPECT_EQ(stage_.standstill().size(), 1 + 5 * 3);
+  player_.Set("dof", std::string("left_legs"));
+  EXPECT_THAT(UserErrorOf([&] { player_.Start(); }), HasSubstr("did you mean `left_leg`?"));
+}
+
+TEST_F(MotionPlayerTest, SidesMirrorEachOther) {
+  player_.Set("dof", std::string("all"));
+  player_.Set("symmetry", std::string("mirrored"));
+  Start();
+  ASSERT_EQ(stage_.standstill().size(), 1 + 8 * 3);
+  Eigen::VectorXd motion = stage_.standstill();
+  motion[1 + 3 * 3 + 2] = 0.1;  // cosine of the left hip's roll
+  motion[1 + 4 * 3 + 2] = 0.1;  // and of its pitch
+  stage_.execute(motion);
+  stage_.start_of_time_step(kTimeStep);
+  const double roll = 0.1 * 55 * std::numbers::pi / 180;
+  EXPECT_NEAR(stage_.joint_targets()[kLeftHipRoll], roll, 1e-12);
+  EXPECT_NEAR(stage_.joint_targets()[kRightHipRoll], -roll, 1e-12);
+  EXPECT_NEAR(stage_.joint_targets()[kLeftHipPitch], 0.5 + 0.05 * std::numbers::pi, 1e-12);
+  EXPECT_NEAR(stage_.joint_targets()[kRightHipPitch], 0.5 + 0.05 * std::numbers::pi, 1e-12);
+}
+
+TEST_F(MotionPlayerTest, AMotionThatIsDoneOnceDoesNotAlternate) {
+  player_.Set("symmetry", std::string("alternating"));
+  player_.Set("dof", std::string("all"));
+  player_.Set("kind", std::string("one_shot"));
+  EXPECT_THAT(UserErrorOf([&] { player_.Start(); }),
+              HasSubstr("`player.symmetry` is `alternating`, but a motion that is done once "
+                        "(`player.kind`) has no half a period"));
 }
 
 TEST_F(MotionPlayerTest, AMotionGoesOnFromActionToAction) {
