@@ -43,6 +43,17 @@ RunProgressState StateOf(const RunProgress& run, RunState state) {
 
 }  // namespace
 
+void CountEpisode(const nlohmann::json& episode, RunProgress& run) {
+  run.episodes = episode["episode"].get<int64_t>();
+  run.last_return = episode["return"].is_number() ? episode["return"].get<double>()
+                                                  : std::numeric_limits<double>::quiet_NaN();
+  if (episode["end"]["kind"] != EndKindName(EndKind::kDiverged)) {
+    run.best_return = std::fmax(run.best_return, run.last_return);
+  }
+  run.wall_seconds += episode["wall_seconds"].get<double>();
+  ++run.episodes_here;
+}
+
 RunProgress ReadProgress(const std::filesystem::path& folder, std::string name) {
   RunProgress run{folder, std::move(name)};
   const RunDatabase database = RunDatabase::OpenToRead(folder);
@@ -125,15 +136,6 @@ void Supervisor::OnLine(Job& job, std::string_view line) {
   if (!json.is_object()) return;  // cut off by a crash
   if (json.contains("episode")) CountEpisode(json, job.run);
   listener_.OnLine(job.run, line);
-}
-
-void Supervisor::CountEpisode(const nlohmann::json& episode, RunProgress& run) {
-  run.episodes = episode["episode"].get<int64_t>();
-  run.last_return = episode["return"].is_number() ? episode["return"].get<double>()
-                                                  : std::numeric_limits<double>::quiet_NaN();
-  run.best_return = std::fmax(run.best_return, run.last_return);
-  run.wall_seconds += episode["wall_seconds"].get<double>();
-  ++run.episodes_here;
 }
 
 void Supervisor::OnEnd(Job& job) {

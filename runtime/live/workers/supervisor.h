@@ -35,6 +35,10 @@ struct RunProgress {
   std::string failure{};  // why it was given up
 };
 
+// The run has done one more, of which a worker has printed this. As everywhere, the return of one
+// that has diverged is not a best one (runtime/training/run/return_statistics.h).
+void CountEpisode(const nlohmann::json& episode, RunProgress& run);
+
 // How far the run in `folder` is, and whether a trainer works on it.
 RunProgress ReadProgress(const std::filesystem::path& folder, std::string name);
 
@@ -82,7 +86,6 @@ class Supervisor {
   void Wait();
   void ReadFrom(Job& job, short output_events, short error_events);
   void OnLine(Job& job, std::string_view line);
-  static void CountEpisode(const nlohmann::json& episode, RunProgress& run);
   void OnEnd(Job& job);
   void StopWorkers(const StopRequest& stop);
   bool is_stopping() const { return signals_sent_ > 0; }
