@@ -54,7 +54,7 @@ void Run(const Profile& profile, unsigned seed, Averages& averages) {
     contacts += static_cast<double>(world.collision().contacts().size());
     for (int i = 0; i < world.body().link_count(); ++i) links += world.contacts().flag(i);
     for (int j = 0; j < world.body().joint_count(); ++j) {
-      joint_speed += std::abs(dJointGetHingeAngleRate(world.body().hinge(j)));
+      joint_speed += std::abs(dJointGetHingeAngleRate(world.body().joint(j).id()));
     }
   }
   const dReal* base = dBodyGetPosition(world.body().body(0));

@@ -5,6 +5,11 @@
 
 namespace file {
 
+std::filesystem::path SharedFolder() {
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe");
+  return program.parent_path().parent_path() / "share/taskc";
+}
+
 std::vector<std::filesystem::path> SearchPath(const char* variable, std::string_view installed) {
   std::vector<std::filesystem::path> folders;
   if (const char* path = std::getenv(variable)) {
@@ -14,8 +19,7 @@ std::vector<std::filesystem::path> SearchPath(const char* variable, std::string_
       rest = end == std::string_view::npos ? std::string_view{} : rest.substr(end + 1);
     }
   }
-  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe");
-  folders.push_back(program.parent_path().parent_path() / "share/taskc" / installed);
+  folders.push_back(SharedFolder() / installed);
   return folders;
 }
 

@@ -7,8 +7,11 @@
 
 namespace file {
 
-// The folders that the environment variable names (separated by ':'), then share/taskc/`installed`
-// beside the running program's bin folder.
+// share/taskc beside the running program's bin folder: what comes with the programs.
+std::filesystem::path SharedFolder();
+
+// The folders that the environment variable names (separated by ':'), then `installed` in
+// SharedFolder().
 std::vector<std::filesystem::path> SearchPath(const char* variable, std::string_view installed);
 
 }  // namespace file

@@ -20,30 +20,18 @@ Diagnostic UnknownRobot(const Identifier& name, std::string_view what) {
 
 }  // namespace
 
-std::vector<std::filesystem::path> RobotFolders(const std::filesystem::path& task,
-                                                const std::filesystem::path& first) {
-  std::vector<std::filesystem::path> folders;
-  if (!first.empty()) folders.push_back(first);
-  std::filesystem::path beside = task.parent_path();
-  folders.push_back(beside.empty() ? "." : beside);
-  for (std::filesystem::path& folder : robot::DefaultRobotFolders()) {
-    folders.push_back(std::move(folder));
-  }
-  return folders;
-}
-
 std::optional<robot::RobotDescription> FindRobot(const Identifier& name,
                                                  const std::filesystem::path& task,
                                                  const std::filesystem::path& first,
                                                  Diagnostics& diagnostics) {
   std::filesystem::path file;
   try {
-    file = robot::FindRobotFile(name.text, RobotFolders(task, first));
+    file = robot::FindRobotFile(name.text, robot::RobotFolders({task}, first));
   } catch (const robot::DescriptionError& error) {
     diagnostics.Add(UnknownRobot(name, error.what()));
     return std::nullopt;
   }
-  return robot::ReadRobot(file);
+  return robot::ReadRobotCalled(name.text, file);
 }
 
 }  // namespace compiler

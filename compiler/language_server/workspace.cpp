@@ -114,7 +114,7 @@ const robot::RobotDescription* Workspace::RobotOf(const Document& document) {
 }
 
 std::vector<std::filesystem::path> Workspace::RobotFoldersOf(const Document& document) const {
-  return RobotFolders(document.path(), robots_);
+  return robot::RobotFolders({document.path()}, robots_);
 }
 
 std::vector<std::shared_ptr<const Findings>> Workspace::Users(const std::filesystem::path& file) {

@@ -40,12 +40,28 @@ std::filesystem::path FindRobotFile(std::string_view name,
   std::string places;
   for (const std::filesystem::path& folder : folders) places += fmt::format(" {}", folder.string());
   throw DescriptionError(fmt::format(
-      "there is no robot `{}`\n  help: {} (looked in{}; set TASKC_ROBOT_PATH to look elsewhere)",
+      "there is no robot `{}`\n  help: {} (looked in{}; `--robots DIR` or TASKC_ROBOT_PATH look "
+      "elsewhere)",
       name, SuggestName(name, names), places));
 }
 
 std::vector<std::filesystem::path> DefaultRobotFolders() {
   return file::SearchPath("TASKC_ROBOT_PATH", "robots");
+}
+
+std::vector<std::filesystem::path> RobotFolders(const std::vector<std::filesystem::path>& files,
+                                                const std::filesystem::path& first) {
+  std::vector<std::filesystem::path> folders;
+  if (!first.empty()) folders.push_back(first);
+  for (const std::filesystem::path& file : files) {
+    std::filesystem::path beside = file.parent_path();
+    if (beside.empty()) beside = ".";
+    if (std::ranges::find(folders, beside) == folders.end()) folders.push_back(std::move(beside));
+  }
+  for (std::filesystem::path& folder : DefaultRobotFolders()) {
+    folders.push_back(std::move(folder));
+  }
+  return folders;
 }
 
 }  // namespace robot

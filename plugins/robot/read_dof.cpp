@@ -5,7 +5,7 @@ namespace {
 
 // One coordinate: the joint that stands for it, then those that follow.
 void ReadCoordinate(const TomlValue& value, const RobotDescription& robot, DofConfiguration& dof) {
-  value.AllowKeys({"joint", "also"});
+  value.AllowKeys(KeysOf("coordinate"));
   const std::vector<std::string> joints = NamesOf(robot.joints);
   const int coordinate = dof.dof();
   const TomlValue own = value.At("joint");
@@ -51,7 +51,7 @@ NetDescription ReadNet(const TomlValue& value, const RobotDescription& robot) {
   const DofConfiguration& dof = robot.dof_configurations[dof_index];
   net.dof = dof.name;
   if (named.At("kind").IndexIn({"grid", "bubble"}, "kind") == 0) {
-    named.AllowKeys({"name", "dof", "kind", "counts", "low", "high", "deviations"});
+    named.AllowKeys(KeysOf("grid"));
     net.kind = NetKind::kGrid;
     const TomlValue counts = named.At("counts");
     counts.Numbers(dof.representatives.size());
@@ -63,7 +63,7 @@ NetDescription ReadNet(const TomlValue& value, const RobotDescription& robot) {
       }
     }
   } else {
-    named.AllowKeys({"name", "dof", "kind", "units", "low", "high"});
+    named.AllowKeys(KeysOf("bubble"));
     net.kind = NetKind::kBubble;
     net.units = named.At("units").Count();
   }
@@ -79,7 +79,7 @@ std::vector<DofConfiguration> ReadDofConfigurations(const TomlValue& root,
   const auto list = root.Find("dof_configurations");
   if (!list) return configurations;
   for (const TomlValue& value : list->Items()) {
-    value.AllowKeys({"name", "coordinates"});
+    value.AllowKeys(KeysOf("DoF configuration"));
     DofConfiguration dof;
     const TomlValue name = value.At("name");
     dof.name = name.Text();

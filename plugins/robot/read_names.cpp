@@ -57,7 +57,7 @@ std::vector<Pose> ReadPoses(const TomlValue& root, const RobotDescription& robot
   std::vector<Pose> poses;
   const TomlValue list = root.At("poses");
   for (const TomlValue& value : list.Items()) {
-    value.AllowKeys({"name", "position", "orientation", "joints"});
+    value.AllowKeys(KeysOf("pose"));
     Pose pose;
     const TomlValue name = value.At("name");
     pose.name = name.Name();

@@ -7,12 +7,14 @@
 #include <vector>
 
 #include "plugins/robot/robot_description.h"
+#include "plugins/robot/robot_keys.h"
 #include "plugins/robot/toml_value.h"
 
 namespace robot {
 
 std::vector<Link> ReadLinks(const TomlValue& root);
-std::vector<Joint> ReadJoints(const TomlValue& root, const RobotDescription& robot);
+// Sets `joints` and `mounts` of `robot`.
+void ReadJoints(const TomlValue& root, RobotDescription& robot);
 std::vector<Pose> ReadPoses(const TomlValue& root, const RobotDescription& robot);
 // `key`: "link_groups"; `kind`: "link"; `names`: those of all links.
 std::vector<Group> ReadGroups(const TomlValue& root, std::string_view key, std::string_view kind,

@@ -24,7 +24,7 @@ toml::table Parse(const std::string& file) {
 
 Controller ReadController(const TomlValue& root) {
   const TomlValue value = root.At("controller").Called("`controller`");
-  value.AllowKeys({"stiffness", "damping", "max_torque", "max_speed", "time_step"});
+  value.AllowKeys(KeysOf("controller"));
   Controller controller;
   controller.stiffness = value.At("stiffness").PositiveNumber();
   controller.damping = value.At("damping").PositiveNumber();
@@ -35,20 +35,30 @@ Controller ReadController(const TomlValue& root) {
   return controller;
 }
 
-}  // namespace
+// `called`: its folder's name, or nothing where any name will do.
+std::string ReadName(const TomlValue& root, std::optional<std::string_view> called) {
+  const TomlValue value = root.At("name");
+  std::string name = value.Name();
+  if (called && *called != name) {
+    value.Fail(fmt::format("the robot in the folder `{}` is called `{}`", *called, name),
+               fmt::format("write `name = \"{}\"`, or rename the folder", *called));
+  }
+  return name;
+}
 
-RobotDescription ReadRobot(const std::filesystem::path& file) {
+RobotDescription Read(const std::filesystem::path& file, std::optional<std::string_view> called) {
   const std::string file_name = file.string();
   const toml::table table = Parse(file_name);
   const TomlValue root(file_name, table, "the robot");
-  root.AllowKeys({"name", "doc", "links", "joints", "controller", "poses", "link_groups",
-                  "joint_groups", "dof_configurations", "nets", "ranges"});
+  root.AllowKeys(KeysOf("robot"));
   RobotDescription robot;
   robot.file = file;
-  robot.name = root.At("name").Name();
+  robot.name = ReadName(root, called);
   robot.doc = root.At("doc").Text();
   robot.links = ReadLinks(root);
-  robot.joints = ReadJoints(root, robot);
+  if (const auto base = root.Find("base"))
+    robot.has_fixed_base = base->IndexIn({"free", "fixed"}, "kind of base") == 1;
+  ReadJoints(root, robot);
   robot.controller = ReadController(root);
   robot.poses = ReadPoses(root, robot);
   robot.link_groups = ReadGroups(root, "link_groups", "link", NamesOf(robot.links));
@@ -57,6 +67,14 @@ RobotDescription ReadRobot(const std::filesystem::path& file) {
   robot.nets = ReadNets(root, robot);
   robot.nominal_ranges = ReadNominalRanges(root, robot);
   return robot;
+}
+
+}  // namespace
+
+RobotDescription ReadRobot(const std::filesystem::path& file) { return Read(file, std::nullopt); }
+
+RobotDescription ReadRobotCalled(std::string_view name, const std::filesystem::path& file) {
+  return Read(file, name);
 }
 
 }  // namespace robot

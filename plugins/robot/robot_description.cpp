@@ -40,4 +40,31 @@ const NetDescription* RobotDescription::FindNet(std::string_view net) const {
   return FindByName(nets, net);
 }
 
+Gains RobotDescription::GainsOf(const Joint& joint) const {
+  const OwnGains& own = joint.gains;
+  return {.stiffness = own.stiffness.value_or(controller.stiffness),
+          .damping = own.damping.value_or(controller.damping),
+          .max_torque = own.max_torque.value_or(controller.max_torque),
+          .max_speed = own.max_speed.value_or(controller.max_speed)};
+}
+
+std::vector<Branch> RobotDescription::Branches() const {
+  std::vector<Branch> branches;
+  std::vector<bool> attached(links.size(), false);
+  attached[0] = true;
+  const auto add = [&](const Branch& branch) {
+    if (!attached[branch.parent] || attached[branch.child]) return;
+    attached[branch.child] = true;
+    branches.push_back(branch);
+  };
+  for (size_t before = 1; before != branches.size();) {
+    before = branches.size();
+    for (size_t j = 0; j < joints.size(); ++j)
+      add({.parent = joints[j].parent, .child = joints[j].child, .joint = static_cast<int>(j)});
+    for (size_t m = 0; m < mounts.size(); ++m)
+      add({.parent = mounts[m].parent, .child = mounts[m].child, .mount = static_cast<int>(m)});
+  }
+  return branches;
+}
+
 }  // namespace robot

@@ -22,6 +22,8 @@ inline constexpr double kGravity = 9.8;          // downward [m / s^2]
 inline constexpr double kFastest = 1e2;          // [m / s]
 inline constexpr double kFastestRotation = 1e4;  // [rad / s]
 
+inline constexpr double kUnlimited = std::numeric_limits<double>::infinity();
+
 enum class ShapeKind { kBox, kCapsule, kSphere };
 
 struct LinkShape {
@@ -39,27 +41,82 @@ struct Link {
   LinkShape shape;
 };
 
-// A hinge. A positive angle turns the child by -angle about `axis` (ODE's own measure when the
-// parent is attached first).
+enum class JointKind { kHinge, kContinuous, kSlider };
+
+// What a joint has of its own in place of what the controller says for all.
+struct OwnGains {
+  std::optional<double> stiffness;
+  std::optional<double> damping;
+  std::optional<double> max_torque;
+  std::optional<double> max_speed;
+};
+
+// What acts on a joint besides its motor and its stops.
+struct PassiveForces {
+  double spring = 0;       // N m / rad, toward `spring_rest`
+  double spring_rest = 0;  // rad
+  double damper = 0;       // N m s / rad
+  double friction = 0;     // N m, whatever the speed
+  double armature = 0;     // inertia of what turns with the motor, as the joint feels it [kg m^2]
+};
+
+// A joint of one coordinate, its angle [rad]. A positive angle turns the child by -angle about
+// `axis` (ODE's own measure when the parent is attached first). A slider is moved by a rack and
+// pinion, and its angle is that of the pinion: a positive one shifts the child by radius * angle
+// along `axis`.
 struct Joint {
   std::string name;
   int parent = 0;  // link index
   int child = 0;
   Vector3 axis{};    // unit vector, world frame, zero pose
-  Vector3 anchor{};  // relative to the base link's center, zero pose
-  double low = 0;    // stops
+  Vector3 anchor{};  // relative to the base link's center, zero pose; of a slider nothing
+  double low = 0;    // stops; of a joint without any minus infinity and infinity
   double high = 0;
+  JointKind kind = JointKind::kHinge;
+  double radius = 1;  // of a slider's pinion [m / rad]
+  OwnGains gains{};
+  PassiveForces passive{};
+
+  bool HasStops() const { return high < kUnlimited; }
+};
+
+enum class MountKind { kFixed, kBall };
+
+// What joins two links without a coordinate: it is neither driven nor sensed.
+struct Mount {
+  std::string name;
+  MountKind kind = MountKind::kFixed;
+  int parent = 0;  // link index
+  int child = 0;
+  Vector3 anchor{};   // of a ball: its center, relative to the base link's center, zero pose
+  double damper = 0;  // of a ball [N m s / rad]
+};
+
+// One edge of the tree of links: a joint, or a mount.
+struct Branch {
+  int parent = 0;  // link index
+  int child = 0;
+  int joint = -1;  // index, or -1
+  int mount = -1;  // index, or -1
 };
 
 // Joint-level PD control: torque = clip(stiffness * (target - angle) - damping * rate, max_torque).
 // A motor that turns has less to give, in proportion, and at `max_speed` nothing that would turn it
 // faster: the two numbers of a servo's data sheet, its stall torque and its no-load speed.
+struct Gains {
+  double stiffness = 0;           // N m / rad
+  double damping = 0;             // N m s / rad
+  double max_torque = 0;          // N m
+  double max_speed = kUnlimited;  // rad / s
+};
+
+// The gains of joints that have none of their own.
 struct Controller {
-  double stiffness = 0;                                        // N m / rad
-  double damping = 0;                                          // N m s / rad
-  double max_torque = 0;                                       // N m
-  double max_speed = std::numeric_limits<double>::infinity();  // rad / s
-  double time_step = 0;                                        // of the tasks and the learner [s]
+  double stiffness = 0;           // N m / rad
+  double damping = 0;             // N m s / rad
+  double max_torque = 0;          // N m
+  double max_speed = kUnlimited;  // rad / s
+  double time_step = 0;           // of the tasks and the learner [s]
 };
 
 struct Pose {
@@ -109,8 +166,8 @@ struct NetDescription {
 
 // The values that a number can have: from `low` to `high`, where these are known.
 struct Range {
-  double low = -std::numeric_limits<double>::infinity();
-  double high = std::numeric_limits<double>::infinity();
+  double low = -kUnlimited;
+  double high = kUnlimited;
 };
 
 // What the author of a description says of a sensor whose values nothing limits by itself: where
@@ -123,9 +180,11 @@ struct NominalRange {
 struct RobotDescription {
   std::string name;
   std::string doc;
-  std::filesystem::path file;  // where it was read from
-  std::vector<Link> links;     // links[0] is the base
+  std::filesystem::path file;   // where it was read from
+  std::vector<Link> links;      // links[0] is the base
+  bool has_fixed_base = false;  // what carries the robot holds the base link where it starts
   std::vector<Joint> joints;
+  std::vector<Mount> mounts;
   Controller controller;
   std::vector<Pose> poses;  // the first is the default
   std::vector<Group> link_groups;
@@ -139,6 +198,11 @@ struct RobotDescription {
   const Pose* FindPose(std::string_view pose) const;
   const DofConfiguration* FindDof(std::string_view dof) const;
   const NetDescription* FindNet(std::string_view net) const;
+
+  Gains GainsOf(const Joint& joint) const;
+  // All joints and mounts, each after the one that attaches its parent; joints as far as possible
+  // in their own order.
+  std::vector<Branch> Branches() const;
 };
 
 // A mistake in a description file: the message names file, line and remedy.
@@ -154,6 +218,10 @@ class DescriptionError : public std::exception {
 // Reads and checks a description. Throws DescriptionError.
 RobotDescription ReadRobot(const std::filesystem::path& file);
 
+// The same for a robot that was looked for by this name, as its folder is called. Throws
+// DescriptionError where the description says that it is another.
+RobotDescription ReadRobotCalled(std::string_view name, const std::filesystem::path& file);
+
 // The file that describes the robot called `name`: `name`/robot.toml in the first of the folders
 // that has it. Throws DescriptionError with the robots that there are, nearest name first.
 std::filesystem::path FindRobotFile(std::string_view name,
@@ -162,5 +230,10 @@ std::filesystem::path FindRobotFile(std::string_view name,
 // Where robots are searched for: the folders of the environment variable TASKC_ROBOT_PATH
 // (separated by ':'), then share/taskc/robots beside the running program's bin folder.
 std::vector<std::filesystem::path> DefaultRobotFolders();
+
+// Where the robot of a task is searched for: the folder `first` (where it is not empty), those of
+// the task's files, then DefaultRobotFolders().
+std::vector<std::filesystem::path> RobotFolders(const std::vector<std::filesystem::path>& files,
+                                                const std::filesystem::path& first);
 
 }  // namespace robot

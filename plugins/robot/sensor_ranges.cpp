@@ -8,7 +8,7 @@
 namespace robot {
 namespace {
 
-constexpr std::array kUnlimited = {
+constexpr std::array kWithoutLimit = {
     SensorId::kBasePosition,        SensorId::kBaseVelocity,  SensorId::kBaseAngularVelocity,
     SensorId::kBaseAcceleration,    SensorId::kJointVelocity, SensorId::kJointAcceleration,
     SensorId::kJointTarget,         SensorId::kLinkPosition,  SensorId::kLinkVelocity,
@@ -25,19 +25,40 @@ std::vector<Range> AngleRanges(const RobotDescription& robot) {
   return ranges;
 }
 
+std::vector<Range> TorqueRanges(const RobotDescription& robot) {
+  std::vector<Range> ranges;
+  for (const Joint& joint : robot.joints) {
+    const double most = robot.GainsOf(joint).max_torque;
+    ranges.push_back({-most, most});
+  }
+  return ranges;
+}
+
 double Distance(const Vector3& a, const Vector3& b) {
   return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+// The longest way between the centers of two links, along what joins them.
+double LongestWay(const Branch& branch, const RobotDescription& robot) {
+  const Vector3& parent = robot.links[branch.parent].position;
+  const Vector3& child = robot.links[branch.child].position;
+  const auto over = [&](const Vector3& anchor) {
+    return Distance(parent, anchor) + Distance(anchor, child);
+  };
+  if (branch.joint < 0) {
+    const Mount& mount = robot.mounts[branch.mount];
+    return mount.kind == MountKind::kBall ? over(mount.anchor) : Distance(parent, child);
+  }
+  const Joint& joint = robot.joints[branch.joint];
+  if (joint.kind != JointKind::kSlider) return over(joint.anchor);
+  return Distance(parent, child) + joint.radius * std::max(-joint.low, joint.high);
 }
 
 // How far each link's center can be from the base's: the way along the joints, stretched out.
 std::vector<double> Reaches(const RobotDescription& robot) {
   std::vector<double> reaches(robot.links.size(), 0);
-  for (size_t round = 0; round < robot.joints.size(); ++round) {  // in whatever order they stand
-    for (const Joint& joint : robot.joints) {
-      reaches[joint.child] = reaches[joint.parent] +
-                             Distance(robot.links[joint.parent].position, joint.anchor) +
-                             Distance(joint.anchor, robot.links[joint.child].position);
-    }
+  for (const Branch& branch : robot.Branches()) {
+    reaches[branch.child] = reaches[branch.parent] + LongestWay(branch, robot);
   }
   return reaches;
 }
@@ -95,7 +116,7 @@ std::vector<Range> CommonRanges(SensorId sensor, const RobotDescription& robot) 
     case SensorId::kJointAngle:
       return AngleRanges(robot);
     case SensorId::kJointTorque:
-      return {{-robot.controller.max_torque, robot.controller.max_torque}};
+      return TorqueRanges(robot);
     case SensorId::kContact:
       return {{0, 1}};
     case SensorId::kBaseAcceleration:
@@ -124,7 +145,7 @@ std::vector<Range> CommonRanges(SensorId sensor, const RobotDescription& robot) 
 }  // namespace
 
 bool IsUnlimited(SensorId sensor) {
-  return std::ranges::find(kUnlimited, sensor) != kUnlimited.end();
+  return std::ranges::find(kWithoutLimit, sensor) != kWithoutLimit.end();
 }
 
 std::vector<Range> RangesOf(const SensorDescription& sensor, const RobotDescription& robot) {

@@ -39,15 +39,15 @@ constexpr std::array<SensorDescription, static_cast<size_t>(SensorId::kCount)> k
      "acceleration since the start of the last time step, less that of gravity",
      kHeld},
     {SensorId::kJointAngle, "joint.angle", "real[joint]", "rad",
-     "angle of each hinge, from -pi to pi; 0 in the zero pose", kZeros},
+     "angle of each joint; 0 in the zero pose", kZeros},
     {SensorId::kJointVelocity, "joint.velocity", "real[joint]", "rad/s",
-     "rate of change of each hinge's angle", kZeros},
+     "rate of change of each joint's angle", kZeros},
     {SensorId::kJointAcceleration, "joint.acceleration", "real[joint]", "rad/s^2",
-     "mean rate of change of each hinge's velocity since the start of the last time step", kZeros},
+     "mean rate of change of each joint's velocity since the start of the last time step", kZeros},
     {SensorId::kJointTorque, "joint.torque", "real[joint]", "N m",
      "torque that the controller asked for in the last physics step, within its limit", kZeros},
     {SensorId::kJointTarget, "joint.target", "real[joint]", "rad",
-     "angle that the controller was told to bring each hinge to in the last physics step", kZeros},
+     "angle that the controller was told to bring each joint to in the last physics step", kZeros},
     {SensorId::kLinkPosition, "link.position", "vec3[link]", "m",
      "center of mass of each link, in the world frame", kZeros, kNotOnboard},
     {SensorId::kLinkOrientation, "link.orientation", "quat[link]", "",
@@ -98,12 +98,12 @@ constexpr bool HaveCountedTypes() {
 static_assert(HaveCountedTypes());
 
 constexpr std::array kConstants = {
-    ConstantDescription{"joint.low", "real[joint]", "rad", "the lower stop of each hinge"},
-    ConstantDescription{"joint.high", "real[joint]", "rad", "the upper stop of each hinge"},
+    ConstantDescription{"joint.low", "real[joint]", "rad", "the lower stop of each joint"},
+    ConstantDescription{"joint.high", "real[joint]", "rad", "the upper stop of each joint"},
     ConstantDescription{"joint.rest", "real[joint]", "rad",
-                        "the angle of each hinge in the robot's first pose"},
+                        "the angle of each joint in the robot's first pose"},
     ConstantDescription{"joint.max_torque", "real[joint]", "N m",
-                        "the most that the controller exerts on each hinge"},
+                        "the most that the controller exerts on each joint"},
     ConstantDescription{"link.mass", "real[link]", "kg", "the mass of each link"},
 };
 
@@ -134,7 +134,7 @@ std::vector<double> ValuesOf(const ConstantDescription& constant, const RobotDes
   } else if (constant.name == "joint.rest") {
     values = robot.poses.front().joint_angles;
   } else if (constant.name == "joint.max_torque") {
-    values.assign(robot.joints.size(), robot.controller.max_torque);
+    for (const Joint& joint : robot.joints) values.push_back(robot.GainsOf(joint).max_torque);
   } else {
     for (const Link& link : robot.links) values.push_back(link.mass);
   }

@@ -51,6 +51,17 @@ double TomlValue::PositiveNumber() const {
   return number;
 }
 
+double TomlValue::NumberNotBelowZero() const {
+  const double number = Number();
+  if (number < 0) Fail(what_ + " is negative", "give 0 or more");
+  return number;
+}
+
+bool TomlValue::Flag() const {
+  if (!node_->is_boolean()) FailType("true or false");
+  return *node_->value<bool>();
+}
+
 int TomlValue::Count() const {
   if (!node_->is_integer()) FailType("an integer");
   const int64_t number = *node_->value<int64_t>();
@@ -128,7 +139,7 @@ TomlValue TomlValue::At(std::string_view key) const {
   Fail(fmt::format("{} has no `{}`", what_, key), fmt::format("add `{}`", key));
 }
 
-void TomlValue::AllowKeys(std::initializer_list<std::string_view> keys) const {
+void TomlValue::AllowKeys(std::span<const std::string_view> keys) const {
   for (const auto& [key, value] : Entries()) {
     if (std::find(keys.begin(), keys.end(), key) != keys.end()) continue;
     const std::vector<std::string> names(keys.begin(), keys.end());

@@ -4,8 +4,8 @@
 
 #include <toml++/toml.h>
 
-#include <initializer_list>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -24,6 +24,8 @@ class TomlValue {
   // Each of these throws DescriptionError if the value has another type.
   double Number() const;
   double PositiveNumber() const;
+  double NumberNotBelowZero() const;
+  bool Flag() const;  // true or false
   int Count() const;  // an integer above 0
   bool IsText() const { return node_->is_string(); }
   bool IsList() const { return node_->is_array(); }
@@ -41,7 +43,7 @@ class TomlValue {
   std::optional<TomlValue> Find(std::string_view key) const;
   TomlValue At(std::string_view key) const;  // throws DescriptionError if there is none
   // Throws DescriptionError, with the nearest key, if the table has a key that is not among these.
-  void AllowKeys(std::initializer_list<std::string_view> keys) const;
+  void AllowKeys(std::span<const std::string_view> keys) const;
 
   // The index of this text in `names`. Throws DescriptionError with the nearest name, or all of
   // them: "there is no link `haed`". `kind`: "link".

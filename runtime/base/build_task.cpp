@@ -41,9 +41,12 @@ bool RunCompiler(const std::vector<std::string>& words, std::string& output) {
 }
 
 bool BuildTask(const std::filesystem::path& task, const std::filesystem::path& plugin,
-               std::string* messages, const std::stop_token& stop) {
+               const std::filesystem::path& robots, std::string* messages,
+               const std::stop_token& stop) {
   const Captured captured = messages != nullptr ? Captured::kMessages : Captured::kNothing;
-  ChildResult result = RunTaskc({"build", task.string(), "-o", plugin.string()}, captured, stop);
+  std::vector<std::string> words = {"build", task.string(), "-o", plugin.string()};
+  if (!robots.empty()) words.insert(words.end(), {"--robots", robots.string()});
+  ChildResult result = RunTaskc(std::move(words), captured, stop);
   if (messages != nullptr) *messages = std::move(result.captured);
   return result.is_success;
 }

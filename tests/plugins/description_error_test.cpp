@@ -120,10 +120,29 @@ const Mistake kMistakes[] = {
     {"LowStopAboveHighStop", "[-90, 90]", "[90, -90]",
      "13:102: error: `stops_deg` of joint `hip`: the low stop is not below the high stop\n"
      "  help: write [low, high]"},
-    {"StopsBeyondATurn", "[-90, 90]", "[-90, 200]",
-     "13:102: error: `stops_deg` of joint `hip` exceed -180 to 180 degrees, the range that a hinge "
-     "can measure\n"
-     "  help: give [-180, 180] to a joint without stops"},
+    {"UnknownTypeOfAJoint", "name = \"hip\"", "name = \"hip\", type = \"prismatic\"",
+     "13:26: error: there is no type of joint `prismatic`\n"
+     "  help: choose from `hinge`, `continuous`, `slider`, `fixed` and `ball`"},
+    {"StopsOfAContinuousJoint", "name = \"hip\"", "name = \"hip\", type = \"continuous\"",
+     "13:110: error: unknown key `stops_deg` in joint `hip`\n"
+     "  help: choose from `name`, `type`, `parent`, `child`, `axis`, `stiffness`, `damping`, "
+     "`max_torque`, `max_speed`, `passive`, `spring`, `spring_rest`, `damper`, `friction`, "
+     "`armature` and `anchor`"},
+    {"SliderWithoutTravel",
+     "name = \"hip\", parent = \"trunk\", child = \"thigh\", axis = \"y\", "
+     "anchor = [0, 0, -0.05], stops_deg = [-90, 90]",
+     "name = \"hip\", parent = \"trunk\", child = \"thigh\", axis = \"y\", type = \"slider\"",
+     "13:3: error: joint `hip` has no `travel`\n"
+     "  help: add `travel`"},
+    {"NegativeArmature", "name = \"hip\"", "name = \"hip\", armature = -1",
+     "13:30: error: `armature` of joint `hip` is negative\n"
+     "  help: give 0 or more"},
+    {"MotorOfAPassiveJoint", "name = \"hip\"", "name = \"hip\", passive = true, stiffness = 1",
+     "13:46: error: `stiffness` of joint `hip` is of a motor, and a passive joint has none\n"
+     "  help: leave out `passive`, or this"},
+    {"UnknownBase", "name = \"hopper\"", "name = \"hopper\"\nbase = \"floating\"",
+     "4:8: error: there is no kind of base `floating`\n"
+     "  help: choose from `free` and `fixed`"},
     {"AxisWithoutDirection", "axis = [0, 2, 0]", "axis = [0, 0, 0]",
      "14:62: error: `axis` of joint `knee` has no direction\n"
      "  help: give \"x\", \"y\" or \"z\""},

@@ -30,18 +30,18 @@ TEST(FindRobot, TakesTheFirstFolderThatHasIt) {
 TEST(FindRobot, SuggestsTheNearestName) {
   EXPECT_EQ(MessageFor("hoper", {ROBOTS, STAGED_ROBOTS}),
             "there is no robot `hoper`\n  help: did you mean `hopper`? (looked in " ROBOTS
-            " " STAGED_ROBOTS "; set TASKC_ROBOT_PATH to look elsewhere)");
+            " " STAGED_ROBOTS "; `--robots DIR` or TASKC_ROBOT_PATH look elsewhere)");
 }
 
 TEST(FindRobot, ListsTheRobotsIfNoneIsNear) {
   EXPECT_THAT(MessageFor("quadruped", {ROBOTS, STAGED_ROBOTS}),
-              HasSubstr("choose from `hopper` and `humanoid`"));
+              HasSubstr("choose from `hopper`, `humanoid` and `tinker`"));
 }
 
 TEST(FindRobot, SaysWhereItLookedIfThereIsNoRobotAtAll) {
   EXPECT_EQ(MessageFor("hopper", {"/nowhere"}),
-            "there is no robot `hopper`\n  help: there is none at all (looked in /nowhere; set "
-            "TASKC_ROBOT_PATH to look elsewhere)");
+            "there is no robot `hopper`\n  help: there is none at all (looked in /nowhere; "
+            "`--robots DIR` or TASKC_ROBOT_PATH look elsewhere)");
 }
 
 TEST(FindRobot, TheEnvironmentComesBeforeTheProgramsOwnFolder) {
@@ -52,6 +52,25 @@ TEST(FindRobot, TheEnvironmentComesBeforeTheProgramsOwnFolder) {
   EXPECT_EQ(folders[1], "/b/c");
   // Test programs lie beside bin/, so their share/ is that of the programs.
   EXPECT_EQ(folders[2], STAGED_ROBOTS);
+}
+
+TEST(FindRobot, AGivenFolderComesFirstThenThoseOfTheTasksFiles) {
+  const ScopedEnvironment robots("TASKC_ROBOT_PATH", "/a");
+  EXPECT_THAT(RobotFolders({"tasks/one.task", "base.task", "tasks/two.task"}, "mine"),
+              ElementsAre("mine", "tasks", ".", "/a", STAGED_ROBOTS));
+  EXPECT_THAT(RobotFolders({"one.task"}, ""), ElementsAre(".", "/a", STAGED_ROBOTS));
+}
+
+TEST(FindRobot, AFolderIsCalledAsItsRobot) {
+  EXPECT_EQ(ReadRobotCalled("hopper", ROBOTS "/hopper/robot.toml").name, "hopper");
+  try {
+    ReadRobotCalled("jumper", ROBOTS "/hopper/robot.toml");
+    FAIL() << "no error";
+  } catch (const DescriptionError& error) {
+    EXPECT_STREQ(error.what(), ROBOTS
+                 "/hopper/robot.toml:3:8: error: the robot in the folder `jumper` is called "
+                 "`hopper`\n  help: write `name = \"jumper\"`, or rename the folder");
+  }
 }
 
 TEST(FindRobot, StagedHumanoidCanBeRead) {

@@ -109,5 +109,63 @@ TEST(RobotDescription, NetsLieInTheSpaceOfTheirConfiguration) {
   EXPECT_EQ(robot.FindNet("g4"), nullptr);
 }
 
+RobotDescription Tinker() { return ReadRobot(ROBOTS "/tinker/robot.toml"); }
+
+TEST(RobotDescription, OldFilesHaveHingesWithoutAnythingOfTheirOwn) {
+  const RobotDescription robot = Hopper();
+  EXPECT_FALSE(robot.has_fixed_base);
+  EXPECT_TRUE(robot.mounts.empty());
+  for (const Joint& joint : robot.joints) {
+    EXPECT_EQ(joint.kind, JointKind::kHinge);
+    EXPECT_EQ(joint.radius, 1);
+    EXPECT_EQ(joint.passive.armature, 0);
+    EXPECT_EQ(robot.GainsOf(joint).stiffness, 20);
+    EXPECT_EQ(robot.GainsOf(joint).max_speed, kUnlimited);
+  }
+}
+
+TEST(RobotDescription, JointsHaveTypes) {
+  const RobotDescription robot = Tinker();
+  ASSERT_EQ(robot.joints.size(), 3u);
+  EXPECT_EQ(robot.joints[0].kind, JointKind::kHinge);
+  EXPECT_EQ(robot.joints[1].kind, JointKind::kSlider);
+  EXPECT_EQ(robot.joints[2].kind, JointKind::kContinuous);
+  ASSERT_EQ(robot.mounts.size(), 2u);
+  EXPECT_EQ(robot.mounts[0].kind, MountKind::kFixed);
+  EXPECT_EQ(robot.mounts[1].kind, MountKind::kBall);
+  EXPECT_THAT(robot.mounts[1].anchor, ElementsAre(-0.06, 0, 0));
+  EXPECT_EQ(robot.mounts[1].damper, 0.0005);
+}
+
+TEST(RobotDescription, StopsMayBeBeyondHalfATurnOrNowhere) {
+  const RobotDescription robot = Tinker();
+  EXPECT_DOUBLE_EQ(robot.joints[0].high, 260 * std::numbers::pi / 180);
+  EXPECT_FALSE(robot.joints[2].HasStops());
+}
+
+// 4 cm of travel are 0.8 rad of a pinion of 5 cm.
+TEST(RobotDescription, ASlidersStopsAreThoseOfItsPinion) {
+  const Joint rail = Tinker().joints[1];
+  EXPECT_DOUBLE_EQ(rail.low, -0.6);
+  EXPECT_DOUBLE_EQ(rail.high, 0.8);
+}
+
+TEST(RobotDescription, WhatAJointDoesNotSayTheControllerDoes) {
+  const RobotDescription robot = Tinker();
+  const Gains shoulder = robot.GainsOf(robot.joints[0]);
+  EXPECT_EQ(shoulder.stiffness, 5);
+  EXPECT_EQ(shoulder.max_speed, 20);
+  const Gains rail = robot.GainsOf(robot.joints[1]);
+  EXPECT_EQ(rail.stiffness, 20);
+  EXPECT_EQ(rail.max_torque, 1);
+  EXPECT_EQ(robot.joints[0].passive.spring_rest, 0.3);
+}
+
+TEST(RobotDescription, BranchesGoFromTheBaseOutwards) {
+  std::vector<int> children;
+  for (const Branch& branch : Tinker().Branches()) children.push_back(branch.child);
+  EXPECT_THAT(children, ElementsAre(1, 3, 2, 4, 5));  // joints, then mounts
+}
+
 }  // namespace
 }  // namespace robot

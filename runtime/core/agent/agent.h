@@ -6,10 +6,11 @@
 //   type = "PengQLambda"
 //   temperature = 5
 //
-// `include = ["base.toml"]` begins with what other files say, `include = ["ppo"]` with one of the
-// robot's agents. `whole = true` says that the file is
-// no change of another agent but an agent by itself. A composite is a type of module that
-// is itself made of modules; it exports some of their ports and parameters:
+// `include = ["base.toml"]` begins with what other files say, which lie beside it or come with the
+// trainer ("robots/humanoid/agent.toml"), `include = ["ppo"]` with one of the robot's agents or,
+// where it has none of this name, the one for any robot. `whole = true` says that the file is no
+// change of another agent but an agent by itself. A composite is a type of module that is itself
+// made of modules; it exports some of their ports and parameters:
 //
 //   [composites.DcobOverNet]
 //   connections = [["net.net", "motion.net"]]
@@ -93,6 +94,8 @@ Agent ReadAgent(const std::filesystem::path& file, const std::filesystem::path& 
 
 // Of an agent that comes with a robot: NAME.agent.toml beside its description.
 constexpr std::string_view kAgentEnding = ".agent.toml";
+// The folder of those that come with the trainer for any robot.
+std::filesystem::path AgentsOfAnyRobot();
 // Whether this names a file, and not one of the robot's agents.
 bool IsAgentFile(const std::string& agent);
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/file/read.h"
+#include "base/file/search_path.h"
 #include "runtime/base/suggestion.h"
 #include "runtime/core/agent/agent.h"
 
@@ -241,10 +242,15 @@ class FileReader {
   }
 
  private:
+  // What is not there comes with the trainer, or is nowhere.
   std::filesystem::path FileOf(const AgentReader::Include& include,
                                const std::filesystem::path& folder) const {
-    if (IsAgentFile(include.file)) return folder / include.file;
-    return robot_folder_ / (include.file + std::string(kAgentEnding));
+    const bool is_file = IsAgentFile(include.file);
+    const std::string name = include.file + (is_file ? "" : std::string(kAgentEnding));
+    std::filesystem::path own = (is_file ? folder : robot_folder_) / name;
+    const std::filesystem::path shared = is_file ? file::SharedFolder() : AgentsOfAnyRobot();
+    return std::filesystem::exists(own) || !std::filesystem::exists(shared / name) ? own
+                                                                                   : shared / name;
   }
 
   Agent ReadIncluded(const std::filesystem::path& file, const AgentReader::Include& include) {
@@ -281,6 +287,8 @@ Agent ParseAgent(std::string_view text, const std::string& name) {
   }
   return reader.Read(root);
 }
+
+std::filesystem::path AgentsOfAnyRobot() { return file::SharedFolder() / "agents"; }
 
 bool IsAgentFile(const std::string& agent) {
   return agent.find('/') != std::string::npos || agent.ends_with(".toml");

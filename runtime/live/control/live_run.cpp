@@ -43,7 +43,7 @@ LiveRun::LiveRun(const RunParts& run, Progress& progress, WhenDone when_done,
       graph_(run.graph, run.types, run.context),
       journal_(run.database),
       maker_(graph_, schedules_, run.record, run.folder),
-      loader_(run.folder) {
+      loader_(run.folder, run.record) {
   if (journal_.bad_tasks().contains(run.record.tasks.front().id)) {
     throw UserError(fmt::format(
         "{}: the task that this run began with has crashed (`trainer show {}` tells when), so the "

@@ -34,8 +34,13 @@ std::string WithoutEnd(std::string text) {
 
 }  // namespace
 
-TaskLoader::TaskLoader(std::filesystem::path run_folder)
-    : run_folder_(std::move(run_folder)), thread_([this] { Run(); }) {}
+TaskLoader::TaskLoader(std::filesystem::path run_folder, const RunRecord& run)
+    : run_folder_(std::move(run_folder)) {
+  const std::filesystem::path robot = scratch_.path() / run.robot;
+  std::filesystem::create_directory(robot);
+  WriteFile(robot / "robot.toml", run.robot_description);
+  thread_ = std::thread([this] { Run(); });
+}
 
 TaskLoader::~TaskLoader() {
   {
@@ -75,7 +80,7 @@ LoadedTask TaskLoader::Load(const std::filesystem::path& file) {
     if (file.extension() != ".task") return Keep(file, file);
     const std::filesystem::path built = scratch_.path() / "task.so";
     std::string messages;
-    if (!BuildTask(file, built, &messages, stop_.get_token())) {
+    if (!BuildTask(file, built, scratch_.path(), &messages, stop_.get_token())) {
       return {nullptr, "", stop_.stop_requested() ? kTrainerHasEnded : WithoutEnd(messages)};
     }
     LoadedTask task = Keep(built, file);

@@ -13,6 +13,7 @@
 
 #include "runtime/base/scratch_folder.h"
 #include "runtime/core/task/plugin.h"
+#include "runtime/training/run/run_records.h"
 
 namespace runtime {
 
@@ -26,8 +27,9 @@ class TaskLoader {
  public:
   using Handler = std::function<void(LoadedTask)>;
 
-  // Plugins are kept in `run_folder` (runtime/training/run/run_files.h).
-  explicit TaskLoader(std::filesystem::path run_folder);
+  // Plugins are kept in `run_folder` (runtime/training/run/run_files.h). Tasks are built for the
+  // run's robot as its record has it, wherever the robot's own folder has gone.
+  TaskLoader(std::filesystem::path run_folder, const RunRecord& run);
   TaskLoader(const TaskLoader&) = delete;
   TaskLoader& operator=(const TaskLoader&) = delete;
   // Kills the compiler where it is running; the handlers of what is not loaded are called with an

@@ -28,7 +28,7 @@ void WarnOfOtherVersion(const RunRecord& run) {
 int TrainOneRun(const TaskOptions& options, const RunPlan& plan,
                 const std::filesystem::path& named_folder, const SessionOptions& session,
                 const ModuleTypes& types) {
-  const BuiltTask task(options.task);
+  const BuiltTask task(options);
   if (!task.plugin()) return kFailed;
   TaskSetup setup(options, *task.plugin(), plan.seed, types);
   RunRecord run = RecordOf(setup, plan);

@@ -87,7 +87,8 @@ Agent AgentLayers::Read(const std::filesystem::path& file) const {
 }
 
 bool AgentLayers::IsOfRobot(const SourcePlace& place) const {
-  return std::filesystem::path(place.file).parent_path() == robot_file.parent_path();
+  const std::filesystem::path folder = std::filesystem::path(place.file).parent_path();
+  return folder == robot_file.parent_path() || folder == AgentsOfAnyRobot();
 }
 
 void AgentLayers::AddTaskFile(const std::string& extension, Agent& merged) const {
@@ -97,7 +98,9 @@ void AgentLayers::AddTaskFile(const std::string& extension, Agent& merged) const
 }
 
 Agent AgentLayers::Merge() const {
-  Agent merged = Read(robot_file.parent_path() / "agent.toml");
+  const std::filesystem::path own = robot_file.parent_path() / "agent.toml";
+  Agent merged =
+      Read(std::filesystem::exists(own) ? own : FindAgentFile(kAgentOfAnyRobot, robot_file));
   AddTaskFile(".agent.toml", merged);
   if (!agent.empty()) {
     merged = Changed(std::move(merged), Read(FindAgentFile(agent, robot_file)));

@@ -14,7 +14,8 @@ namespace runtime {
 // written as in TOML; quotes around a text may be left out. Throws CallError.
 Agent ParseSetting(const std::string& setting);
 
-// In this order, later ones win: robot's agent.toml, agent file of the task (NAME.agent.toml beside
+// In this order, later ones win: robot's agent.toml or, where it has none, kAgentOfAnyRobot, agent
+// file of the task (NAME.agent.toml beside
 // NAME.task, if it is there), `agent` as FindAgentFile() finds it ("": none), where that is one of
 // the robot's what the task changes in it (NAME.AGENT.agent.toml beside NAME.task, if it is there),
 // `profile` ("": none), `settings`.

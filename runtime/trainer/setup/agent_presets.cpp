@@ -22,16 +22,24 @@ std::string FirstComment(const std::filesystem::path& file) {
   return line.substr(std::min(line.find_first_not_of("# "), line.size()));
 }
 
+// Those of names that are not there yet.
+void AddPresetsIn(const std::filesystem::path& folder, std::vector<AgentPreset>& presets) {
+  std::error_code error;  // a folder that is not there has none
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+    const std::string file = entry.path().filename().string();
+    if (!file.ends_with(kAgentEnding) || file.size() == kAgentEnding.size()) continue;
+    const std::string name = file.substr(0, file.size() - kAgentEnding.size());
+    if (std::ranges::find(presets, name, &AgentPreset::name) != presets.end()) continue;
+    presets.push_back({name, FirstComment(entry.path()), entry.path()});
+  }
+}
+
 }  // namespace
 
 std::vector<AgentPreset> AgentPresetsOf(const std::filesystem::path& robot_file) {
   std::vector<AgentPreset> presets;
-  for (const auto& entry : std::filesystem::directory_iterator(robot_file.parent_path())) {
-    const std::string name = entry.path().filename().string();
-    if (!name.ends_with(kAgentEnding) || name.size() == kAgentEnding.size()) continue;
-    presets.push_back({name.substr(0, name.size() - kAgentEnding.size()),
-                       FirstComment(entry.path()), entry.path()});
-  }
+  AddPresetsIn(robot_file.parent_path(), presets);
+  AddPresetsIn(AgentsOfAnyRobot(), presets);
   std::ranges::sort(presets, {}, &AgentPreset::name);
   return presets;
 }

@@ -1,5 +1,5 @@
-// The agents that come with a robot: NAME.agent.toml beside its robot.toml is its agent `NAME`, for
-// `--agent NAME`.
+// The agents of a robot: NAME.agent.toml beside its robot.toml is its agent `NAME`, for `--agent
+// NAME`. Where it has none of a name, one that comes with the trainer for any robot is its own.
 #pragma once
 
 #include <filesystem>
@@ -13,6 +13,9 @@ struct AgentPreset {
   std::string doc;  // the first line of the file, if that is a comment
   std::filesystem::path file;
 };
+
+// The agent of a robot that has no agent.toml.
+inline constexpr const char* kAgentOfAnyRobot = "ppo";
 
 // In alphabetical order.
 std::vector<AgentPreset> AgentPresetsOf(const std::filesystem::path& robot_file);

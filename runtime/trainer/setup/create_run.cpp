@@ -30,6 +30,7 @@ std::vector<std::string> CallOf(const TaskOptions& options, const RunPlan& plan)
     words.insert(words.end(), {option, std::move(value)});
   };
   if (!options.robot.empty()) add("--robot", options.robot);
+  if (!options.robots.empty()) add("--robots", options.robots.lexically_normal().string());
   if (!options.agent.empty()) {
     add("--agent", std::filesystem::path(options.agent).lexically_normal().string());
   }

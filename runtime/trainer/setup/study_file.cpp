@@ -60,6 +60,8 @@ class StudyReader {
       experiment.task.profile = Text(node);
     } else if (key == "robot") {
       experiment.task.robot = Text(node);
+    } else if (key == "robots") {
+      experiment.task.robots = file_.parent_path() / Text(node);
     } else if (key == "name") {
       experiment.name = Name(node);
     } else if (key == "settings") {
@@ -71,8 +73,9 @@ class StudyReader {
     } else if (key == "record_every") {
       experiment.plan.record_every = Whole(node, 0);
     } else {
-      const std::vector<std::string> keys = {"task",  "agent",    "profile",  "robot",       "name",
-                                             "seeds", "settings", "episodes", "record_every"};
+      const std::vector<std::string> keys = {"task",     "agent",       "profile", "robot",
+                                             "robots",   "name",        "seeds",   "settings",
+                                             "episodes", "record_every"};
       Fail(key.source(),
            fmt::format("an experiment has no `{}`{}", key.str(), Suggestion(key.str(), keys)));
     }

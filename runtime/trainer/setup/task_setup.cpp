@@ -55,6 +55,15 @@ std::string RobotName(const TaskOptions& options, const taskc_plugin& plugin) {
   return name;
 }
 
+// As the compiler looks for it, which does so beside the file that names it: that may be another
+// one than the task's own.
+std::vector<std::filesystem::path> RobotFoldersOf(const TaskOptions& options,
+                                                  const taskc_plugin& plugin) {
+  std::vector<std::filesystem::path> files = {options.task};
+  for (uint32_t i = 0; i < plugin.source_count; ++i) files.emplace_back(plugin.sources[i].file);
+  return robot::RobotFolders(files, options.robots);
+}
+
 AgentLayers LayersOf(const TaskOptions& options, const std::filesystem::path& robot_file) {
   return {robot_file, options.task, options.agent, options.profile, options.settings};
 }
@@ -77,6 +86,10 @@ command_line::Option AddProfileOption(command_line::Command& command, std::strin
       .OneOf(profiles);
 }
 
+void AddRobotsOption(command_line::Command& command, std::filesystem::path& robots) {
+  command.AddOption("--robots", robots, "look for robots in this folder first").ValueName("DIR");
+}
+
 void TaskOptions::AddTo(command_line::Command& command) {
   command.AddOption("TASK", task, "a .task file, or a .so that taskc built from one").Required();
   AddProfileOption(command, profile);
@@ -86,12 +99,14 @@ void TaskOptions::AddTo(command_line::Command& command) {
                  "that changes its default agent")
       .ValueName("NAME|FILE.toml");
   command.AddOption("--robot", robot, "the robot, for a task that names none");
+  AddRobotsOption(command, robots);
   command
       .AddOption("--set", settings, "change a parameter, MODULE.PARAMETER=VALUE; may be repeated")
       .OneAtATime();
 }
 
-BuiltTask::BuiltTask(const std::filesystem::path& task) {
+BuiltTask::BuiltTask(const TaskOptions& options) {
+  const std::filesystem::path& task = options.task;
   CheckTaskFile(task);
   if (task.extension() == ".so") {
     plugin_ = task;
@@ -99,7 +114,7 @@ BuiltTask::BuiltTask(const std::filesystem::path& task) {
   }
   scratch_.emplace();
   const std::filesystem::path built = scratch_->path() / "task.so";
-  if (BuildTask(task, built)) plugin_ = built;
+  if (BuildTask(task, built, options.robots)) plugin_ = built;
 }
 
 TaskSetup::TaskSetup(const TaskOptions& wanted, const std::filesystem::path& file, uint64_t seed,
@@ -107,9 +122,9 @@ TaskSetup::TaskSetup(const TaskOptions& wanted, const std::filesystem::path& fil
     : options(wanted),
       plugin_file(file),
       plugin(Load(file)),
-      robot_file(
-          robot::FindRobotFile(RobotName(options, plugin->table()), robot::DefaultRobotFolders())),
-      robot(robot::ReadRobot(robot_file)),
+      robot_file(robot::FindRobotFile(RobotName(options, plugin->table()),
+                                      RobotFoldersOf(options, plugin->table()))),
+      robot(robot::ReadRobotCalled(RobotName(options, plugin->table()), robot_file)),
       agent(LayersOf(options, robot_file).Merge()),
       context{&robot, plugin, seed},
       types(WithComposites(program_types, agent)),

@@ -22,12 +22,15 @@ namespace runtime {
 
 // --profile
 command_line::Option AddProfileOption(command_line::Command& command, std::string& profile);
+// --robots
+void AddRobotsOption(command_line::Command& command, std::filesystem::path& robots);
 
 struct TaskOptions {
   std::filesystem::path task;  // .task or .so
   std::string profile;
   std::string agent;  // a name or a file (FindAgentFile)
   std::string robot;
+  std::filesystem::path robots;  // where to look for robots first; may be empty
   std::vector<std::string> settings;
 
   void AddTo(command_line::Command& command);
@@ -37,7 +40,7 @@ struct TaskOptions {
 class BuiltTask {
  public:
   // Throws CallError where there is no such task, UserError where it cannot be built.
-  explicit BuiltTask(const std::filesystem::path& task);
+  explicit BuiltTask(const TaskOptions& options);
 
   // Nothing where the task has errors: the compiler has said which.
   const std::optional<std::filesystem::path>& plugin() const { return plugin_; }

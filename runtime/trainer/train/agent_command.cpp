@@ -51,7 +51,7 @@ std::string Show(const TaskSetup& setup, const AgentOptions& options) {
 }
 
 int ShowAgent(const AgentOptions& options) {
-  const BuiltTask task(options.task.task);
+  const BuiltTask task(options.task);
   if (!task.plugin()) return kFailed;
   text::Print("{}", Show(TaskSetup(options.task, *task.plugin(), 0), options));
   return kSuccess;
@@ -59,6 +59,7 @@ int ShowAgent(const AgentOptions& options) {
 
 struct ListOptions {
   std::string robot;
+  std::filesystem::path robots;
   bool json = false;
 };
 
@@ -67,7 +68,7 @@ nlohmann::ordered_json ToJson(const AgentPreset& preset, const std::string& robo
 }
 
 int ListAgents(const ListOptions& options) {
-  const std::vector<std::filesystem::path> folders = robot::DefaultRobotFolders();
+  const std::vector<std::filesystem::path> folders = robot::RobotFolders({}, options.robots);
   const std::vector<std::string> robots =
       options.robot.empty() ? robot::RobotNames(folders) : std::vector{options.robot};
   auto list = nlohmann::ordered_json::array();
@@ -86,6 +87,7 @@ void AddListCommand(command_line::Command& agent) {
   command_line::Command& list =
       agent.AddCommand("list", "Prints the agents that come with each robot, for `--agent`.");
   list.AddOption("--robot", options->robot, "only those of this robot");
+  AddRobotsOption(list, options->robots);
   list.AddFlag("--json", options->json, "print JSON");
   list.OnRun([options] { return ListAgents(*options); });
 }

@@ -83,7 +83,7 @@ void Show(const ProbeResults& results, const OutputOptions& output) {
 }
 
 int Probe(const ProbeOptions& options) {
-  const BuiltTask task(options.task.task);
+  const BuiltTask task(options.task);
   if (!task.plugin()) return kFailed;
   std::filesystem::path folder = options.out;
   const std::vector<std::filesystem::path> runs = PrepareSearches(options, *task.plugin(), folder);

@@ -26,7 +26,7 @@ struct StudyOptions {
 std::vector<std::filesystem::path> Prepare(const Experiment& experiment,
                                            const std::filesystem::path& out,
                                            std::set<std::string>& names) {
-  const BuiltTask task(experiment.task.task);
+  const BuiltTask task(experiment.task);
   if (!task.plugin()) throw UserError(fmt::format("{}: its task has errors", experiment.place));
   TaskSetup setup(experiment.task, *task.plugin(), experiment.seeds.front());
   const RunRecord run = RecordOf(setup, experiment.plan);

@@ -32,7 +32,7 @@ int TrainOne(const TrainOptions& options) {
 // Makes all runs before the first one starts, so that they go on with the same task and agent
 // whatever becomes of the files; each is then trained as if it were resumed.
 int TrainMany(const TrainOptions& options) {
-  const BuiltTask task(options.task.task);
+  const BuiltTask task(options.task);
   if (!task.plugin()) return kFailed;
   TaskSetup setup(options.task, *task.plugin(), options.plan.seed);
   const RunRecord run = RecordOf(setup, options.plan);

@@ -22,6 +22,14 @@ constexpr const char* kAll = "all";
                               robot.name, name, Suggestion(name, names)));
 }
 
+// Those of these joints that have a motor.
+std::vector<int> Driven(const robot::RobotDescription& robot, std::vector<int> joints) {
+  std::erase_if(joints, [&](int joint) {
+    return robot.GainsOf(robot.joints[static_cast<size_t>(joint)]).max_torque == 0;
+  });
+  return joints;
+}
+
 // A coordinate for each of these joints.
 robot::DofConfiguration EachByItself(const std::string& name, const std::vector<int>& joints) {
   robot::DofConfiguration dof;
@@ -59,12 +67,13 @@ robot::DofConfiguration FindDofOrJoints(const robot::RobotDescription& robot,
                                         const std::string& name, const std::string& parameter) {
   std::vector<int> all(robot.joints.size());
   std::iota(all.begin(), all.end(), 0);
-  return FindWithGroups(robot, name, parameter, all);
+  return FindWithGroups(robot, name, parameter, Driven(robot, all));
 }
 
 robot::DofConfiguration FindDofOfOneSide(const robot::RobotDescription& robot,
                                          const std::string& name, const std::string& parameter) {
-  robot::DofConfiguration dof = FindWithGroups(robot, name, parameter, OneSide(robot));
+  robot::DofConfiguration dof =
+      FindWithGroups(robot, name, parameter, Driven(robot, OneSide(robot)));
   if (dof.dof() > 0) return dof;
   throw UserError(
       fmt::format("the robot `{}` has no joints left and right that mirror each other, for `{}`",

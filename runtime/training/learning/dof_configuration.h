@@ -12,13 +12,14 @@ namespace runtime {
 const robot::DofConfiguration& FindDof(const robot::RobotDescription& robot,
                                        const std::string& name, const std::string& parameter);
 
-// The same; and the name of a group of joints, or "all", is a configuration with a coordinate for
-// each of these joints.
+// The same; and the name of a group of joints, or "all", those with a motor, is a configuration
+// with a coordinate for each of these joints.
 robot::DofConfiguration FindDofOrJoints(const robot::RobotDescription& robot,
                                         const std::string& name, const std::string& parameter);
 
 // The same for what moves one side of the robot: "all" are the joints of one side that have a
-// counterpart on the other (joint_mirror.h). Throws UserError also where there are none.
+// motor, and a counterpart on the other (joint_mirror.h). Throws UserError also where there are
+// none.
 robot::DofConfiguration FindDofOfOneSide(const robot::RobotDescription& robot,
                                          const std::string& name, const std::string& parameter);
 

@@ -21,16 +21,24 @@ double Distance(const robot::Vector3& a, const robot::Vector3& b, double sign = 
 }
 
 // What turns about an axis turns the other way about the mirrored axis.
-robot::Vector3 MirroredAxis(const robot::Vector3& axis) {
-  const robot::Vector3 mirrored = Mirrored(axis);
+robot::Vector3 MirroredAxis(const robot::Joint& joint) {
+  const robot::Vector3 mirrored = Mirrored(joint.axis);
+  if (joint.kind == robot::JointKind::kSlider) return mirrored;
   return {-mirrored[0], -mirrored[1], -mirrored[2]};
 }
 
+// Where a joint is: a slider's axis has no place of its own, what it moves has.
+const robot::Vector3& PlaceOf(const robot::RobotDescription& robot, const robot::Joint& joint) {
+  if (joint.kind != robot::JointKind::kSlider) return joint.anchor;
+  return robot.links[static_cast<size_t>(joint.child)].position;
+}
+
 MirroredJoint MirrorJoint(const robot::RobotDescription& robot, const robot::Joint& joint) {
-  const robot::Vector3 anchor = Mirrored(joint.anchor);
-  const robot::Vector3 axis = MirroredAxis(joint.axis);
+  const robot::Vector3 place = Mirrored(PlaceOf(robot, joint));
+  const robot::Vector3 axis = MirroredAxis(joint);
   for (size_t other = 0; other < robot.joints.size(); ++other) {
-    if (Distance(robot.joints[other].anchor, anchor) > kSamePlace) continue;
+    if (robot.joints[other].kind != joint.kind) continue;
+    if (Distance(PlaceOf(robot, robot.joints[other]), place) > kSamePlace) continue;
     for (const double sign : {1.0, -1.0}) {
       if (Distance(robot.joints[other].axis, axis, sign) < kSameAxis) {
         return {static_cast<int>(other), sign};

@@ -17,7 +17,8 @@ JointMotion::JointMotion(const robot::RobotDescription& robot, robot::DofConfigu
   Eigen::VectorXd centers(dof_.dof()), halves(dof_.dof());
   for (int i = 0; i < dof_.dof(); ++i) {
     const int joint = dof_.representatives[static_cast<size_t>(i)];
-    centers[i] = (stops_.low[joint] + stops_.high[joint]) / 2;
+    const bool has_stops = robot.joints[static_cast<size_t>(joint)].HasStops();
+    centers[i] = has_stops ? (stops_.low[joint] + stops_.high[joint]) / 2 : 0;
     halves[i] = std::min((stops_.high[joint] - stops_.low[joint]) / 2, kWidestHalf);
   }
   motion_ = ParametricMotion(settings, std::move(centers), std::move(halves));

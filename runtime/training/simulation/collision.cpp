@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <set>
+#include <utility>
 
 namespace runtime {
 namespace {
@@ -18,12 +21,32 @@ double BoundingRadius(const robot::LinkShape& shape) {
   return shape.radius;
 }
 
-bool AreJoined(const robot::RobotDescription& robot, int first, int second) {
-  return std::any_of(robot.joints.begin(), robot.joints.end(), [&](const robot::Joint& joint) {
-    return (joint.parent == first && joint.child == second) ||
-           (joint.parent == second && joint.child == first);
-  });
-}
+// Which links do not collide. Links that are welded together count as one.
+class Joined {
+ public:
+  explicit Joined(const robot::RobotDescription& robot) : one_(robot.links.size()) {
+    std::iota(one_.begin(), one_.end(), 0);
+    for (const robot::Branch& branch : robot.Branches()) {
+      const bool is_welded =
+          branch.mount >= 0 && robot.mounts[branch.mount].kind == robot::MountKind::kFixed;
+      if (is_welded) {
+        one_[branch.child] = one_[branch.parent];
+      } else {
+        pairs_.insert(std::minmax(one_[branch.parent], branch.child));
+      }
+    }
+  }
+
+  bool operator()(int first, int second) const {
+    const int a = one_[first];
+    const int b = one_[second];
+    return a == b || pairs_.contains(std::minmax(a, b));
+  }
+
+ private:
+  std::vector<int> one_;  // the first of those that each link is welded to
+  std::set<std::pair<int, int>> pairs_;
+};
 
 }  // namespace
 
@@ -33,9 +56,10 @@ Collision::Collision(const robot::RobotDescription& robot, const RobotBody& body
       centers_(robot.links.size()),
       ground_(robot.links.size(), 0) {
   for (const robot::Link& link : robot.links) radii_.push_back(BoundingRadius(link.shape));
+  const Joined are_joined(robot);
   for (int i = 0; i < body.link_count(); ++i) {
     for (int j = i + 1; j < body.link_count(); ++j) {
-      if (!AreJoined(robot, i, j)) pairs_.push_back({i, j, radii_[i] + radii_[j]});
+      if (!are_joined(i, j)) pairs_.push_back({i, j, radii_[i] + radii_[j]});
     }
   }
   contacts_.reserve(kMaxContacts * robot.links.size());

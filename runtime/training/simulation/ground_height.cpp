@@ -37,6 +37,7 @@ double LowestPoint(const robot::RobotDescription& robot, const robot::Pose& pose
 }
 
 robot::Pose OnGround(const robot::RobotDescription& robot, const robot::StartState& start) {
+  if (robot.has_fixed_base) return start.pose;
   const double lift = std::max(start.pose.position[2] - start.from.position[2], 0.0);
   const double wanted = LowestPoint(robot, start.from) + lift;
   robot::Pose pose = start.pose;

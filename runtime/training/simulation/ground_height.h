@@ -10,7 +10,8 @@ namespace runtime {
 double LowestPoint(const robot::RobotDescription& robot, const robot::Pose& pose);
 
 // The pose of a start at the right height: it touches the ground as the pose does that it was made
-// of, and is above that by as much as its base was lifted, never below.
+// of, and is above that by as much as its base was lifted, never below. A fixed base stays where
+// it is.
 robot::Pose OnGround(const robot::RobotDescription& robot, const robot::StartState& start);
 
 }  // namespace runtime

@@ -1,5 +1,7 @@
 #include "runtime/training/simulation/link_frames.h"
 
+#include <cassert>
+
 namespace runtime {
 namespace {
 
@@ -15,7 +17,14 @@ struct Motion {
   }
 };
 
-// The motion of a joint's child, given that of its parent.
+// The motions of a joint's child, given that of its parent.
+
+Motion Shifted(const Motion& parent, const robot::Joint& joint, double angle) {
+  Motion child = parent;
+  child.translation += parent.rotation * (joint.radius * angle * ToEigen(joint.axis));
+  return child;
+}
+
 Motion Turned(const Motion& parent, const robot::Joint& joint, double angle) {
   if (angle == 0) return parent;  // the poses without bent joints stay free of rounding
   const Eigen::Vector3d anchor = ToEigen(joint.anchor);
@@ -26,16 +35,29 @@ Motion Turned(const Motion& parent, const robot::Joint& joint, double angle) {
   return child;
 }
 
+Motion Moved(const Motion& parent, const robot::Joint& joint, double angle) {
+  switch (joint.kind) {
+    case robot::JointKind::kHinge:
+    case robot::JointKind::kContinuous:
+      return Turned(parent, joint, angle);
+    case robot::JointKind::kSlider:
+      return Shifted(parent, joint, angle);
+  }
+  assert(!"a kind of joint");
+  return parent;
+}
+
 }  // namespace
 
 std::vector<LinkFrame> LinkFrames(const robot::RobotDescription& robot, const robot::Pose& pose) {
   std::vector<Motion> motions(robot.links.size());
   const robot::Quaternion& q = pose.orientation;
   motions[0] = {Eigen::Quaterniond(q[0], q[1], q[2], q[3]), ToEigen(pose.position)};
-  // The joints are listed from the base outwards.
-  for (size_t j = 0; j < robot.joints.size(); ++j) {
-    const robot::Joint& joint = robot.joints[j];
-    motions[joint.child] = Turned(motions[joint.parent], joint, pose.joint_angles[j]);
+  for (const robot::Branch& branch : robot.Branches()) {
+    const Motion& parent = motions[branch.parent];
+    motions[branch.child] = branch.joint < 0 ? parent
+                                             : Moved(parent, robot.joints[branch.joint],
+                                                     pose.joint_angles[branch.joint]);
   }
   std::vector<LinkFrame> frames;
   for (size_t i = 0; i < robot.links.size(); ++i) {

@@ -15,7 +15,7 @@ struct LinkFrame {
 };
 
 // One frame for each link. The robot is turned as a whole about its base, moved to the pose's
-// position, and then each joint turns all that hangs on it, by minus its angle about its axis.
+// position, and then each joint moves all that hangs on it.
 std::vector<LinkFrame> LinkFrames(const robot::RobotDescription& robot, const robot::Pose& pose);
 
 }  // namespace runtime

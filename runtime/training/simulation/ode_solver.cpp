@@ -1,5 +1,6 @@
 #include "runtime/training/simulation/ode_solver.h"
 
+#include <cmath>
 #include <numbers>
 #include <utility>
 
@@ -20,33 +21,22 @@ dSurfaceParameters Surface(const SolverSettings& settings) {
 
 }  // namespace
 
-OdeSolver::OdeSolver(const robot::RobotDescription& robot, const Profile& profile,
-                     const SolverSettings& settings, const RobotBody& body, dWorldID world)
+OdeSolver::OdeSolver(const robot::RobotDescription& robot, const SolverSettings& settings,
+                     const JointController& controller, const RobotBody& body, dWorldID world)
     : body_(body),
       world_(world),
       time_step_(settings.time_step),
-      drive_(profile.drive),
       joints_(robot.joints),
       turns_(robot.joints.size(), 0.0),
+      pulls_(robot.joints.size()),
       contacts_(dJointGroupCreate(0)),
       contact_{} {
   contact_.surface = Surface(settings);
-  if (drive_ != JointDrive::kMotor) return;
-  for (const robot::Joint& joint : robot.joints) AddMotor(joint);
-}
-
-// A joint of its own beside the hinge: a hinge's built-in motor pushes with all its force at a
-// stop.
-void OdeSolver::AddMotor(const robot::Joint& joint) {
-  OdeJoint motor(dJointCreateAMotor(world_, nullptr));
-  const dBodyID parent = body_.body(joint.parent);
-  dJointAttach(motor.get(), parent, body_.body(joint.child));
-  dJointSetAMotorNumAxes(motor.get(), 1);
-  dVector3 axis;
-  dBodyVectorToWorld(parent, joint.axis[0], joint.axis[1], joint.axis[2], axis);
-  constexpr int kMovesWithParent = 1;
-  dJointSetAMotorAxis(motor.get(), 0, kMovesWithParent, axis[0], axis[1], axis[2]);
-  motors_.push_back(std::move(motor));
+  for (int j = 0; j < body.joint_count(); ++j) {
+    for (size_t i = 0; i < controller.pulls(j).size(); ++i) {
+      pulls_[j].push_back(body.joint(j).MakePull(world));
+    }
+  }
 }
 
 void OdeSolver::Step(std::span<const Contact> contacts, const JointController& controller,
@@ -60,27 +50,22 @@ void OdeSolver::Step(std::span<const Contact> contacts, const JointController& c
 
 void OdeSolver::Drive(const JointController& controller) {
   for (int j = 0; j < body_.joint_count(); ++j) {
-    if (drive_ == JointDrive::kTorque) {
-      dJointAddHingeTorque(body_.hinge(j), controller.torques()[j]);
-    } else {
-      const Motor& motor = controller.motors()[j];
-      dJointSetAMotorParam(motors_[j].get(), dParamFMax, motor.max_torque);
-      dJointSetAMotorParam(motors_[j].get(), dParamCFM, 1 / motor.damping);
-      dJointSetAMotorParam(motors_[j].get(), dParamVel, motor.speed);
-    }
+    BodyJoint& joint = body_.joint(j);
+    if (!controller.has_motors()) joint.AddTorque(controller.torques()[j]);
+    const std::span<const Motor> motors = controller.pulls(j);
+    for (size_t i = 0; i < motors.size(); ++i) joint.SetPull(pulls_[j][i].get(), motors[i]);
   }
 }
 
-// ODE measures angles from -pi to pi. Where a joint has given way beyond that, ODE has to see the
+// ODE measures angles from -pi to pi. Where a joint has gone on beyond that, ODE has to see the
 // stops where it sees the joint, or it would throw the joint all the way around.
 void OdeSolver::MoveStops(const JointController& controller) {
-  using std::numbers::pi;
+  constexpr double kTurn = 2 * std::numbers::pi;
   for (int j = 0; j < body_.joint_count(); ++j) {
-    const double angle = controller.angles()[j];
-    const double turn = angle > pi ? -2 * pi : angle < -pi ? 2 * pi : 0;
+    if (!body_.joint(j).Turns() || !joints_[j].HasStops()) continue;
+    const double turn = -kTurn * std::nearbyint(controller.angles()[j] / kTurn);
     if (turn == turns_[j]) continue;
-    dJointSetHingeParam(body_.hinge(j), dParamLoStop, joints_[j].low + turn);
-    dJointSetHingeParam(body_.hinge(j), dParamHiStop, joints_[j].high + turn);
+    body_.joint(j).SetStops(joints_[j].low + turn, joints_[j].high + turn);
     turns_[j] = turn;
   }
 }

@@ -9,12 +9,13 @@ namespace runtime {
 
 std::unique_ptr<PhysicsSolver> MakeSolver(const robot::RobotDescription& robot,
                                           const Profile& profile, const SolverSettings& settings,
-                                          RobotBody& body, dWorldID world) {
+                                          const JointController& controller, RobotBody& body,
+                                          dWorldID world) {
   switch (profile.solver) {
     case SolverKind::kOde:
-      return std::make_unique<OdeSolver>(robot, profile, settings, body, world);
+      return std::make_unique<OdeSolver>(robot, settings, controller, body, world);
     case SolverKind::kTree:
-      return std::make_unique<TreeSolver>(robot, profile, settings, body);
+      return std::make_unique<TreeSolver>(robot, settings, controller, body);
   }
   assert(!"a solver");
   return nullptr;

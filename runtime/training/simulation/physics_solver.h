@@ -36,9 +36,10 @@ struct SolverSettings {
   double bounce_speed = 0.1;  // slower impacts do not bounce [m / s]
 };
 
-// All objects outlive the solver.
+// All objects outlive the solver; `controller` is the one of all its steps.
 std::unique_ptr<PhysicsSolver> MakeSolver(const robot::RobotDescription& robot,
                                           const Profile& profile, const SolverSettings& settings,
-                                          RobotBody& body, dWorldID world);
+                                          const JointController& controller, RobotBody& body,
+                                          dWorldID world);
 
 }  // namespace runtime

@@ -1,5 +1,6 @@
 #include "runtime/training/simulation/robot_body.h"
 
+#include <cmath>
 #include <numbers>
 
 #include "runtime/training/simulation/ground_height.h"
@@ -47,9 +48,9 @@ void AlignCapsule(const robot::LinkShape& shape, dGeomID geom) {
   dGeomSetOffsetRotation(geom, rotation);
 }
 
-template <class Vector>
-Eigen::Vector3d ToEigen(const Vector& v) {
-  return {v[0], v[1], v[2]};
+// Where the stops leave no more than what a hinge of ODE's can measure.
+bool IsWithinHalfTurns(const robot::Joint& joint) {
+  return joint.low >= -std::numbers::pi && joint.high <= std::numbers::pi;
 }
 
 // Written so that a NaN is outside of every limit.
@@ -63,8 +64,16 @@ bool Within(const dReal* vector, double limit) {
 RobotBody::RobotBody(const robot::RobotDescription& robot, const robot::StartState& start,
                      dWorldID world) {
   for (const robot::Link& link : robot.links) AddLink(link, world);
-  for (const robot::Joint& joint : robot.joints) AddHinge(joint, world);
-  MoveTo(robot, OnGround(robot, start));
+  if (robot.has_fixed_base) dBodySetKinematic(body(0));
+  for (const robot::Joint& joint : robot.joints) {
+    joints_.push_back(MakeBodyJoint(joint, body(joint.parent), body(joint.child), world));
+  }
+  for (const robot::Mount& mount : robot.mounts) {
+    mounts_.push_back(MakeBodyMount(mount, body(mount.parent), body(mount.child), world));
+  }
+  const robot::Pose pose = OnGround(robot, start);
+  SetReferences(robot, pose);
+  MoveTo(robot, pose);
   if (!start.IsAtRest()) SetVelocities(robot, start);
 }
 
@@ -80,25 +89,24 @@ void RobotBody::AddLink(const robot::Link& link, dWorldID world) {
   geoms_.push_back(std::move(geom));
 }
 
-void RobotBody::AddHinge(const robot::Joint& joint, dWorldID world) {
-  OdeJoint hinge(dJointCreateHinge(world, nullptr));
-  // The order of the two gives the angle its sign.
-  dJointAttach(hinge.get(), body(joint.parent), body(joint.child));
-  dJointSetHingeAnchor(hinge.get(), joint.anchor[0], joint.anchor[1], joint.anchor[2]);
-  dJointSetHingeAxis(hinge.get(), joint.axis[0], joint.axis[1], joint.axis[2]);
-  dJointSetHingeParam(hinge.get(), dParamLoStop, joint.low);
-  dJointSetHingeParam(hinge.get(), dParamHiStop, joint.high);
-  hinges_.push_back(std::move(hinge));
-  middles_.push_back((joint.low + joint.high) / 2);
+void RobotBody::SetReferences(const robot::RobotDescription& robot, const robot::Pose& pose) {
+  for (size_t j = 0; j < robot.joints.size(); ++j) {
+    const robot::Joint& joint = robot.joints[j];
+    const bool is_counted = joints_[j]->Turns() && !IsWithinHalfTurns(joint);
+    references_.push_back(is_counted ? pose.joint_angles[j] : (joint.low + joint.high) / 2);
+    if (is_counted) turning_.push_back(static_cast<int>(j));
+  }
 }
 
 double RobotBody::JointAngle(int joint) const {
-  using std::numbers::pi;
-  const double angle = dJointGetHingeAngle(hinge(joint));
-  const double middle = middles_[joint];
-  if (angle > middle + pi) return angle - 2 * pi;
-  if (angle < middle - pi) return angle + 2 * pi;
-  return angle;
+  const double angle = joints_[joint]->RawAngle();
+  if (!joints_[joint]->Turns()) return angle;
+  constexpr double kTurn = 2 * std::numbers::pi;
+  return angle + kTurn * std::nearbyint((references_[joint] - angle) / kTurn);
+}
+
+void RobotBody::CountTurns() {
+  for (const int joint : turning_) references_[joint] = JointAngle(joint);
 }
 
 void RobotBody::MoveTo(const robot::RobotDescription& robot, const robot::Pose& pose) {
@@ -112,27 +120,20 @@ void RobotBody::MoveTo(const robot::RobotDescription& robot, const robot::Pose& 
   }
 }
 
-// From the base outwards: each joint turns what hangs on it by minus its rate about its axis.
+// From the base outwards: each link moves as its parent does, but for the rate of its joint.
 void RobotBody::SetVelocities(const robot::RobotDescription& robot,
                               const robot::StartState& start) {
-  struct Motion {
-    Eigen::Vector3d linear;
-    Eigen::Vector3d angular;
-  };
-  std::vector<Motion> motions(robot.links.size());
-  motions[0] = {ToEigen(start.velocity), ToEigen(start.angular_velocity)};
-  for (size_t j = 0; j < robot.joints.size(); ++j) {
-    const robot::Joint& joint = robot.joints[j];
-    dVector3 anchor;
-    dVector3 axis;
-    dJointGetHingeAnchor(hinge(static_cast<int>(j)), anchor);
-    dJointGetHingeAxis(hinge(static_cast<int>(j)), axis);
-    const Motion& parent = motions[joint.parent];
-    Motion& child = motions[joint.child];
-    const Eigen::Vector3d at_anchor =
-        parent.linear + parent.angular.cross(ToEigen(anchor) - PositionOf(joint.parent));
-    child.angular = parent.angular - start.joint_velocities[j] * ToEigen(axis);
-    child.linear = at_anchor + child.angular.cross(PositionOf(joint.child) - ToEigen(anchor));
+  std::vector<LinkVelocity> motions(robot.links.size());
+  motions[0] = {ToEigen(start.velocity.data()), ToEigen(start.angular_velocity.data())};
+  if (robot.has_fixed_base) motions[0] = {Vector3::Zero(), Vector3::Zero()};
+  for (const robot::Branch& branch : robot.Branches()) {
+    const LinkVelocity& parent = motions[branch.parent];
+    const Vector3 from = PositionOf(branch.parent);
+    const Vector3 to = PositionOf(branch.child);
+    motions[branch.child] =
+        branch.joint < 0
+            ? LinkVelocity{parent.linear + parent.angular.cross(to - from), parent.angular}
+            : joint(branch.joint).Carry(parent, from, to, start.joint_velocities[branch.joint]);
   }
   for (int i = 0; i < link_count(); ++i) {
     const auto& [linear, angular] = motions[i];
@@ -141,9 +142,7 @@ void RobotBody::SetVelocities(const robot::RobotDescription& robot,
   }
 }
 
-Eigen::Vector3d RobotBody::PositionOf(int link) const {
-  return ToEigen(dBodyGetPosition(body(link)));
-}
+Vector3 RobotBody::PositionOf(int link) const { return ToEigen(dBodyGetPosition(body(link))); }
 
 bool RobotBody::IsPlausible() const {
   for (const OdeBody& body : bodies_) {

@@ -1,16 +1,18 @@
-// A robot's links and hinges in an ODE world.
+// A robot's links and joints in an ODE world.
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 #include <vector>
 
 #include "plugins/robot/robot_description.h"
 #include "plugins/robot/start_state.h"
+#include "runtime/training/simulation/body_joint.h"
 #include "runtime/training/simulation/ode_library.h"
 
 namespace runtime {
 
-// Masses, inertias, shapes and hinges are made in the zero pose, where the hinges' angles are 0,
+// Masses, inertias, shapes and joints are made in the zero pose, where the joints' angles are 0,
 // and then moved into a pose. Each body's frame is its link's frame
 // (runtime/training/simulation/link_frames.h).
 class RobotBody {
@@ -19,29 +21,35 @@ class RobotBody {
   RobotBody(const robot::RobotDescription& robot, const robot::StartState& start, dWorldID world);
 
   int link_count() const { return static_cast<int>(bodies_.size()); }
-  int joint_count() const { return static_cast<int>(hinges_.size()); }
+  int joint_count() const { return static_cast<int>(joints_.size()); }
   dBodyID body(int link) const { return bodies_[link].get(); }
   dGeomID geom(int link) const { return geoms_[link].get(); }
-  dJointID hinge(int joint) const { return hinges_[joint].get(); }
+  BodyJoint& joint(int joint) const { return *joints_[joint]; }
 
   // [rad]. A hinge with a stop near half a turn may give way beyond that; its angle then goes on,
-  // and is not that of the other side as ODE has it.
+  // and is not that of the other side as ODE has it. So does that of a joint that can turn further.
   double JointAngle(int joint) const;
+  // Remembers how far joints have turned. To be called after every step.
+  void CountTurns();
 
   // False if a link is too fast to be the work of the robot's motors, or its speed is not a number.
   bool IsPlausible() const;
 
  private:
   void AddLink(const robot::Link& link, dWorldID world);
-  void AddHinge(const robot::Joint& joint, dWorldID world);
   void MoveTo(const robot::RobotDescription& robot, const robot::Pose& pose);
-  Eigen::Vector3d PositionOf(int link) const;
+  Vector3 PositionOf(int link) const;
+  void SetReferences(const robot::RobotDescription& robot, const robot::Pose& pose);
   void SetVelocities(const robot::RobotDescription& robot, const robot::StartState& start);
 
   std::vector<OdeBody> bodies_;
   std::vector<OdeGeom> geoms_;
-  std::vector<OdeJoint> hinges_;
-  std::vector<double> middles_;  // of the hinges' stops [rad]
+  std::vector<std::unique_ptr<BodyJoint>> joints_;
+  std::vector<BodyMount> mounts_;
+  // An angle that each joint is within half a turn of [rad]: the middle of its stops, where these
+  // are no further apart, or else its last one.
+  std::vector<double> references_;
+  std::vector<int> turning_;  // joints whose reference is the last angle
 };
 
 }  // namespace runtime

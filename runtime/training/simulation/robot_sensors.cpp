@@ -75,7 +75,7 @@ void RobotSensor::Compute() {
       for (int j = 0; j < body.joint_count(); ++j) out[j] = body.JointAngle(j);
       break;
     case robot::SensorId::kJointVelocity:
-      for (int j = 0; j < body.joint_count(); ++j) out[j] = dJointGetHingeAngleRate(body.hinge(j));
+      for (int j = 0; j < body.joint_count(); ++j) out[j] = body.joint(j).Rate();
       break;
     case robot::SensorId::kJointAcceleration:
       for (int j = 0; j < body.joint_count(); ++j) out[j] = world.means().JointAcceleration(j);

@@ -9,11 +9,10 @@ namespace runtime {
 
 Soundness::Soundness(const robot::RobotDescription& robot, const RobotBody& body, double gravity,
                      double time_step)
-    : robot_(robot),
-      body_(body),
-      gravity_(gravity),
-      largest_impulse_(time_step * robot.controller.max_torque),
-      rates_(robot.joints.size(), 0.0) {
+    : robot_(robot), body_(body), gravity_(gravity), rates_(robot.joints.size(), 0.0) {
+  for (const robot::Joint& joint : robot.joints) {
+    largest_impulses_.push_back(time_step * robot.GainsOf(joint).max_torque);
+  }
   double total = 0;
   for (int i = 0; i < body.link_count(); ++i) {
     dMass mass;
@@ -25,7 +24,7 @@ Soundness::Soundness(const robot::RobotDescription& robot, const RobotBody& body
 }
 
 void Soundness::Check(const JointController& controller) {
-  const double energy = Energy();
+  const double energy = Energy(controller);
   const double work = MostWork(controller);
   if (!is_first_) from_nothing_ += std::max(0.0, energy - energy_ - work);
   is_first_ = false;
@@ -34,7 +33,7 @@ void Soundness::Check(const JointController& controller) {
   CheckStops(controller);
 }
 
-double Soundness::Energy() const {
+double Soundness::Energy(const JointController& controller) const {
   double energy = 0;
   for (int i = 0; i < body_.link_count(); ++i) {
     const dBodyID body = body_.body(i);
@@ -49,14 +48,22 @@ double Soundness::Energy() const {
       energy += 0.5 * link.inertia[axis] * rate * rate;
     }
   }
+  for (size_t j = 0; j < robot_.joints.size(); ++j) {
+    energy += EnergyOf(robot_.joints[j].passive, controller.angles()[j], controller.rates()[j]);
+  }
   return energy;
+}
+
+double Soundness::EnergyOf(const robot::PassiveForces& forces, double angle, double rate) const {
+  const double strain = angle - forces.spring_rest;
+  return 0.5 * (forces.spring * strain * strain + forces.armature * rate * rate);
 }
 
 double Soundness::MostWork(const JointController& controller) {
   double work = 0;
   for (size_t j = 0; j < rates_.size(); ++j) {
     const double rate = std::abs(controller.rates()[j]);
-    work += largest_impulse_ * std::max(rate, rates_[j]);
+    work += largest_impulses_[j] * std::max(rate, rates_[j]);
     rates_[j] = rate;
   }
   return work;

@@ -34,8 +34,9 @@ class Soundness {
     double inertia[3];  // about the axes of the link's frame
   };
 
-  // Of all motions and heights [J].
-  double Energy() const;
+  // Of all motions and heights, and of what the joints hold themselves [J].
+  double Energy(const JointController& controller) const;
+  double EnergyOf(const robot::PassiveForces& forces, double angle, double rate) const;
   // The most that the motors can have given since the last call [J].
   double MostWork(const JointController& controller);
   void CheckStops(const JointController& controller) const;
@@ -43,8 +44,8 @@ class Soundness {
   const robot::RobotDescription& robot_;
   const RobotBody& body_;
   double gravity_;
-  double largest_impulse_;  // of a motor in a step [N m s]
-  double limit_;            // [J]
+  std::vector<double> largest_impulses_;  // of the motors in a step [N m s]
+  double limit_;                          // [J]
   std::vector<LinkMass> masses_;
   std::vector<double> rates_;  // of the joints, the call before [rad/s]
   double energy_ = 0;          // the call before

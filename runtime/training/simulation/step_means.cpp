@@ -11,7 +11,7 @@ void StepMeans::Start(const Wanted& wanted) {
   impulses_.assign(wanted.contact_forces ? body_.link_count() : 0, Vector3::Zero());
   for (Vector3& velocity : base_velocity_) velocity = ToEigen(dBodyGetLinearVel(body_.body(0)));
   for (size_t j = 0; j < joint_velocities_.size(); ++j) {
-    joint_velocities_[j] = dJointGetHingeAngleRate(body_.hinge(static_cast<int>(j)));
+    joint_velocities_[j] = body_.joint(static_cast<int>(j)).Rate();
   }
 }
 
@@ -22,7 +22,7 @@ Vector3 StepMeans::BaseAcceleration() const {
 
 double StepMeans::JointAcceleration(int joint) const {
   if (joint_velocities_.empty() || elapsed_ == 0) return 0;
-  return (dJointGetHingeAngleRate(body_.hinge(joint)) - joint_velocities_[joint]) / elapsed_;
+  return (body_.joint(joint).Rate() - joint_velocities_[joint]) / elapsed_;
 }
 
 Vector3 StepMeans::ContactForce(int link) const {

@@ -9,13 +9,20 @@ namespace {
 constexpr size_t kUsualGroundContacts = 8;  // of a link with the ground
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-std::vector<TreeJoint> TreeJoints(const robot::RobotDescription& robot, double hold) {
+// `hold`: the stiffness of what a joint does not leave free.
+std::vector<TreeJoint> TreeJoints(const robot::RobotDescription& robot,
+                                  const std::vector<robot::Branch>& branches,
+                                  const SolverSettings& settings, double hold) {
   std::vector<TreeJoint> joints;
-  for (const robot::Joint& joint : robot.joints) {
+  for (const robot::Branch& branch : branches) {
     TreeJoint& added = joints.emplace_back();
-    added.parent = joint.parent;
-    added.child = joint.child;
+    added.free = MakeGeometry(robot, branch)->Free();
+    added.parent = branch.parent;
+    added.child = branch.child;
     added.hold = hold;
+    if (branch.mount >= 0) {
+      added.hold_of_free = settings.time_step * robot.mounts[branch.mount].damper;
+    }
   }
   return joints;
 }
@@ -35,15 +42,16 @@ Matrix6 PointInertia(const Vector3& arm, double mass) {
 
 }  // namespace
 
-TreeSolver::TreeSolver(const robot::RobotDescription& robot, const Profile& profile,
-                       const SolverSettings& settings, RobotBody& body)
+TreeSolver::TreeSolver(const robot::RobotDescription& robot, const SolverSettings& settings,
+                       const JointController& controller, RobotBody& body)
     : settings_(settings),
-      drive_(profile.drive),
       hold_(settings.time_step / settings.cfm),
       body_(body),
-      tree_(TreeJoints(robot, hold_)),
+      branches_(robot.Branches()),
+      tree_(TreeJoints(robot, branches_, settings, hold_), robot.has_fixed_base),
+      loads_(branches_.size()),
       links_(robot.links.size()),
-      limits_(robot.joints.size()),
+      forces_(robot.joints.size()),
       link_contacts_(body.link_count()),
       velocities_(robot.links.size()),
       inertias_(robot.links.size()),
@@ -51,18 +59,24 @@ TreeSolver::TreeSolver(const robot::RobotDescription& robot, const Profile& prof
       scratch_(robot.links.size()) {
   ground_contacts_.reserve(kUsualGroundContacts * robot.links.size());
   for (int i = 0; i < body.link_count(); ++i) link_inertias_.push_back(InertiaOf(body.body(i)));
-  for (const robot::Joint& joint : robot.joints) {
-    const Vector3 anchor = ToEigen(joint.anchor.data());
-    hinges_.push_back({anchor - ToEigen(robot.links[joint.parent].position.data()),
-                       anchor - ToEigen(robot.links[joint.child].position.data()),
-                       ToEigen(joint.axis.data()).normalized(), joint.low, joint.high});
+  for (size_t b = 0; b < branches_.size(); ++b) {
+    geometries_.push_back(MakeGeometry(robot, branches_[b]));
+    const int index = branches_[b].joint;
+    if (index < 0) continue;
+    const robot::Joint& joint = robot.joints[index];
+    forces_[index] = {.branch = b,
+                      .radius = joint.radius,
+                      .low_stop = joint.low,
+                      .high_stop = joint.high,
+                      .pulls = std::vector<LimitedPull>(controller.pulls(index).size())};
   }
 }
 
 void TreeSolver::Step(std::span<const Contact> contacts, const JointController& controller,
                       std::span<Vector3> impulses) {
   ReadLinks();
-  for (int j = 0; j < body_.joint_count(); ++j) ReadHinge(j, controller);
+  for (size_t b = 0; b < branches_.size(); ++b) ReadBranch(b);
+  for (int j = 0; j < body_.joint_count(); ++j) ReadForces(j, controller);
   ReadContacts(contacts);
   SolveForVelocities();
   if (!impulses.empty()) AddImpulses(contacts, impulses);
@@ -78,51 +92,47 @@ void TreeSolver::ReadLinks() {
   }
 }
 
-void TreeSolver::ReadHinge(int hinge, const JointController& controller) {
-  const Hinge& shape = hinges_[hinge];
-  TreeJoint& joint = tree_.joints()[hinge];
-  const LinkState& parent = links_[joint.parent];
-  const LinkState& child = links_[joint.child];
-  joint.parent_arm = parent.rotation * shape.parent_anchor;
-  joint.child_arm = child.rotation * shape.child_anchor;
-  joint.axis = parent.rotation * shape.axis;
-
-  // The child is drawn to where it belongs.
-  HingeLimits& limits = limits_[hinge];
+// The child is drawn to where it belongs.
+void TreeSolver::ReadBranch(size_t branch) {
+  TreeJoint& joint = tree_.joints()[branch];
   const double correction = settings_.erp / settings_.time_step;
-  const Vector3 gap = parent.position + joint.parent_arm - child.position - joint.child_arm;
-  Vector3 tilt = (child.rotation * shape.axis).cross(joint.axis);
-  tilt -= joint.axis.dot(tilt) * joint.axis;  // rounding that would turn the joint
-  limits.load << gap, tilt;
-  limits.load *= hold_ * correction;
-
-  const double h = settings_.time_step;
-  if (drive_ == JointDrive::kTorque) {
-    limits.torque = h * controller.torques()[hinge];
-  } else {
-    const Motor& motor = controller.motors()[hinge];
-    limits.motor.target = motor.speed;
-    limits.motor.stiffness = h * motor.damping;
-    limits.motor.low = -h * motor.max_torque;
-    limits.motor.high = h * motor.max_torque;
-  }
-
-  const double angle = controller.angles()[hinge];
-  const bool is_low = angle <= shape.low_stop;
-  const bool is_high = !is_low && angle >= shape.high_stop;
-  LimitedPull stop;
-  if (is_low || is_high) {
-    stop.target = correction * ((is_low ? shape.low_stop : shape.high_stop) - angle);
-    stop.stiffness = hold_;
-    (is_low ? stop.high : stop.low) = is_low ? kInfinity : -kInfinity;
-    stop.state = stop.NextState(HingeSpeed(hinge));
-  }
-  limits.stop = stop;
+  loads_[branch] = geometries_[branch]->Read(links_[joint.parent], links_[joint.child], joint);
+  loads_[branch] *= hold_ * correction;
 }
 
-double TreeSolver::HingeSpeed(int hinge) const {
-  const TreeJoint& joint = tree_.joints()[hinge];
-  return joint.axis.dot(velocities_[joint.parent].tail<3>() - velocities_[joint.child].tail<3>());
+void TreeSolver::ReadForces(int joint, const JointController& controller) {
+  JointForces& forces = forces_[joint];
+  const double h = settings_.time_step;
+  const double radius = forces.radius;
+  if (!controller.has_motors()) forces.impulse = h * controller.torques()[joint] / radius;
+  const std::span<const Motor> motors = controller.pulls(joint);
+  for (size_t i = 0; i < motors.size(); ++i) {
+    LimitedPull& pull = forces.pulls[i];
+    pull.target = motors[i].speed * radius;
+    pull.stiffness = h * motors[i].damping / (radius * radius);
+    pull.low = -h * motors[i].max_torque / radius;
+    pull.high = h * motors[i].max_torque / radius;
+  }
+  forces.stop = StopPull(forces, controller.angles()[joint]);
+}
+
+LimitedPull TreeSolver::StopPull(const JointForces& forces, double angle) const {
+  const double correction = settings_.erp / settings_.time_step;
+  const bool is_low = angle <= forces.low_stop;
+  const bool is_high = !is_low && angle >= forces.high_stop;
+  LimitedPull stop;
+  if (is_low || is_high) {
+    const double beyond = (is_low ? forces.low_stop : forces.high_stop) - angle;
+    stop.target = correction * beyond * forces.radius;
+    stop.stiffness = hold_;
+    (is_low ? stop.high : stop.low) = is_low ? kInfinity : -kInfinity;
+    stop.state = stop.NextState(SpeedOf(forces));
+  }
+  return stop;
+}
+
+double TreeSolver::SpeedOf(const JointForces& forces) const {
+  return geometries_[forces.branch]->Speed(tree_.joints()[forces.branch], velocities_);
 }
 
 void TreeSolver::ReadContacts(std::span<const Contact> contacts) {
@@ -193,12 +203,17 @@ void TreeSolver::SolveAsAssumed() {
     inertias_[contact.link] += hold * contact.row * contact.row.transpose();
     momenta_[contact.link] += contact.pull.load() * contact.row;
   }
-  for (size_t j = 0; j < limits_.size(); ++j) {
-    const HingeLimits& limits = limits_[j];
-    TreeJoint& joint = tree_.joints()[j];
-    joint.hold_of_axis = limits.motor.hold() + limits.stop.hold();
-    joint.load = limits.load;
-    joint.load.tail<3>() -= (limits.torque + limits.motor.load() + limits.stop.load()) * joint.axis;
+  for (size_t b = 0; b < branches_.size(); ++b) tree_.joints()[b].load = loads_[b];
+  for (const JointForces& forces : forces_) {
+    TreeJoint& joint = tree_.joints()[forces.branch];
+    double hold = 0;
+    double impulse = forces.impulse;
+    for (const LimitedPull& pull : forces.pulls) {
+      hold += pull.hold();
+      impulse += pull.load();
+    }
+    joint.hold_of_free = hold + forces.stop.hold();
+    geometries_[forces.branch]->AddImpulse(impulse + forces.stop.load(), joint);
   }
   tree_.Factorize(inertias_);
   scratch_ = momenta_;
@@ -245,10 +260,10 @@ int TreeSolver::CorrectStates(bool all) {
     last_state = next;
     if (all) pull.state = next;
   };
-  for (size_t j = 0; j < limits_.size(); ++j) {
-    const double speed = HingeSpeed(static_cast<int>(j));
-    judge(limits_[j].motor, speed);
-    judge(limits_[j].stop, speed);
+  for (JointForces& forces : forces_) {
+    const double speed = SpeedOf(forces);
+    for (LimitedPull& pull : forces.pulls) judge(pull, speed);
+    judge(forces.stop, speed);
   }
   for (GroundContact& contact : ground_contacts_) {
     judge(contact.pull, contact.row.dot(velocities_[contact.link]));

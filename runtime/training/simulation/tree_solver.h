@@ -16,8 +16,10 @@
 // solution is unique, so it is ODE's up to rounding.
 #pragma once
 
+#include <memory>
 #include <vector>
 
+#include "runtime/training/simulation/joint_geometry.h"
 #include "runtime/training/simulation/limit.h"
 #include "runtime/training/simulation/link_contacts.h"
 #include "runtime/training/simulation/link_motion.h"
@@ -29,22 +31,13 @@ namespace runtime {
 class TreeSolver : public PhysicsSolver {
  public:
   // `body` outlives the solver.
-  TreeSolver(const robot::RobotDescription& robot, const Profile& profile,
-             const SolverSettings& settings, RobotBody& body);
+  TreeSolver(const robot::RobotDescription& robot, const SolverSettings& settings,
+             const JointController& controller, RobotBody& body);
 
   void Step(std::span<const Contact> contacts, const JointController& controller,
             std::span<Vector3> impulses) override;
 
  private:
-  // What does not change of a hinge, in the frames of its links.
-  struct Hinge {
-    Vector3 parent_anchor;
-    Vector3 child_anchor;
-    Vector3 axis;
-    double low_stop;
-    double high_stop;
-  };
-
   // A contact's normal with the ground.
   struct GroundContact {
     int link;
@@ -53,21 +46,28 @@ class TreeSolver : public PhysicsSolver {
 
     Vector3 normal() const { return row.head<3>(); }
   };
-  struct HingeLimits {
-    Vector6 load;       // of the constraints that have no limits
-    double torque = 0;  // impulse about the axis
-    LimitedPull motor;
-    LimitedPull stop;
+  // What acts along the coordinate of a joint, in its units
+  // (runtime/training/simulation/body_joint.h).
+  struct JointForces {
+    size_t branch;
+    double radius;
+    double low_stop;  // [rad], like the angle
+    double high_stop;
+    double impulse = 0;              // whatever the speed
+    std::vector<LimitedPull> pulls;  // as many as the controller has
+    LimitedPull stop{};
   };
 
   void ReadLinks();
-  void ReadHinge(int hinge, const JointController& controller);
+  void ReadBranch(size_t branch);
+  void ReadForces(int joint, const JointController& controller);
+  LimitedPull StopPull(const JointForces& forces, double angle) const;
   void ReadContacts(std::span<const Contact> contacts);
   // One that pushes the link toward `normal`.
   void AddGroundContact(int link, const Vector3& normal, const dContactGeom& geometry);
   LimitedPull NormalPull(double depth, double speed) const;
-  // The rate of the hinge's angle [rad / s].
-  double HingeSpeed(int hinge) const;
+  // The rate of the joint's coordinate.
+  double SpeedOf(const JointForces& forces) const;
 
   void SolveForVelocities();
   // With the limits in the states that they are assumed to be in.
@@ -79,15 +79,16 @@ class TreeSolver : public PhysicsSolver {
   int CorrectStates(bool all);
 
   SolverSettings settings_;
-  JointDrive drive_;
   double hold_;  // stiffness of the constraints that have no mixing of their own
   RobotBody& body_;
   std::vector<LinkInertia> link_inertias_;
-  std::vector<Hinge> hinges_;
+  std::vector<robot::Branch> branches_;
+  std::vector<std::unique_ptr<JointGeometry>> geometries_;  // of the branches
 
   TreeFactor tree_;
+  std::vector<Vector6> loads_;    // of the branches: of the constraints that have no limits
   std::vector<LinkState> links_;  // their inertias with what keeps them from sliding on the ground
-  std::vector<HingeLimits> limits_;
+  std::vector<JointForces> forces_;
   std::vector<GroundContact> ground_contacts_;
   LinkContacts link_contacts_;
   std::vector<Vector6> velocities_;

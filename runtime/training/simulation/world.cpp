@@ -33,11 +33,11 @@ World::World(const robot::RobotDescription& robot, const Profile& profile,
       world_(MakeWorld(threading_.get(), settings_)),
       body_(robot, start, world_.get()),
       collision_(robot, body_),
-      controller_(robot, body_, physics_time_step()),
+      controller_(robot, body_, profile, physics_time_step(), settings_.cfm),
       soundness_(robot, body_, settings_.gravity, physics_time_step()),
       contact_filter_(body_.link_count(), physics_time_step()),
       means_(body_),
-      solver_(MakeSolver(robot, profile, settings_, body_, world_.get())) {
+      solver_(MakeSolver(robot, profile, settings_, controller_, body_, world_.get())) {
   collision_.Update();
   contact_filter_.Start(collision_.ground());
 }
@@ -52,6 +52,7 @@ void World::Step(std::span<const double> targets) {
     KeepForever(std::move(threading_));
     throw;
   }
+  body_.CountTurns();
   contact_filter_.Update(collision_.ground());
   means_.Add(physics_time_step());
   if (!body_.IsPlausible()) throw OdeFailure("a link moves faster than anything can");

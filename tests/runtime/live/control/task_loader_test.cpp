@@ -28,7 +28,7 @@ class TaskLoaderTest : public testing::Test {
   }
 
   TemporaryFolder run_, elsewhere_;
-  TaskLoader loader_{run_.path()};
+  TaskLoader loader_{run_.path(), {}};
 };
 
 TEST_F(TaskLoaderTest, KeepsAPluginInTheFolderOfTheRun) {
@@ -67,7 +67,7 @@ TEST(TaskLoader, AnswersInTheOrderOfTheRequestsAlsoWhereItEnds) {
   std::vector<std::string> answers;
   std::promise<void> has_begun, may_go_on;
   {
-    TaskLoader loader(run.path());
+    TaskLoader loader(run.path(), {});
     loader.Load(PluginFile("steady"), [&](LoadedTask task) {
       answers.push_back(task.plugin->table().name);
       has_begun.set_value();

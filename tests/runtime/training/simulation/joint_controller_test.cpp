@@ -24,8 +24,8 @@ TEST_P(JointControllerTest, TorqueIsThatOfTheSpringAndTheDamper) {
   std::vector<double> targets = Zeros(Humanoid());
   targets[8] = 0.1;
   StepFor(world, 0.01, targets);
-  const double angle = dJointGetHingeAngle(world.body().hinge(8));
-  const double rate = dJointGetHingeAngleRate(world.body().hinge(8));
+  const double angle = dJointGetHingeAngle(world.body().joint(8).id());
+  const double rate = dJointGetHingeAngleRate(world.body().joint(8).id());
   ASSERT_NE(rate, 0);
   targets[8] = 0.2;
   world.Step(targets);
@@ -52,7 +52,7 @@ TEST_P(JointControllerTest, APositiveTorqueIncreasesTheAngle) {
     targets[j] = 0.1;
     world.Step(targets);
     EXPECT_GT(world.controller().torques()[j], 0) << Humanoid().joints[j].name;
-    EXPECT_GT(dJointGetHingeAngleRate(world.body().hinge(j)), 0) << Humanoid().joints[j].name;
+    EXPECT_GT(dJointGetHingeAngleRate(world.body().joint(j).id()), 0) << Humanoid().joints[j].name;
   }
 }
 
@@ -66,7 +66,7 @@ TEST_P(JointControllerTest, TheLimitActs) {
   const double hub = 0.4 * 1.0 * 0.1 * 0.1;
   const double wheel = 0.4 * 0.5 * 0.08 * 0.08;
   const double inertia = hub * wheel / (hub + wheel);
-  EXPECT_NEAR(dJointGetHingeAngleRate(world.body().hinge(0)), -0.002 / inertia * 0.1, 1e-6);
+  EXPECT_NEAR(dJointGetHingeAngleRate(world.body().joint(0).id()), -0.002 / inertia * 0.1, 1e-6);
 }
 
 // A motor's torque falls with its speed: the wheel's nears the largest speed exponentially.
@@ -80,7 +80,7 @@ TEST_P(JointControllerTest, ASpeedLimitIsThatOfAMotor) {
   const double time_constant = hub * wheel / (hub + wheel) * 2 / 0.002;
   for (int i = 1; i <= 10; ++i) {
     StepFor(world, 0.1, {-3});
-    const double speed = dJointGetHingeAngleRate(world.body().hinge(0));
+    const double speed = dJointGetHingeAngleRate(world.body().joint(0).id());
     EXPECT_NEAR(speed, -2 * (1 - std::exp(-0.1 * i / time_constant)), 2e-3) << i;
     EXPECT_NEAR(world.controller().torques()[0], -0.002 * (1 + speed / 2), 1e-5) << i;
   }
@@ -96,7 +96,7 @@ TEST_P(JointControllerTest, NoStepDrivesAJointBeyondItsSpeed) {
   double fastest = 0;
   for (int step = 0; step < 60; ++step) {
     world.Step(targets);
-    fastest = std::max(fastest, dJointGetHingeAngleRate(world.body().hinge(1)));
+    fastest = std::max(fastest, dJointGetHingeAngleRate(world.body().joint(1).id()));
   }
   EXPECT_GT(fastest, 5.5);
   EXPECT_LT(fastest, 6.05);
@@ -117,7 +117,7 @@ TEST_P(JointControllerTest, FollowsTheAnalyticDampedOscillation) {
     const double t = 0.05 * i;
     const double angle =
         0.5 * std::exp(-decay * t) * (std::cos(omega * t) + decay / omega * std::sin(omega * t));
-    EXPECT_NEAR(dJointGetHingeAngle(world.body().hinge(0)), angle, tolerance) << t;
+    EXPECT_NEAR(dJointGetHingeAngle(world.body().joint(0).id()), angle, tolerance) << t;
   }
 }
 

@@ -65,7 +65,7 @@ TEST(LinkFrames, APoseTurnsTheLinksAsItsJointsAfterwardsMeasure) {
   for (const robot::Pose& pose : Humanoid().poses) {
     const World world(Humanoid(), FindProfile("paper"), pose);
     for (size_t j = 0; j < pose.joint_angles.size(); ++j) {
-      EXPECT_NEAR(dJointGetHingeAngle(world.body().hinge(j)), pose.joint_angles[j], 1e-9)
+      EXPECT_NEAR(dJointGetHingeAngle(world.body().joint(j).id()), pose.joint_angles[j], 1e-9)
           << pose.name << " " << Humanoid().joints[j].name;
     }
   }

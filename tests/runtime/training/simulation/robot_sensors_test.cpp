@@ -67,8 +67,9 @@ TEST_F(RobotSensorsTest, RotationOrientationAndAxesAreConsistent) {
 
 TEST_F(RobotSensorsTest, JointsAreThoseOfOde) {
   for (int j = 0; j < 17; ++j) {
-    EXPECT_EQ(Reals("joint.angle")[j], dJointGetHingeAngle(world_.body().hinge(j))) << j;
-    EXPECT_EQ(Reals("joint.velocity")[j], dJointGetHingeAngleRate(world_.body().hinge(j))) << j;
+    EXPECT_EQ(Reals("joint.angle")[j], dJointGetHingeAngle(world_.body().joint(j).id())) << j;
+    EXPECT_EQ(Reals("joint.velocity")[j], dJointGetHingeAngleRate(world_.body().joint(j).id()))
+        << j;
     EXPECT_EQ(Reals("joint.torque")[j], world_.controller().torques()[j]) << j;
   }
 }

@@ -22,6 +22,11 @@ inline const robot::RobotDescription& Hopper() {
   return robot;
 }
 
+inline const robot::RobotDescription& Tinker() {
+  static const robot::RobotDescription robot = robot::ReadRobot(TINKER);
+  return robot;
+}
+
 // Two balls on one axis through both centers, far above the ground: the joint's angle is a damped
 // oscillator with the reduced inertia, which has a known solution.
 inline robot::RobotDescription Rotor() {
@@ -46,7 +51,18 @@ inline dBodyID Link(const World& world, const robot::RobotDescription& robot, co
   return world.body().body(robot.FindLink(name).value());
 }
 inline dJointID Hinge(const World& world, const robot::RobotDescription& robot, const char* name) {
-  return world.body().hinge(robot.FindJoint(name).value());
+  return world.body().joint(robot.FindJoint(name).value()).id();
+}
+
+inline Eigen::Vector3d CenterOfMass(const World& world, const robot::RobotDescription& robot) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  double mass = 0;
+  for (size_t i = 0; i < robot.links.size(); ++i) {
+    const double part = robot.links[i].mass;
+    sum += part * ToEigen(dBodyGetPosition(world.body().body(static_cast<int>(i))));
+    mass += part;
+  }
+  return sum / mass;
 }
 
 inline std::vector<double> Zeros(const robot::RobotDescription& robot) {

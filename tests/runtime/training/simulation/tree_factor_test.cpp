@@ -21,7 +21,7 @@ class TreeFactorTest : public testing::Test {
     joint.child_arm = Vector();
     joint.axis = Vector().normalized();
     joint.hold = 20;
-    joint.hold_of_axis = child % 2 == 0 ? 0 : 0.3;
+    joint.hold_of_free = child % 2 == 0 ? 0 : 0.3;
     joint.load << Vector(), Vector();
     return joint;
   }
@@ -37,7 +37,7 @@ class TreeFactorTest : public testing::Test {
   static Matrix6 Stiffness(const TreeJoint& joint) {
     Matrix6 stiffness = joint.hold * Matrix6::Identity();
     stiffness.bottomRightCorner<3, 3>() +=
-        (joint.hold_of_axis - joint.hold) * joint.axis * joint.axis.transpose();
+        (joint.hold_of_free - joint.hold) * joint.axis * joint.axis.transpose();
     return stiffness;
   }
 
@@ -117,7 +117,7 @@ TEST_F(TreeFactorTest, PartsMultiplyToTheResponseOfOneImpulseToAnother) {
 // A foot of a few grams under a body of kilograms: what turns freely about an axis stays exact.
 TEST_F(TreeFactorTest, ASmallInertiaAboutTheAxisIsNotLostInTheHoldOfTheOthers) {
   for (TreeJoint& joint : tree_.joints()) {
-    joint.hold_of_axis = 0;
+    joint.hold_of_free = 0;
     joint.load.setZero();
   }
   const TreeJoint& last = tree_.joints()[4];

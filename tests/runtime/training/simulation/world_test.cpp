@@ -58,8 +58,8 @@ TEST_P(WorldTest, HingesHoldTogetherInEveryPose) {
     const World world = Make(Humanoid(), pose);
     for (int j = 0; j < world.body().joint_count(); ++j) {
       dVector3 of_parent, of_child;
-      dJointGetHingeAnchor(world.body().hinge(j), of_parent);
-      dJointGetHingeAnchor2(world.body().hinge(j), of_child);
+      dJointGetHingeAnchor(world.body().joint(j).id(), of_parent);
+      dJointGetHingeAnchor2(world.body().joint(j).id(), of_child);
       for (int k = 0; k < 3; ++k) {
         EXPECT_NEAR(of_parent[k], of_child[k], 1e-9) << pose.name << " " << j;
       }
@@ -148,7 +148,7 @@ TEST_P(WorldTest, StopsHold) {
   std::vector<double> targets = Zeros(Humanoid());
   targets[9] = 1;  // the knee's stop is at 10 degrees
   StepFor(world, 1, targets);
-  EXPECT_NEAR(dJointGetHingeAngle(world.body().hinge(9)), M_PI / 18, 0.01);
+  EXPECT_NEAR(dJointGetHingeAngle(world.body().joint(9).id()), M_PI / 18, 0.01);
 }
 
 TEST_P(WorldTest, EqualWorldsStayEqualBitForBit) {
@@ -266,8 +266,8 @@ TEST(World, PaperAndFastAgreeInTheAir) {
     StepFor(paper, 0.05, targets);
     StepFor(fast, 0.05, targets);
     for (int j = 0; j < 17; ++j) {
-      EXPECT_NEAR(dJointGetHingeAngle(fast.body().hinge(j)),
-                  dJointGetHingeAngle(paper.body().hinge(j)), 0.03)
+      EXPECT_NEAR(dJointGetHingeAngle(fast.body().joint(j).id()),
+                  dJointGetHingeAngle(paper.body().joint(j).id()), 0.03)
           << i << " " << Humanoid().joints[j].name;
     }
   }

@@ -1,0 +1,58 @@
+#include "plugins/robot/robot_keys.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace robot {
+namespace {
+
+using Keys = std::vector<std::string_view>;
+
+Keys operator+(Keys first, const Keys& second) {
+  first.insert(first.end(), second.begin(), second.end());
+  return first;
+}
+
+std::vector<KeyTable> MakeKeyTables() {
+  const Keys link = {"name", "shape", "mass", "position"};
+  const Keys connection = {"name", "type", "parent", "child"};
+  const Keys gains = {"stiffness", "damping", "max_torque", "max_speed"};
+  const Keys driven = connection + Keys{"axis"} + gains +
+                      Keys{"passive", "spring", "spring_rest", "damper", "friction", "armature"};
+  const Keys net = {"name", "dof", "kind", "low", "high"};
+  return {
+      {"robot",
+       "robot",
+       {"name", "doc", "base", "links", "joints", "controller", "poses", "link_groups",
+        "joint_groups", "dof_configurations", "nets", "ranges"}},
+      {"links", "box", link + Keys{"size"}},
+      {"links", "capsule", link + Keys{"axis", "radius", "length"}},
+      {"links", "sphere", link + Keys{"radius"}},
+      {"joints", "hinge", driven + Keys{"anchor", "stops_deg"}},
+      {"joints", "continuous", driven + Keys{"anchor"}},
+      {"joints", "slider", driven + Keys{"travel", "radius"}},
+      {"joints", "fixed", connection},
+      {"joints", "ball", connection + Keys{"anchor", "damper"}},
+      {"controller", "controller", gains + Keys{"time_step"}},
+      {"poses", "pose", {"name", "position", "orientation", "joints"}},
+      {"dof_configurations", "DoF configuration", {"name", "coordinates"}},
+      {"dof_configurations", "coordinate", {"joint", "also"}},
+      {"nets", "grid", net + Keys{"counts", "deviations"}},
+      {"nets", "bubble", net + Keys{"units"}},
+  };
+}
+
+}  // namespace
+
+std::span<const KeyTable> KeyTables() {
+  static const std::vector<KeyTable> tables = MakeKeyTables();
+  return tables;
+}
+
+const std::vector<std::string_view>& KeysOf(std::string_view kind) {
+  const auto found = std::ranges::find(KeyTables(), kind, &KeyTable::kind);
+  assert(found != KeyTables().end());
+  return found->keys;
+}
+
+}  // namespace robot

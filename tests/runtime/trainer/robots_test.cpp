@@ -1,0 +1,93 @@
+// Robots of a user's own: where they are found, and how they learn.
+#include <fstream>
+
+#include "tests/runtime/trainer/trainer_test.h"
+#include "tests/scoped_environment.h"
+
+namespace runtime {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+class RobotsTest : public TrainerTest {
+ protected:
+  RobotsTest() {
+    std::filesystem::create_directories(folder() / "tasks");
+    std::ofstream(folder() / "tasks" / "hop.task")
+        << "/// As high as it can.\ntask hop for hopper\nmetric max height = base.position.z\n"
+           "on end_of_time_step {\n    reward rate up = base.position.z\n"
+           "    if time > 0.3 s { truncate_episode \"time is up\" }\n}\n";
+  }
+
+  // Puts the robot there, in a folder of this name.
+  void AddRobot(const std::filesystem::path& where, const std::string& name = "hopper") const {
+    std::filesystem::create_directories(folder() / where / name);
+    std::filesystem::copy_file(OTHER_ROBOTS "/hopper/robot.toml",
+                               folder() / where / name / "robot.toml");
+  }
+  std::string Task() const { return (folder() / "tasks" / "hop.task").string(); }
+  ProgramResult TrainHopper(std::vector<std::string> more = {}) const {
+    std::vector<std::string> words = {"train", Task(),  "--profile",      "fast-tree", "--episodes",
+                                      "2",     "--out", RunFolder("run"), "--quiet"};
+    words.insert(words.end(), more.begin(), more.end());
+    return Trainer(words);
+  }
+  std::string Folder(const char* name) const { return (folder() / name).string(); }
+};
+
+TEST_F(RobotsTest, OneBesideTheTaskLearnsWithoutAnAgentFile) {
+  AddRobot("tasks");
+  const ProgramResult result = TrainHopper();
+  ASSERT_EQ(result.exit_status, 0) << result.errors;
+  EXPECT_EQ(RunDatabase::OpenToRead(RunFolder("run")).ReadEpisodes().size(), 2u);
+  EXPECT_THAT(Trainer({"agent", "show", Task()}).output,
+              AllOf(HasSubstr("type = \"Ppo\""), HasSubstr("dof = \"all\"")));
+}
+
+TEST_F(RobotsTest, IsFoundInAGivenFolderAndInTheSearchPath) {
+  EXPECT_THAT(TrainHopper().errors, HasSubstr("there is no robot `hopper`"));
+  AddRobot("mine");
+  const ProgramResult given = TrainHopper({"--robots", Folder("mine")});
+  ASSERT_EQ(given.exit_status, 0) << given.errors;
+  EXPECT_THAT(Trainer({"show", RunFolder("run")}).output, HasSubstr("--robots " + Folder("mine")));
+  std::filesystem::remove_all(RunFolder("run"));
+  const ScopedEnvironment robots("TASKC_ROBOT_PATH", Folder("mine"));
+  EXPECT_EQ(TrainHopper().exit_status, 0);
+}
+
+TEST_F(RobotsTest, AFolderWithAnotherNameIsRefusedAsTheCompilerDoes) {
+  AddRobot("tasks", "jumper");
+  std::ofstream(folder() / "tasks" / "jump.task") << "task jump for jumper\n"
+                                                     "on end_of_time_step {\n    if time > 1 s { "
+                                                     "truncate_episode \"time is up\" }\n}\n";
+  const ProgramResult trained = Trainer({"train", Folder("tasks/jump.task")});
+  EXPECT_NE(trained.exit_status, 0);
+  EXPECT_THAT(trained.errors, HasSubstr("the robot in the folder `jumper` is called `hopper`"));
+}
+
+TEST_F(RobotsTest, MotionSearchWorksForAnyRobot) {
+  AddRobot("tasks");
+  const ProgramResult result = TrainHopper({"--agent", "motion_search"});
+  EXPECT_EQ(result.exit_status, 0) << result.errors;
+  const std::string agents =
+      Trainer({"agent", "list", "--robots", Folder("tasks"), "--robot", "hopper"}).output;
+  EXPECT_THAT(agents, AllOf(HasSubstr("motion_search"), HasSubstr("ppo"), HasSubstr("hopper")));
+}
+
+TEST_F(RobotsTest, AnAgentFileIncludesWhatComesWithTheTrainer) {
+  AddRobot("tasks");
+  const std::string agent = Folder("tasks/hopper/agent.toml");
+  std::ofstream(agent) << "include = [\"ppo\"]\n[modules.action_space]\ndof = \"1\"\n";
+  EXPECT_THAT(Trainer({"agent", "show", Task()}).output, HasSubstr("dof = \"1\""));
+  std::ofstream(agent) << "include = [\"robots/humanoid/ppo.agent.toml\"]\n"
+                          "[modules.action_space]\ndof = \"all\"\n";
+  EXPECT_THAT(Trainer({"agent", "show", Task()}).output, HasSubstr("dof = \"all\""));
+  std::ofstream(agent) << "include = [\"pppo\"]\n";
+  EXPECT_THAT(Trainer({"agent", "show", Task()}).errors,
+              AllOf(HasSubstr("agent.toml:1:12: there is no file `"),
+                    HasSubstr("hopper/pppo.agent.toml`")));
+}
+
+}  // namespace
+}  // namespace runtime
