@@ -6,18 +6,6 @@
 namespace robot {
 namespace {
 
-Quaternion ReadOrientation(const TomlValue& value) {
-  const std::vector<double> numbers = value.Numbers(4);
-  double square = 0;
-  for (double number : numbers) square += number * number;
-  if (std::abs(square - 1) > 1e-2) {
-    value.Fail(value.what() + " is not a unit quaternion", "give w, x, y, z with a norm of 1");
-  }
-  Quaternion orientation;
-  for (int i = 0; i < 4; ++i) orientation[i] = numbers[i] / std::sqrt(square);
-  return orientation;
-}
-
 void ReadJointAngles(const TomlValue& value, const RobotDescription& robot, Pose& pose) {
   // Room for the last digit of angles that were measured at a stop.
   constexpr double kTolerance = 1e-6;
@@ -52,6 +40,18 @@ void AddMembers(const TomlValue& value, const std::vector<std::string>& names,
 }
 
 }  // namespace
+
+Quaternion ReadOrientation(const TomlValue& value) {
+  const std::vector<double> numbers = value.Numbers(4);
+  double square = 0;
+  for (double number : numbers) square += number * number;
+  if (std::abs(square - 1) > 1e-2) {
+    value.Fail(value.what() + " is not a unit quaternion", "give w, x, y, z with a norm of 1");
+  }
+  Quaternion orientation;
+  for (int i = 0; i < 4; ++i) orientation[i] = numbers[i] / std::sqrt(square);
+  return orientation;
+}
 
 std::vector<Pose> ReadPoses(const TomlValue& root, const RobotDescription& robot) {
   std::vector<Pose> poses;

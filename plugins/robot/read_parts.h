@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <vector>
 
 #include "plugins/robot/robot_description.h"
@@ -13,6 +14,10 @@
 namespace robot {
 
 std::vector<Link> ReadLinks(const TomlValue& root);
+std::vector<std::array<int, 2>> ReadContactExclusions(const TomlValue& root,
+                                                      const RobotDescription& robot);
+// A unit quaternion, w, x, y, z.
+Quaternion ReadOrientation(const TomlValue& value);
 // Sets `joints` and `mounts` of `robot`.
 void ReadJoints(const TomlValue& root, RobotDescription& robot);
 std::vector<Pose> ReadPoses(const TomlValue& root, const RobotDescription& robot);

@@ -59,6 +59,7 @@ RobotDescription Read(const std::filesystem::path& file, std::optional<std::stri
   if (const auto base = root.Find("base"))
     robot.has_fixed_base = base->IndexIn({"free", "fixed"}, "kind of base") == 1;
   ReadJoints(root, robot);
+  robot.contact_exclusions = ReadContactExclusions(root, robot);
   robot.controller = ReadController(root);
   robot.poses = ReadPoses(root, robot);
   robot.link_groups = ReadGroups(root, "link_groups", "link", NamesOf(robot.links));

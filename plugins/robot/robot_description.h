@@ -24,14 +24,24 @@ inline constexpr double kFastestRotation = 1e4;  // [rad / s]
 
 inline constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 
-enum class ShapeKind { kBox, kCapsule, kSphere };
+enum class ShapeKind { kBox, kCapsule, kCylinder, kSphere };
 
 struct LinkShape {
   ShapeKind kind = ShapeKind::kSphere;
   Vector3 size{};     // box: full extents
-  double radius = 0;  // capsule, sphere
-  double length = 0;  // capsule: total length, both caps included
-  int axis = 2;       // capsule: 0, 1, 2 = along x, y, z of the zero pose
+  double radius = 0;  // capsule, cylinder, sphere
+  double length = 0;  // capsule: total length, both caps included; cylinder
+  int axis = 2;       // capsule, cylinder: 0, 1, 2 = along x, y, z of the shape
+  // Where the shape is in its link's frame.
+  Vector3 position{};
+  Quaternion orientation{1, 0, 0, 0};
+
+  bool IsMoved() const { return position != Vector3{} || orientation != Quaternion{1, 0, 0, 0}; }
+};
+
+// A symmetric matrix, about the center of mass, along the axes of the zero pose [kg m^2].
+struct Inertia {
+  double xx = 0, yy = 0, zz = 0, xy = 0, xz = 0, yz = 0;
 };
 
 struct Link {
@@ -39,6 +49,8 @@ struct Link {
   double mass = 0;
   Vector3 position{};  // center of mass relative to the base link's center, zero pose
   LinkShape shape;
+  std::optional<Inertia> inertia{};  // without it that of the shape, which is of uniform density
+  double friction = kUnlimited;      // coefficient; of two links that touch the smaller one counts
 };
 
 enum class JointKind { kHinge, kContinuous, kSlider };
@@ -185,6 +197,7 @@ struct RobotDescription {
   bool has_fixed_base = false;  // what carries the robot holds the base link where it starts
   std::vector<Joint> joints;
   std::vector<Mount> mounts;
+  std::vector<std::array<int, 2>> contact_exclusions;  // links that do not collide
   Controller controller;
   std::vector<Pose> poses;  // the first is the default
   std::vector<Group> link_groups;

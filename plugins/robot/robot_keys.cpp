@@ -14,19 +14,21 @@ Keys operator+(Keys first, const Keys& second) {
 }
 
 std::vector<KeyTable> MakeKeyTables() {
-  const Keys link = {"name", "shape", "mass", "position"};
+  const Keys link = {"name",     "shape",          "mass",
+                     "position", "shape_position", "shape_orientation",
+                     "inertia",  "friction"};
   const Keys connection = {"name", "type", "parent", "child"};
   const Keys gains = {"stiffness", "damping", "max_torque", "max_speed"};
   const Keys driven = connection + Keys{"axis"} + gains +
                       Keys{"passive", "spring", "spring_rest", "damper", "friction", "armature"};
-  const Keys net = {"name", "dof", "kind", "low", "high"};
   return {
       {"robot",
        "robot",
        {"name", "doc", "base", "links", "joints", "controller", "poses", "link_groups",
-        "joint_groups", "dof_configurations", "nets", "ranges"}},
+        "joint_groups", "dof_configurations", "nets", "ranges", "contact_exclusions"}},
       {"links", "box", link + Keys{"size"}},
       {"links", "capsule", link + Keys{"axis", "radius", "length"}},
+      {"links", "cylinder", link + Keys{"axis", "radius", "length"}},
       {"links", "sphere", link + Keys{"radius"}},
       {"joints", "hinge", driven + Keys{"anchor", "stops_deg"}},
       {"joints", "continuous", driven + Keys{"anchor"}},
@@ -37,8 +39,8 @@ std::vector<KeyTable> MakeKeyTables() {
       {"poses", "pose", {"name", "position", "orientation", "joints"}},
       {"dof_configurations", "DoF configuration", {"name", "coordinates"}},
       {"dof_configurations", "coordinate", {"joint", "also"}},
-      {"nets", "grid", net + Keys{"counts", "deviations"}},
-      {"nets", "bubble", net + Keys{"units"}},
+      {"nets", "grid", {"name", "dof", "kind", "counts", "low", "high", "deviations"}},
+      {"nets", "bubble", {"name", "dof", "kind", "units", "low", "high"}},
   };
 }
 

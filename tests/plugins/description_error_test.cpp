@@ -83,10 +83,11 @@ const Mistake kMistakes[] = {
      "  help: did you mean `mass`?"},
     {"KeyOfAnotherShape", "radius = 0.03", "radius = 0.03, size = [1, 1, 1]",
      "9:54: error: unknown key `size` in link `shank`\n"
-     "  help: choose from `name`, `shape`, `radius`, `mass` and `position`"},
+     "  help: choose from `name`, `shape`, `mass`, `position`, `shape_position`, "
+     "`shape_orientation`, `inertia`, `friction` and `radius`"},
     {"UnknownShape", "shape = \"box\"", "shape = \"cube\"",
      "7:29: error: there is no shape `cube`\n"
-     "  help: choose from `box`, `capsule` and `sphere`"},
+     "  help: choose from `box`, `capsule`, `cylinder` and `sphere`"},
     {"NoMass", "mass = 0.2, ", "",
      "8:3: error: link `thigh` has no `mass`\n"
      "  help: add `mass`"},
@@ -124,7 +125,7 @@ const Mistake kMistakes[] = {
      "13:26: error: there is no type of joint `prismatic`\n"
      "  help: choose from `hinge`, `continuous`, `slider`, `fixed` and `ball`"},
     {"StopsOfAContinuousJoint", "name = \"hip\"", "name = \"hip\", type = \"continuous\"",
-     "13:110: error: unknown key `stops_deg` in joint `hip`\n"
+     "13:111: error: unknown key `stops_deg` in joint `hip`\n"
      "  help: choose from `name`, `type`, `parent`, `child`, `axis`, `stiffness`, `damping`, "
      "`max_torque`, `max_speed`, `passive`, `spring`, `spring_rest`, `damper`, `friction`, "
      "`armature` and `anchor`"},
@@ -138,8 +139,25 @@ const Mistake kMistakes[] = {
      "13:30: error: `armature` of joint `hip` is negative\n"
      "  help: give 0 or more"},
     {"MotorOfAPassiveJoint", "name = \"hip\"", "name = \"hip\", passive = true, stiffness = 1",
-     "13:46: error: `stiffness` of joint `hip` is of a motor, and a passive joint has none\n"
+     "13:47: error: `stiffness` of joint `hip` is of a motor, and a passive joint has none\n"
      "  help: leave out `passive`, or this"},
+    {"NegativeInertia", "mass = 1, position", "mass = 1, inertia = [1, 1, -1], position",
+     "7:80: error: `inertia` of link `trunk` is that of no body\n"
+     "  help: moments of inertia are positive, and none exceeds the other two together: write "
+     "[xx, yy, zz] or [xx, yy, zz, xy, xz, yz] in kg m^2"},
+    {"InertiaThatNoBodyHas", "mass = 1, position", "mass = 1, inertia = [1, 1, 2.1], position",
+     "7:80: error: `inertia` of link `trunk` is that of no body\n"
+     "  help: moments of inertia are positive, and none exceeds the other two together: write "
+     "[xx, yy, zz] or [xx, yy, zz, xy, xz, yz] in kg m^2"},
+    {"ShapeBesideTheCenterOfMass", "mass = 1, position",
+     "mass = 1, shape_position = [1, 0, 0], position",
+     "7:87: error: the shape of link `trunk` is not around its center of mass, so that its inertia "
+     "is not known\n"
+     "  help: add `inertia`, about the center of mass"},
+    {"ExclusionOfNoLink", "name = \"hopper\"",
+     "name = \"hopper\"\ncontact_exclusions = [[\"trunk\", \"foot\"]]",
+     "4:33: error: there is no link `foot`\n"
+     "  help: choose from `trunk`, `thigh` and `shank`"},
     {"UnknownBase", "name = \"hopper\"", "name = \"hopper\"\nbase = \"floating\"",
      "4:8: error: there is no kind of base `floating`\n"
      "  help: choose from `free` and `fixed`"},
@@ -279,6 +297,17 @@ TEST(DescriptionError, AFileThatIsNotThere) {
                  "/nowhere/robot.toml: error: cannot read the robot's description: No such file or "
                  "directory\n  help: check that the file is there and may be read");
   }
+}
+
+TEST(DescriptionError, ARobotWithAThousandLinks) {
+  std::string text = "name = \"a\"\ndoc = \"b\"\nlinks = [\n";
+  for (int i = 0; i < 1000; ++i) {
+    text += "{ name = \"l" + std::to_string(i) +
+            "\", shape = \"sphere\", radius = 1, mass = 1, position = [0, 0, 0] },\n";
+  }
+  EXPECT_EQ(MessageFor(text + "]\n"),
+            "3:9: error: the robot has 1000 links, and 250 is the most\n"
+            "  help: make one link of what does not move against each other");
 }
 
 TEST(DescriptionError, ARobotWithoutLinks) {

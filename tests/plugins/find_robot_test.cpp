@@ -35,7 +35,7 @@ TEST(FindRobot, SuggestsTheNearestName) {
 
 TEST(FindRobot, ListsTheRobotsIfNoneIsNear) {
   EXPECT_THAT(MessageFor("quadruped", {ROBOTS, STAGED_ROBOTS}),
-              HasSubstr("choose from `hopper`, `humanoid` and `tinker`"));
+              HasSubstr("choose from `blocks`, `hopper`, `humanoid` and `tinker`"));
 }
 
 TEST(FindRobot, SaysWhereItLookedIfThereIsNoRobotAtAll) {

@@ -22,40 +22,60 @@ json Time(double seconds) {
   return {{"sec", nanoseconds / 1'000'000'000}, {"nsec", nanoseconds % 1'000'000'000}};
 }
 
-json Primitive(const Eigen::Vector3d& size, const Eigen::Vector3d& position = {0, 0, 0},
+json Primitive(const Eigen::Vector3d& size, const Eigen::Vector3d& position,
                const Eigen::Quaterniond& orientation = Eigen::Quaterniond::Identity()) {
   return {{"pose", {{"position", Point(position)}, {"orientation", Rotation(orientation)}}},
           {"size", Point(size)},
           {"color", kColor}};
 }
 
-json Sphere(double radius, const Eigen::Vector3d& position = {0, 0, 0}) {
+Eigen::Vector3d PositionOf(const robot::LinkShape& shape) {
+  return Eigen::Vector3d(shape.position.data());
+}
+
+Eigen::Quaterniond OrientationOf(const robot::LinkShape& shape) {
+  const auto& [w, x, y, z] = shape.orientation;
+  return {w, x, y, z};
+}
+
+json Sphere(double radius, const Eigen::Vector3d& position) {
   return Primitive(Eigen::Vector3d::Constant(2 * radius), position);
 }
 
 // A cylinder's own axis is z.
-void AddCapsule(const robot::LinkShape& shape, json& entity) {
-  const Eigen::Vector3d axis = Eigen::Vector3d::Unit(shape.axis);
-  const double length = shape.length - 2 * shape.radius;
-  json cylinder = Primitive({2 * shape.radius, 2 * shape.radius, length}, {0, 0, 0},
-                            Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), axis));
+void AddCylinder(const robot::LinkShape& shape, double length, json& entity) {
+  const Eigen::Quaterniond along = Eigen::Quaterniond::FromTwoVectors(
+      Eigen::Vector3d::UnitZ(), Eigen::Vector3d::Unit(shape.axis));
+  json cylinder = Primitive({2 * shape.radius, 2 * shape.radius, length}, PositionOf(shape),
+                            OrientationOf(shape) * along);
   cylinder["bottom_scale"] = 1;
   cylinder["top_scale"] = 1;
   entity["cylinders"].push_back(cylinder);
-  entity["spheres"].push_back(Sphere(shape.radius, 0.5 * length * axis));
-  entity["spheres"].push_back(Sphere(shape.radius, -0.5 * length * axis));
+}
+
+void AddCapsule(const robot::LinkShape& shape, json& entity) {
+  const double length = shape.length - 2 * shape.radius;
+  const Eigen::Vector3d end =
+      0.5 * length * (OrientationOf(shape) * Eigen::Vector3d::Unit(shape.axis));
+  AddCylinder(shape, length, entity);
+  entity["spheres"].push_back(Sphere(shape.radius, PositionOf(shape) + end));
+  entity["spheres"].push_back(Sphere(shape.radius, PositionOf(shape) - end));
 }
 
 void AddShape(const robot::LinkShape& shape, json& entity) {
   switch (shape.kind) {
     case robot::ShapeKind::kBox:
-      entity["cubes"].push_back(Primitive({shape.size[0], shape.size[1], shape.size[2]}));
+      entity["cubes"].push_back(Primitive({shape.size[0], shape.size[1], shape.size[2]},
+                                          PositionOf(shape), OrientationOf(shape)));
       return;
     case robot::ShapeKind::kCapsule:
       AddCapsule(shape, entity);
       return;
+    case robot::ShapeKind::kCylinder:
+      AddCylinder(shape, shape.length, entity);
+      return;
     case robot::ShapeKind::kSphere:
-      entity["spheres"].push_back(Sphere(shape.radius));
+      entity["spheres"].push_back(Sphere(shape.radius, PositionOf(shape)));
       return;
   }
 }

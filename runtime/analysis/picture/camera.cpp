@@ -37,7 +37,7 @@ Reach ReachAlong(const Vector3d& direction, const Motion& motion,
   Reach reach;
   for (size_t i = 0; i < links.size(); ++i) {
     const double place = motion.position(frame, static_cast<int>(i)).dot(direction);
-    const double radius = BoundingRadius(links[i].shape);
+    const double radius = BoundingRadiusOfLink(links[i].shape);
     reach.low = std::min(reach.low, place - radius);
     reach.high = std::max(reach.high, place + radius);
   }
@@ -86,7 +86,7 @@ std::vector<Camera> PlaceCameras(const Motion& motion, const std::vector<robot::
       camera.distance =
           std::max(camera.distance,
                    DistanceFor(camera, targets.back(), motion.position(frame, static_cast<int>(i)),
-                               BoundingRadius(links[i].shape)));
+                               BoundingRadiusOfLink(links[i].shape)));
     }
   }
   std::vector<Camera> cameras;

@@ -17,6 +17,7 @@ Vector3d CoreOf(const robot::LinkShape& shape) {
     case robot::ShapeKind::kBox:
       return 0.5 * Vector3d(shape.size.data()) - Vector3d::Constant(RadiusOf(shape));
     case robot::ShapeKind::kCapsule:
+    case robot::ShapeKind::kCylinder:
       return std::max(0., shape.length / 2 - shape.radius) * Vector3d::Unit(shape.axis);
     case robot::ShapeKind::kSphere:
       break;
@@ -30,8 +31,12 @@ PosedRobot::PosedRobot(const std::vector<robot::Link>& links, const Motion& moti
   for (size_t i = 0; i < links.size(); ++i) {
     const robot::LinkShape& shape = links[i].shape;
     const int link = static_cast<int>(i);
-    const Bounds bounds{motion.position(frame, link), BoundingRadius(shape)};
-    links_.push_back({&shape, bounds, motion.orientation(frame, link).toRotationMatrix(),
+    const auto& [w, x, y, z] = shape.orientation;
+    const Eigen::Quaterniond& turn = motion.orientation(frame, link);
+    const Bounds bounds{motion.position(frame, link) + turn * Vector3d(shape.position.data()),
+                        BoundingRadius(shape)};
+    const Eigen::Quaterniond shape_turn = turn * Eigen::Quaterniond(w, x, y, z);
+    links_.push_back({&shape, bounds, (shape.IsMoved() ? shape_turn : turn).toRotationMatrix(),
                       CoreOf(shape), RadiusOf(shape)});
     whole_.center += bounds.center / static_cast<double>(links.size());
   }

@@ -14,7 +14,7 @@ namespace runtime {
 struct RobotHit {
   size_t link = 0;
   Hit hit;                // in the world frame
-  Eigen::Vector3d place;  // in the link's frame
+  Eigen::Vector3d place;  // in the frame of the link's shape
 };
 
 class PosedRobot {
@@ -47,8 +47,8 @@ class PosedRobot {
   };
   struct Posed {
     const robot::LinkShape* shape;
-    Bounds bounds;             // around the link's center
-    Eigen::Matrix3d rotation;  // from the link's frame to that of the world
+    Bounds bounds;             // around the shape's center
+    Eigen::Matrix3d rotation;  // from the shape's frame to that of the world
     // What the link is about: all points within `radius` of a box with these half extents.
     Eigen::Vector3d core;
     double radius;

@@ -110,6 +110,44 @@ std::optional<Hit> HitBox(const robot::LinkShape& box, const Ray& ray) {
   return Hit{entry->distance, outwards * Vector3d::Unit(entry->axis)};
 }
 
+// It is entered where the ray is first both between its two ends and within the endless tube around
+// its axis.
+std::optional<Hit> HitCylinder(const robot::LinkShape& shape, const Ray& ray) {
+  const int axis = shape.axis;
+  const double half = shape.length / 2;
+  Vector3d from = ray.origin;
+  Vector3d across = ray.direction;
+  const double along = from[axis];
+  const double speed = across[axis];
+  from[axis] = across[axis] = 0;
+  double enters_ends = -1;
+  double leaves_ends = std::numeric_limits<double>::infinity();
+  if (speed != 0) {
+    const double sign = speed > 0 ? 1 : -1;
+    enters_ends = (-sign * half - along) / speed;
+    leaves_ends = (sign * half - along) / speed;
+  } else if (std::abs(along) > half) {
+    return std::nullopt;
+  }
+  double enters_tube = -1;
+  double leaves_tube = std::numeric_limits<double>::infinity();
+  const double square = across.squaredNorm();
+  const double outside = from.squaredNorm() - shape.radius * shape.radius;
+  if (square > 0) {
+    const double middle = from.dot(across);
+    const double discriminant = middle * middle - square * outside;
+    if (discriminant < 0) return std::nullopt;
+    enters_tube = (-middle - std::sqrt(discriminant)) / square;
+    leaves_tube = (-middle + std::sqrt(discriminant)) / square;
+  } else if (outside > 0) {
+    return std::nullopt;
+  }
+  const double entry = std::max(enters_ends, enters_tube);
+  if (entry < 0 || entry > std::min(leaves_ends, leaves_tube)) return std::nullopt;
+  if (enters_tube > enters_ends) return Hit{entry, (from + entry * across) / shape.radius};
+  return Hit{entry, (speed > 0 ? -1 : 1) * Vector3d::Unit(axis)};
+}
+
 }  // namespace
 
 std::optional<Hit> FirstHit(const robot::LinkShape& shape, const Ray& ray) {
@@ -120,6 +158,8 @@ std::optional<Hit> FirstHit(const robot::LinkShape& shape, const Ray& ray) {
       const double half_length = std::max(0., shape.length / 2 - shape.radius);
       return HitCapsule(Vector3d::Zero(), shape.axis, half_length, shape.radius, ray);
     }
+    case robot::ShapeKind::kCylinder:
+      return HitCylinder(shape, ray);
     case robot::ShapeKind::kSphere:
       break;
   }
@@ -131,9 +171,21 @@ double EdgeRadius(const robot::LinkShape& box) {
 }
 
 double BoundingRadius(const robot::LinkShape& shape) {
-  if (shape.kind == robot::ShapeKind::kBox) return 0.5 * Vector3d(shape.size.data()).norm();
-  if (shape.kind == robot::ShapeKind::kSphere) return shape.radius;
-  return std::max(shape.radius, shape.length / 2);
+  switch (shape.kind) {
+    case robot::ShapeKind::kBox:
+      return 0.5 * Vector3d(shape.size.data()).norm();
+    case robot::ShapeKind::kCapsule:
+      return std::max(shape.radius, shape.length / 2);
+    case robot::ShapeKind::kCylinder:
+      return std::hypot(shape.radius, shape.length / 2);
+    case robot::ShapeKind::kSphere:
+      break;
+  }
+  return shape.radius;
+}
+
+double BoundingRadiusOfLink(const robot::LinkShape& shape) {
+  return BoundingRadius(shape) + Vector3d(shape.position.data()).norm();
 }
 
 }  // namespace runtime

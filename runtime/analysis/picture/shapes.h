@@ -21,7 +21,7 @@ struct Hit {
 };
 
 // The point at which `ray` enters the shape; nothing where it misses it or begins inside. The ray
-// is in the link's own frame, whose origin is the shape's center. Boxes have rounded edges.
+// is in the shape's own frame, whose origin is its center. Boxes have rounded edges.
 std::optional<Hit> FirstHit(const robot::LinkShape& shape, const Ray& ray);
 
 // Of the edges of a box.
@@ -29,5 +29,7 @@ double EdgeRadius(const robot::LinkShape& box);
 
 // Of the smallest sphere around the shape's center that holds the shape [m].
 double BoundingRadius(const robot::LinkShape& shape);
+// The same around its link's center.
+double BoundingRadiusOfLink(const robot::LinkShape& shape);
 
 }  // namespace runtime

@@ -45,7 +45,7 @@ Side SideOf(std::string_view link) {
 std::vector<Paint> PaintsOf(const std::vector<robot::Link>& links) {
   std::vector<Paint> paints;
   for (size_t i = 0; i < links.size(); ++i) {
-    const bool is_box = links[i].shape.kind == robot::ShapeKind::kBox;
+    const bool is_box = links[i].shape.kind == robot::ShapeKind::kBox && !links[i].shape.IsMoved();
     const bool is_ball = links[i].shape.kind == robot::ShapeKind::kSphere;
     const Side side = SideOf(links[i].name);
     if (side == Side::kTrunk) {

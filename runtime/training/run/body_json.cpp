@@ -1,6 +1,7 @@
 #include "runtime/training/run/body_json.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -14,6 +15,8 @@ const char* ShapeName(robot::ShapeKind kind) {
       return "box";
     case robot::ShapeKind::kCapsule:
       return "capsule";
+    case robot::ShapeKind::kCylinder:
+      return "cylinder";
     case robot::ShapeKind::kSphere:
       return "sphere";
   }
@@ -21,8 +24,8 @@ const char* ShapeName(robot::ShapeKind kind) {
 }
 
 std::optional<robot::ShapeKind> ShapeKindOf(const std::string& name) {
-  for (const auto kind :
-       {robot::ShapeKind::kBox, robot::ShapeKind::kCapsule, robot::ShapeKind::kSphere}) {
+  using enum robot::ShapeKind;
+  for (const auto kind : {kBox, kCapsule, kCylinder, kSphere}) {
     if (name == ShapeName(kind)) return kind;
   }
   return std::nullopt;
@@ -44,7 +47,12 @@ std::optional<robot::Link> ParseLink(const nlohmann::json& json) {
   link.shape.radius = json.at("radius");
   link.shape.length = json.at("length");
   link.shape.axis = json.at("axis");
+  if (json.contains("position")) link.shape.position = json.at("position");
+  if (json.contains("orientation")) link.shape.orientation = json.at("orientation");
+  const auto is_place = [](double value) { return IsLength(std::abs(value)); };
   const bool is_sound = std::ranges::all_of(link.shape.size, IsLength) &&
+                        std::ranges::all_of(link.shape.position, is_place) &&
+                        std::ranges::all_of(link.shape.orientation, is_place) &&
                         IsLength(link.shape.radius) && IsLength(link.shape.length) &&
                         0 <= link.shape.axis && link.shape.axis <= 2;
   return is_sound ? std::optional(std::move(link)) : std::nullopt;
@@ -55,12 +63,15 @@ std::optional<robot::Link> ParseLink(const nlohmann::json& json) {
 std::string BodyJson(const robot::RobotDescription& robot) {
   nlohmann::ordered_json links = nlohmann::ordered_json::array();
   for (const robot::Link& link : robot.links) {
-    links.push_back({{"name", link.name},
-                     {"shape", ShapeName(link.shape.kind)},
-                     {"size", link.shape.size},
-                     {"radius", link.shape.radius},
-                     {"length", link.shape.length},
-                     {"axis", link.shape.axis}});
+    nlohmann::ordered_json json = {
+        {"name", link.name},           {"shape", ShapeName(link.shape.kind)},
+        {"size", link.shape.size},     {"radius", link.shape.radius},
+        {"length", link.shape.length}, {"axis", link.shape.axis}};
+    if (link.shape.IsMoved()) {
+      json["position"] = link.shape.position;
+      json["orientation"] = link.shape.orientation;
+    }
+    links.push_back(std::move(json));
   }
   return links.dump();
 }

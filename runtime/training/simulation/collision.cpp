@@ -15,6 +15,8 @@ double BoundingRadius(const robot::LinkShape& shape) {
       return std::hypot(shape.size[0], shape.size[1], shape.size[2]) / 2;
     case robot::ShapeKind::kCapsule:
       return shape.length / 2;
+    case robot::ShapeKind::kCylinder:
+      return std::hypot(shape.radius, shape.length / 2);
     case robot::ShapeKind::kSphere:
       break;
   }
@@ -35,17 +37,22 @@ class Joined {
         pairs_.insert(std::minmax(one_[branch.parent], branch.child));
       }
     }
+    for (const auto& [first, second] : robot.contact_exclusions) {
+      excluded_.insert(std::minmax(first, second));
+    }
   }
 
   bool operator()(int first, int second) const {
     const int a = one_[first];
     const int b = one_[second];
-    return a == b || pairs_.contains(std::minmax(a, b));
+    return a == b || pairs_.contains(std::minmax(a, b)) ||
+           excluded_.contains(std::minmax(first, second));
   }
 
  private:
   std::vector<int> one_;  // the first of those that each link is welded to
   std::set<std::pair<int, int>> pairs_;
+  std::set<std::pair<int, int>> excluded_;
 };
 
 }  // namespace
@@ -53,9 +60,13 @@ class Joined {
 Collision::Collision(const robot::RobotDescription& robot, const RobotBody& body)
     : body_(body),
       plane_(dCreatePlane(nullptr, 0, 0, 1, 0)),
+      first_movable_(robot.has_fixed_base ? 1 : 0),
       centers_(robot.links.size()),
       ground_(robot.links.size(), 0) {
-  for (const robot::Link& link : robot.links) radii_.push_back(BoundingRadius(link.shape));
+  for (const robot::Link& link : robot.links) {
+    radii_.push_back(BoundingRadius(link.shape));
+    frictions_.push_back(link.friction);
+  }
   const Joined are_joined(robot);
   for (int i = 0; i < body.link_count(); ++i) {
     for (int j = i + 1; j < body.link_count(); ++j) {
@@ -69,7 +80,7 @@ void Collision::Update() {
   contacts_.clear();
   FindCenters();
   for (int i = 0; i < body_.link_count(); ++i) {
-    const bool near = centers_[i][2] <= radii_[i];
+    const bool near = i >= first_movable_ && centers_[i][2] <= radii_[i];
     ground_[i] = near && AddContacts(Contact::kGround, i) ? 1 : 0;
   }
   for (const Pair& pair : pairs_) {
@@ -79,7 +90,7 @@ void Collision::Update() {
 
 void Collision::FindCenters() {
   for (int i = 0; i < body_.link_count(); ++i) {
-    std::copy_n(dBodyGetPosition(body_.body(i)), 3, centers_[i].begin());
+    std::copy_n(dGeomGetPosition(body_.geom(i)), 3, centers_[i].begin());
   }
 }
 
@@ -98,10 +109,13 @@ dGeomID Collision::GeomOf(int link) const {
 
 bool Collision::AddContacts(int first, int second) {
   dContactGeom found[kMaxContacts];
+  const double friction = first == Contact::kGround
+                              ? frictions_[second]
+                              : std::min(frictions_[first], frictions_[second]);
   const int count = dCollide(GeomOf(first), GeomOf(second), kMaxContacts, found, sizeof *found);
   for (int i = 0; i < count; ++i) {
     const bool swapped = found[i].g1 != GeomOf(first);
-    contacts_.push_back({swapped ? second : first, swapped ? first : second, found[i]});
+    contacts_.push_back({swapped ? second : first, swapped ? first : second, found[i], friction});
   }
   return count > 0;
 }

@@ -16,6 +16,7 @@ struct Contact {
   int first;   // link, or kGround; the geometry's normal points into it
   int second;  // link, or kGround
   dContactGeom geometry;
+  double friction;  // coefficient; infinity where nothing slides
 };
 
 // Walks a fixed list of pairs in a fixed order, which is faster for a few links than any of ODE's
@@ -44,7 +45,7 @@ class Collision {
     double reach;  // sum of the two bounding spheres' radii
   };
 
-  void FindCenters();
+  void FindCenters();  // of the links' shapes
   bool MayTouch(const Pair& pair) const;
   // Returns whether there is any contact between the two links, of which one may be the ground.
   bool AddContacts(int first, int second);
@@ -54,7 +55,9 @@ class Collision {
 
   const RobotBody& body_;
   OdeGeom plane_;
+  int first_movable_;          // link: a fixed base touches no ground
   std::vector<double> radii_;  // of the links' bounding spheres
+  std::vector<double> frictions_;
   std::vector<robot::Vector3> centers_;
   std::vector<Pair> pairs_;
   std::vector<unsigned char> ground_;

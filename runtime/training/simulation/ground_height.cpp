@@ -9,15 +9,27 @@
 namespace runtime {
 namespace {
 
-// How far below its center a link reaches.
-double ReachDown(const robot::LinkShape& shape, const Eigen::Quaterniond& orientation) {
+// How far below its link's center a shape reaches.
+double ReachDown(const robot::LinkShape& shape, const Eigen::Quaterniond& link) {
+  if (shape.IsMoved()) {
+    const auto& [w, x, y, z] = shape.orientation;
+    robot::LinkShape centered = shape;
+    centered.position = {};
+    centered.orientation = {1, 0, 0, 0};
+    return ReachDown(centered, link * Eigen::Quaterniond(w, x, y, z)) -
+           (link * Eigen::Vector3d(shape.position.data())).z();
+  }
   // The heights of the ends of the link's own axes.
-  const Eigen::RowVector3d heights = orientation.toRotationMatrix().row(2).cwiseAbs();
+  const Eigen::RowVector3d heights = link.toRotationMatrix().row(2).cwiseAbs();
   switch (shape.kind) {
     case robot::ShapeKind::kBox:
       return heights.dot(Eigen::Map<const Eigen::Vector3d>(shape.size.data())) / 2;
     case robot::ShapeKind::kCapsule:
       return heights[shape.axis] * (shape.length / 2 - shape.radius) + shape.radius;
+    case robot::ShapeKind::kCylinder: {
+      const double tilt = std::min(1., heights[shape.axis]);
+      return tilt * shape.length / 2 + shape.radius * std::sqrt(1 - tilt * tilt);
+    }
     case robot::ShapeKind::kSphere:
       break;
   }

@@ -22,6 +22,8 @@ struct LimitedPull {
     return state == State::kSpring ? stiffness * target : state == State::kLow ? low : high;
   }
 
+  double ImpulseAt(double speed) const { return load() - hold() * speed; }
+
   // The state that a speed asks for; from one limit to the other the way is over the spring. One
   // that is wrong by rounding only is kept.
   State NextState(double speed) const {

@@ -2,6 +2,9 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <array>
+
+#include "runtime/training/simulation/friction.h"
 
 namespace runtime {
 namespace {
@@ -30,30 +33,54 @@ LimitedPull& LinkContacts::Add(const Contact& contact, const Vector3& first_cent
   const Vector3 point(contact.geometry.pos[0], contact.geometry.pos[1], contact.geometry.pos[2]);
   const Vector3 normal(contact.geometry.normal[0], contact.geometry.normal[1],
                        contact.geometry.normal[2]);
+  const bool is_limited = contact.friction < robot::kUnlimited;
   const Vector3 tangent = normal.unitOrthogonal();
-  const Vector3 directions[] = {normal, tangent, normal.cross(tangent)};
+  const std::array<Vector3, 2> sliding =
+      is_limited ? SlidingDirections(normal) : std::array{tangent, Vector3(normal.cross(tangent))};
+  const Vector3 directions[] = {normal, sliding[0], sliding[1]};
   LinkContact& added = contacts_.emplace_back();
+  added.friction = contact.friction;
   added.hold = hold;
+  has_frictions_ = has_frictions_ || is_limited;
   for (int i = 0; i < 3; ++i) {
     added.rows[i] = {contact.first, contact.second, RowAt(point - first_center, directions[i]),
                      RowAt(point - second_center, -directions[i])};
+    if (i > 0 && !is_limited)
+      added.pulls[i] = {.stiffness = hold, .low = -robot::kUnlimited, .high = robot::kUnlimited};
   }
-  return added.pull;
+  return added.pulls[0];
 }
 
-double LinkContacts::NormalSpeed(int contact, std::span<const Vector6> velocities) const {
-  return contacts_[contact].rows[0].Speed(velocities);
+double LinkContacts::Speed(int contact, size_t row, std::span<const Vector6> velocities) const {
+  return contacts_[contact].rows[row].Speed(velocities);
+}
+
+void LinkContacts::LimitFrictions(std::span<const Vector6> velocities) {
+  for (LinkContact& contact : contacts_) {
+    if (contact.friction == robot::kUnlimited) continue;
+    const double impulse = contact.pulls[0].ImpulseAt(contact.rows[0].Speed(velocities));
+    for (int i : {1, 2}) contact.pulls[i] = FrictionPull(contact.friction, impulse, contact.hold);
+  }
+}
+
+void LinkContacts::AddLimitedImpulses(std::span<Vector6> momenta) const {
+  if (!has_frictions_) return;
+  for (const LinkContact& contact : contacts_) {
+    for (int i : {1, 2}) {
+      const Row& row = contact.rows[i];
+      if (contact.pulls[i].hold() > 0) continue;
+      momenta[row.first] += contact.pulls[i].load() * row.first_row;
+      momenta[row.second] += contact.pulls[i].load() * row.second_row;
+    }
+  }
 }
 
 Vector3 LinkContacts::Impulse(int contact, std::span<const Vector6> velocities) const {
   const LinkContact& touch = contacts_[contact];
   Vector3 impulse = Vector3::Zero();
-  for (const Row& row : touch.rows) {
-    const bool is_normal = &row == touch.rows;
-    const double speed = row.Speed(velocities);
-    const double along =
-        is_normal ? touch.pull.load() - touch.pull.hold() * speed : -touch.hold * speed;
-    impulse += along * row.first_row.head<3>();
+  for (int i = 0; i < 3; ++i) {
+    const Row& row = touch.rows[i];
+    impulse += touch.pulls[i].ImpulseAt(row.Speed(velocities)) * row.first_row.head<3>();
   }
   return impulse;
 }
@@ -76,10 +103,10 @@ void LinkContacts::AddImpulses(TreeFactor& tree, std::span<const Vector6> veloci
 void LinkContacts::CollectRows() {
   active_.clear();
   for (const LinkContact& contact : contacts_) {
-    const double hold = contact.pull.hold();
-    if (hold > 0) active_.push_back({&contact.rows[0], hold, contact.pull.load()});
-    active_.push_back({&contact.rows[1], contact.hold, 0});
-    active_.push_back({&contact.rows[2], contact.hold, 0});
+    for (int i = 0; i < 3; ++i) {
+      const double hold = contact.pulls[i].hold();
+      if (hold > 0) active_.push_back({&contact.rows[i], hold, contact.pulls[i].load()});
+    }
   }
 }
 

@@ -14,16 +14,30 @@ class LinkContacts {
  public:
   explicit LinkContacts(int links);
 
-  void Clear() { contacts_.clear(); }
-  // Between two links with these centers of mass; sliding is resisted with the stiffness `hold`.
-  // Returns the pull of the normal, which is yet to be set.
+  void Clear() {
+    contacts_.clear();
+    has_frictions_ = false;
+  }
+  // Between two links with these centers of mass; sliding is resisted with the stiffness `hold`,
+  // where that is limited from LimitFrictions() on. Returns the pull of the normal, which is yet to
+  // be set.
   LimitedPull& Add(const Contact& contact, const Vector3& first_center,
                    const Vector3& second_center, double hold);
 
   bool empty() const { return contacts_.empty(); }
   int size() const { return static_cast<int>(contacts_.size()); }
-  LimitedPull& pull(int contact) { return contacts_[contact].pull; }
-  double NormalSpeed(int contact, std::span<const Vector6> velocities) const;
+  bool has_frictions() const { return has_frictions_; }
+  // Those that have limits: of the normal, and of the two directions of sliding where these have.
+  std::span<LimitedPull> limited_pulls(int contact) {
+    LinkContact& touch = contacts_[contact];
+    return {touch.pulls, touch.friction < robot::kUnlimited ? size_t{3} : size_t{1}};
+  }
+  // Along the normal (0) or a direction of sliding (1, 2).
+  double Speed(int contact, size_t row, std::span<const Vector6> velocities) const;
+  // Frictions from the normals' impulses at these velocities.
+  void LimitFrictions(std::span<const Vector6> velocities);
+  // What is at its limit.
+  void AddLimitedImpulses(std::span<Vector6> momenta) const;
   // On the first of the two links, once the velocities are known.
   Vector3 Impulse(int contact, std::span<const Vector6> velocities) const;
 
@@ -46,7 +60,8 @@ class LinkContacts {
   };
   struct LinkContact {
     Row rows[3];  // the normal first
-    LimitedPull pull;
+    LimitedPull pulls[3];
+    double friction;  // coefficient
     double hold;
   };
   struct ActiveRow {
@@ -61,6 +76,7 @@ class LinkContacts {
 
   size_t links_;
   std::vector<LinkContact> contacts_;
+  bool has_frictions_ = false;
   std::vector<ActiveRow> active_;
   std::vector<Vector6> impulses_;        // scratch
   std::vector<TreeFactor::Part> parts_;  // of each active row, for each link

@@ -1,5 +1,7 @@
 #include "runtime/training/simulation/link_motion.h"
 
+#include <Eigen/Eigenvalues>
+
 namespace runtime {
 namespace {
 
@@ -19,33 +21,46 @@ Vector3 FreeRotation(const Vector3& inertia, const Vector3& angular_velocity, do
 
 }  // namespace
 
-// All shapes have their principal axes along the link's.
 LinkInertia InertiaOf(dBodyID body) {
   dMass mass;
   dBodyGetMass(body, &mass);
-  return {mass.mass, {mass.I[0], mass.I[5], mass.I[10]}};
+  const bool has_own_axes = mass.I[1] != 0 || mass.I[2] != 0 || mass.I[6] != 0;
+  if (!has_own_axes) {
+    return {mass.mass, {mass.I[0], mass.I[5], mass.I[10]}, Matrix3::Identity(), false};
+  }
+  Matrix3 inertia;
+  inertia << mass.I[0], mass.I[1], mass.I[2], mass.I[1], mass.I[5], mass.I[6], mass.I[2], mass.I[6],
+      mass.I[10];
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(inertia);
+  Matrix3 axes = solver.eigenvectors();
+  if (axes.determinant() < 0) axes.col(0) = -axes.col(0);  // a rotation, no reflection
+  return {mass.mass, solver.eigenvalues(), axes, true};
+}
+
+Matrix3 RotationOf(dBodyID body) {
+  const dReal* elements = dBodyGetRotation(body);  // rows of four
+  Matrix3 rotation;
+  for (int row = 0; row < 3; ++row) rotation.row(row) = ToEigen(elements + 4 * row).transpose();
+  return rotation;
 }
 
 LinkState ReadLink(dBodyID body, const LinkInertia& inertia, double time_step, double gravity) {
   LinkState state;
   state.position = ToEigen(dBodyGetPosition(body));
-  const dReal* rotation = dBodyGetRotation(body);  // rows of four
-  for (int row = 0; row < 3; ++row) {
-    state.rotation.row(row) = ToEigen(rotation + 4 * row).transpose();
-  }
+  state.rotation = RotationOf(body);
   const Vector3 velocity = ToEigen(dBodyGetLinearVel(body));
   const Vector3 turning = ToEigen(dBodyGetAngularVel(body));
   state.velocity << velocity, turning;
 
   state.inertia.setZero();
   state.inertia.topLeftCorner<3, 3>().diagonal().setConstant(inertia.mass);
+  const Matrix3 axes = inertia.AxesIn(state.rotation);
   state.inertia.bottomRightCorner<3, 3>() =
-      state.rotation * inertia.principal.asDiagonal() * state.rotation.transpose();
+      axes * inertia.principal.asDiagonal() * axes.transpose();
 
-  const Vector3 free =
-      FreeRotation(inertia.principal, state.rotation.transpose() * turning, time_step);
+  const Vector3 free = FreeRotation(inertia.principal, axes.transpose() * turning, time_step);
   state.momentum.head<3>() = inertia.mass * (velocity - Vector3(0, 0, time_step * gravity));
-  state.momentum.tail<3>() = state.rotation * inertia.principal.cwiseProduct(free);
+  state.momentum.tail<3>() = axes * inertia.principal.cwiseProduct(free);
   return state;
 }
 

@@ -10,10 +10,21 @@ namespace runtime {
 // What does not change.
 struct LinkInertia {
   double mass;
-  Vector3 principal;  // moments of inertia about the link's own axes
+  Vector3 principal;  // moments of inertia about the principal axes
+  Matrix3 axes;       // their directions in the link's frame, as columns
+  bool has_own_axes;  // these are not simply the link's own
+
+  // The principal axes in the world, of a link with this rotation.
+  Matrix3 AxesIn(const Matrix3& rotation) const {
+    if (!has_own_axes) return rotation;
+    return rotation * axes;
+  }
 };
 
 LinkInertia InertiaOf(dBodyID body);
+
+// From the link's frame to that of the world.
+Matrix3 RotationOf(dBodyID body);
 
 // At the start of a step, in the world's frame, described at the center of mass.
 struct LinkState {

@@ -7,7 +7,7 @@
 namespace runtime {
 namespace {
 
-// The friction is unlimited: what touches does not slide.
+// Where the friction is unlimited, what touches does not slide.
 dSurfaceParameters Surface(const SolverSettings& settings) {
   dSurfaceParameters surface{};
   surface.mode = dContactBounce | dContactSoftERP | dContactSoftCFM;
@@ -17,6 +17,13 @@ dSurfaceParameters Surface(const SolverSettings& settings) {
   surface.soft_erp = settings.contacts.erp;
   surface.soft_cfm = settings.contacts.cfm;
   return surface;
+}
+
+// As a pyramid: along each of two directions at most this share of the normal's force.
+void SetFriction(double friction, dSurfaceParameters& surface) {
+  const bool is_limited = friction < robot::kUnlimited;
+  surface.mu = friction;
+  surface.mode = is_limited ? surface.mode | dContactApprox1 : surface.mode & ~dContactApprox1;
 }
 
 }  // namespace
@@ -76,6 +83,7 @@ void OdeSolver::MakeContacts(std::span<const Contact> contacts, bool has_feedbac
   for (size_t i = 0; i < contacts.size(); ++i) {
     const Contact& contact = contacts[i];
     contact_.geom = contact.geometry;
+    SetFriction(contact.friction, contact_.surface);
     const dJointID joint = dJointCreateContact(world_, contacts_.get(), &contact_);
     dJointAttach(joint, BodyOf(contact.first), BodyOf(contact.second));
     if (has_feedback) dJointSetFeedback(joint, &feedback_[i]);

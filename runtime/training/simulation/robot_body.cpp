@@ -9,7 +9,8 @@
 namespace runtime {
 namespace {
 
-dMass MassOf(const robot::Link& link) {
+// Along the axes of the shape.
+dMass MassOfShape(const robot::Link& link) {
   const robot::LinkShape& shape = link.shape;
   dMass mass;
   switch (shape.kind) {
@@ -20,10 +21,33 @@ dMass MassOf(const robot::Link& link) {
       dMassSetCapsuleTotal(&mass, link.mass, shape.axis + 1, shape.radius,
                            shape.length - 2 * shape.radius);
       break;
+    case robot::ShapeKind::kCylinder:
+      dMassSetCylinderTotal(&mass, link.mass, shape.axis + 1, shape.radius, shape.length);
+      break;
     case robot::ShapeKind::kSphere:
       dMassSetSphereTotal(&mass, link.mass, shape.radius);
       break;
   }
+  return mass;
+}
+
+void ToRotation(const robot::Quaternion& quaternion, dMatrix3 rotation) {
+  const dQuaternion q = {quaternion[0], quaternion[1], quaternion[2], quaternion[3]};
+  dQtoR(q, rotation);
+}
+
+dMass MassOf(const robot::Link& link) {
+  if (link.inertia) {
+    const robot::Inertia& m = *link.inertia;
+    dMass mass;
+    dMassSetParameters(&mass, link.mass, 0, 0, 0, m.xx, m.yy, m.zz, m.xy, m.xz, m.yz);
+    return mass;
+  }
+  dMass mass = MassOfShape(link);
+  if (!link.shape.IsMoved()) return mass;
+  dMatrix3 rotation;
+  ToRotation(link.shape.orientation, rotation);
+  dMassRotate(&mass, rotation);
   return mass;
 }
 
@@ -33,18 +57,35 @@ OdeGeom GeomOf(const robot::LinkShape& shape) {
       return OdeGeom(dCreateBox(nullptr, shape.size[0], shape.size[1], shape.size[2]));
     case robot::ShapeKind::kCapsule:
       return OdeGeom(dCreateCapsule(nullptr, shape.radius, shape.length - 2 * shape.radius));
+    case robot::ShapeKind::kCylinder:
+      return OdeGeom(dCreateCylinder(nullptr, shape.radius, shape.length));
     case robot::ShapeKind::kSphere:
       break;
   }
   return OdeGeom(dCreateSphere(nullptr, shape.radius));
 }
 
-// ODE's capsules lie along z: turns one within its link so that it lies along its axis.
-void AlignCapsule(const robot::LinkShape& shape, dGeomID geom) {
-  if (shape.kind != robot::ShapeKind::kCapsule || shape.axis == 2) return;
+// ODE's capsules and cylinders lie along z: the turn that lays one along its axis.
+void RotationOfAxis(const robot::LinkShape& shape, dMatrix3 rotation) {
+  const bool has_axis =
+      shape.kind == robot::ShapeKind::kCapsule || shape.kind == robot::ShapeKind::kCylinder;
+  dRSetIdentity(rotation);
+  if (has_axis && shape.axis == 0) dRFromAxisAndAngle(rotation, 0, 1, 0, std::numbers::pi / 2);
+  if (has_axis && shape.axis == 1) dRFromAxisAndAngle(rotation, 1, 0, 0, std::numbers::pi / 2);
+}
+
+// Puts a shape to its place in its link.
+void PlaceShape(const robot::LinkShape& shape, dGeomID geom) {
+  dMatrix3 along;
+  RotationOfAxis(shape, along);
+  const bool is_along_z = along[0] == 1 && along[5] == 1;
+  if (is_along_z && !shape.IsMoved()) return;
+  if (!shape.IsMoved()) return dGeomSetOffsetRotation(geom, along);
+  dMatrix3 turn;
   dMatrix3 rotation;
-  if (shape.axis == 0) dRFromAxisAndAngle(rotation, 0, 1, 0, std::numbers::pi / 2);
-  if (shape.axis == 1) dRFromAxisAndAngle(rotation, 1, 0, 0, std::numbers::pi / 2);
+  ToRotation(shape.orientation, turn);
+  dMultiply0(rotation, turn, along, 3, 3, 3);
+  dGeomSetOffsetPosition(geom, shape.position[0], shape.position[1], shape.position[2]);
   dGeomSetOffsetRotation(geom, rotation);
 }
 
@@ -84,7 +125,7 @@ void RobotBody::AddLink(const robot::Link& link, dWorldID world) {
   dBodySetPosition(body.get(), link.position[0], link.position[1], link.position[2]);
   OdeGeom geom = GeomOf(link.shape);
   dGeomSetBody(geom.get(), body.get());
-  AlignCapsule(link.shape, geom.get());
+  PlaceShape(link.shape, geom.get());
   bodies_.push_back(std::move(body));
   geoms_.push_back(std::move(geom));
 }

@@ -15,10 +15,8 @@ Soundness::Soundness(const robot::RobotDescription& robot, const RobotBody& body
   }
   double total = 0;
   for (int i = 0; i < body.link_count(); ++i) {
-    dMass mass;
-    dBodyGetMass(body.body(i), &mass);
-    masses_.push_back({mass.mass, {mass.I[0], mass.I[5], mass.I[10]}});
-    total += mass.mass;
+    masses_.push_back(InertiaOf(body.body(i)));
+    total += masses_.back().mass;
   }
   limit_ = kMostLift * gravity * total;
 }
@@ -37,15 +35,15 @@ double Soundness::Energy(const JointController& controller) const {
   double energy = 0;
   for (int i = 0; i < body_.link_count(); ++i) {
     const dBodyID body = body_.body(i);
-    const LinkMass& link = masses_[i];
+    const LinkInertia& link = masses_[i];
     const dReal* v = dBodyGetLinearVel(body);
     const dReal* w = dBodyGetAngularVel(body);
-    const dReal* axes = dBodyGetRotation(body);  // rows of four; the columns are the link's axes
+    const Matrix3 axes = link.AxesIn(RotationOf(body));
     energy += link.mass * (gravity_ * dBodyGetPosition(body)[2] +
                            0.5 * (v[0] * v[0] + v[1] * v[1] + v[2] * v[2]));
     for (int axis = 0; axis < 3; ++axis) {
-      const double rate = axes[axis] * w[0] + axes[4 + axis] * w[1] + axes[8 + axis] * w[2];
-      energy += 0.5 * link.inertia[axis] * rate * rate;
+      const double rate = axes(0, axis) * w[0] + axes(1, axis) * w[1] + axes(2, axis) * w[2];
+      energy += 0.5 * link.principal[axis] * rate * rate;
     }
   }
   for (size_t j = 0; j < robot_.joints.size(); ++j) {

@@ -5,6 +5,7 @@
 
 #include "plugins/robot/robot_description.h"
 #include "runtime/training/simulation/joint_controller.h"
+#include "runtime/training/simulation/link_motion.h"
 #include "runtime/training/simulation/robot_body.h"
 
 namespace runtime {
@@ -29,11 +30,6 @@ class Soundness {
   void Check(const JointController& controller);
 
  private:
-  struct LinkMass {
-    double mass;
-    double inertia[3];  // about the axes of the link's frame
-  };
-
   // Of all motions and heights, and of what the joints hold themselves [J].
   double Energy(const JointController& controller) const;
   double EnergyOf(const robot::PassiveForces& forces, double angle, double rate) const;
@@ -46,7 +42,7 @@ class Soundness {
   double gravity_;
   std::vector<double> largest_impulses_;  // of the motors in a step [N m s]
   double limit_;                          // [J]
-  std::vector<LinkMass> masses_;
+  std::vector<LinkInertia> masses_;
   std::vector<double> rates_;  // of the joints, the call before [rad/s]
   double energy_ = 0;          // the call before
   double from_nothing_ = 0;    // so far [J]

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "runtime/training/simulation/friction.h"
+
 namespace runtime {
 namespace {
 
@@ -137,31 +139,42 @@ double TreeSolver::SpeedOf(const JointForces& forces) const {
 
 void TreeSolver::ReadContacts(std::span<const Contact> contacts) {
   ground_contacts_.clear();
+  ground_frictions_.clear();
   link_contacts_.Clear();
   for (const Contact& contact : contacts) {
     if (contact.first == Contact::kGround) {
-      AddGroundContact(contact.second, -ToEigen(contact.geometry.normal), contact.geometry);
+      AddGroundContact(contact.second, -ToEigen(contact.geometry.normal), contact);
     } else if (contact.second == Contact::kGround) {
-      AddGroundContact(contact.first, ToEigen(contact.geometry.normal), contact.geometry);
+      AddGroundContact(contact.first, ToEigen(contact.geometry.normal), contact);
     } else {
       LimitedPull& pull = link_contacts_.Add(contact, links_[contact.first].position,
                                              links_[contact.second].position, hold_);
       const int index = link_contacts_.size() - 1;
-      pull = NormalPull(contact.geometry.depth, link_contacts_.NormalSpeed(index, velocities_));
+      pull = NormalPull(contact.geometry.depth, link_contacts_.Speed(index, 0, velocities_));
     }
   }
 }
 
 // The one that pushes the link up `normal`.
-void TreeSolver::AddGroundContact(int link, const Vector3& normal, const dContactGeom& geometry) {
-  const Vector3 arm = ToEigen(geometry.pos) - links_[link].position;
-  GroundContact contact;
-  contact.link = link;
-  contact.row << normal, arm.cross(normal);
-  contact.pull = NormalPull(geometry.depth, contact.row.dot(velocities_[link]));
-  ground_contacts_.push_back(contact);
+void TreeSolver::AddGroundContact(int link, const Vector3& normal, const Contact& contact) {
+  const Vector3 arm = ToEigen(contact.geometry.pos) - links_[link].position;
+  GroundContact added;
+  added.link = link;
+  added.row << normal, arm.cross(normal);
+  added.pull = NormalPull(contact.geometry.depth, added.row.dot(velocities_[link]));
+  ground_contacts_.push_back(added);
+  if (contact.friction < kInfinity) return AddGroundFriction(arm, contact.friction);
   links_[link].inertia += PointInertia(arm, hold_);
-  links_[link].inertia -= hold_ * contact.row * contact.row.transpose();
+  links_[link].inertia -= hold_ * added.row * added.row.transpose();
+}
+
+void TreeSolver::AddGroundFriction(const Vector3& arm, double coefficient) {
+  for (const Vector3& direction : SlidingDirections(ground_contacts_.back().normal())) {
+    GroundFriction& friction = ground_frictions_.emplace_back();
+    friction.contact = ground_contacts_.size() - 1;
+    friction.coefficient = coefficient;
+    friction.row << direction, arm.cross(direction);
+  }
 }
 
 LimitedPull TreeSolver::NormalPull(double depth, double speed) const {
@@ -178,6 +191,22 @@ LimitedPull TreeSolver::NormalPull(double depth, double speed) const {
 }
 
 void TreeSolver::SolveForVelocities() {
+  FindStates();
+  if (ground_frictions_.empty() && !link_contacts_.has_frictions()) return;
+  LimitFrictions();
+  FindStates();
+}
+
+void TreeSolver::LimitFrictions() {
+  for (GroundFriction& friction : ground_frictions_) {
+    const GroundContact& contact = ground_contacts_[friction.contact];
+    const double impulse = contact.pull.ImpulseAt(contact.row.dot(velocities_[contact.link]));
+    friction.pull = FrictionPull(friction.coefficient, impulse, hold_);
+  }
+  link_contacts_.LimitFrictions(velocities_);
+}
+
+void TreeSolver::FindStates() {
   constexpr int kMostRounds = 1000;
   constexpr int kChances = 5;  // to correct all that is wrong without having less wrong
   int least_wrong = std::numeric_limits<int>::max();
@@ -203,6 +232,12 @@ void TreeSolver::SolveAsAssumed() {
     inertias_[contact.link] += hold * contact.row * contact.row.transpose();
     momenta_[contact.link] += contact.pull.load() * contact.row;
   }
+  for (const GroundFriction& friction : ground_frictions_) {
+    const int link = ground_contacts_[friction.contact].link;
+    inertias_[link] += friction.pull.hold() * friction.row * friction.row.transpose();
+    momenta_[link] += friction.pull.load() * friction.row;
+  }
+  link_contacts_.AddLimitedImpulses(momenta_);
   for (size_t b = 0; b < branches_.size(); ++b) tree_.joints()[b].load = loads_[b];
   for (const JointForces& forces : forces_) {
     TreeJoint& joint = tree_.joints()[forces.branch];
@@ -228,8 +263,8 @@ void TreeSolver::AddImpulses(std::span<const Contact> contacts, std::span<Vector
   int link_contact = 0;
   for (const Contact& contact : contacts) {
     if (contact.first == Contact::kGround || contact.second == Contact::kGround) {
-      const GroundContact& ground = ground_contacts_[ground_contact++];
-      impulses[ground.link] += ImpulseOf(ground, ToEigen(contact.geometry.pos));
+      impulses[ground_contacts_[ground_contact].link] += ImpulseOf(ground_contact, contact);
+      ++ground_contact;
     } else {
       const Vector3 impulse = link_contacts_.Impulse(link_contact++, velocities_);
       impulses[contact.first] += impulse;
@@ -239,13 +274,23 @@ void TreeSolver::AddImpulses(std::span<const Contact> contacts, std::span<Vector
 }
 
 // Along the normal a pull within its limits, across it what keeps the link from sliding.
-Vector3 TreeSolver::ImpulseOf(const GroundContact& contact, const Vector3& point) const {
+Vector3 TreeSolver::ImpulseOf(size_t index, const Contact& geometry) const {
+  const GroundContact& contact = ground_contacts_[index];
   const Vector6& velocity = velocities_[contact.link];
-  const Vector3 arm = point - links_[contact.link].position;
   const double speed = contact.row.dot(velocity);
+  const Vector3 pushed = contact.pull.ImpulseAt(speed) * contact.normal();
+  if (geometry.friction < kInfinity) {
+    Vector3 held = Vector3::Zero();
+    for (const GroundFriction& friction : ground_frictions_) {
+      if (friction.contact != index) continue;
+      held += friction.pull.ImpulseAt(friction.row.dot(velocity)) * friction.row.head<3>();
+    }
+    return pushed + held;
+  }
+  const Vector3 arm = ToEigen(geometry.geometry.pos) - links_[contact.link].position;
   const Vector3 sliding =
       velocity.head<3>() + velocity.tail<3>().cross(arm) - speed * contact.normal();
-  return (contact.pull.load() - contact.pull.hold() * speed) * contact.normal() - hold_ * sliding;
+  return pushed - hold_ * sliding;
 }
 
 int TreeSolver::CorrectStates(bool all) {
@@ -268,8 +313,15 @@ int TreeSolver::CorrectStates(bool all) {
   for (GroundContact& contact : ground_contacts_) {
     judge(contact.pull, contact.row.dot(velocities_[contact.link]));
   }
+  for (GroundFriction& friction : ground_frictions_) {
+    const GroundContact& contact = ground_contacts_[friction.contact];
+    judge(friction.pull, friction.row.dot(velocities_[contact.link]));
+  }
   for (int i = 0; i < link_contacts_.size(); ++i) {
-    judge(link_contacts_.pull(i), link_contacts_.NormalSpeed(i, velocities_));
+    const std::span<LimitedPull> pulls = link_contacts_.limited_pulls(i);
+    for (size_t row = 0; row < pulls.size(); ++row) {
+      judge(pulls[row], link_contacts_.Speed(i, row, velocities_));
+    }
   }
   if (last != nullptr) last->state = last_state;
   return wrong;

@@ -46,6 +46,13 @@ class TreeSolver : public PhysicsSolver {
 
     Vector3 normal() const { return row.head<3>(); }
   };
+  // What resists sliding along one direction, where that is limited.
+  struct GroundFriction {
+    size_t contact;  // with the ground
+    double coefficient;
+    Vector6 row;
+    LimitedPull pull;
+  };
   // What acts along the coordinate of a joint, in its units
   // (runtime/training/simulation/body_joint.h).
   struct JointForces {
@@ -64,17 +71,22 @@ class TreeSolver : public PhysicsSolver {
   LimitedPull StopPull(const JointForces& forces, double angle) const;
   void ReadContacts(std::span<const Contact> contacts);
   // One that pushes the link toward `normal`.
-  void AddGroundContact(int link, const Vector3& normal, const dContactGeom& geometry);
+  void AddGroundContact(int link, const Vector3& normal, const Contact& contact);
   LimitedPull NormalPull(double depth, double speed) const;
   // The rate of the joint's coordinate.
   double SpeedOf(const JointForces& forces) const;
 
+  void AddGroundFriction(const Vector3& arm, double coefficient);
   void SolveForVelocities();
+  // Friction is limited by the normals' impulses that there are without it, as in ODE.
+  void LimitFrictions();
+  // Until all limits are in the states that are right.
+  void FindStates();
   // With the limits in the states that they are assumed to be in.
   void SolveAsAssumed();
   // What the contacts do with the velocities that were found.
   void AddImpulses(std::span<const Contact> contacts, std::span<Vector3> impulses) const;
-  Vector3 ImpulseOf(const GroundContact& contact, const Vector3& point) const;
+  Vector3 ImpulseOf(size_t contact, const Contact& geometry) const;
   // Returns how many states are wrong, and corrects all of them, or the last one only.
   int CorrectStates(bool all);
 
@@ -90,6 +102,7 @@ class TreeSolver : public PhysicsSolver {
   std::vector<LinkState> links_;  // their inertias with what keeps them from sliding on the ground
   std::vector<JointForces> forces_;
   std::vector<GroundContact> ground_contacts_;
+  std::vector<GroundFriction> ground_frictions_;
   LinkContacts link_contacts_;
   std::vector<Vector6> velocities_;
   std::vector<Matrix6> inertias_;  // scratch

@@ -6,11 +6,14 @@ import type { Estimate } from "./estimate.ts";
 /** A link of the robot; lengths in meters, `axis` 0, 1, 2 = x, y, z of the link's own frame. */
 export interface BodyLink {
   name: string;
-  shape: "box" | "capsule" | "sphere";
+  shape: "box" | "capsule" | "cylinder" | "sphere";
   size: [number, number, number]; // box: full extents
-  radius: number; // capsule, sphere
-  length: number; // capsule: total, both caps included
+  radius: number; // capsule, cylinder, sphere
+  length: number; // capsule: total, both caps included; cylinder
   axis: number;
+  // Of the shape in the link's frame, where it is not around the center and along the axes.
+  position?: [number, number, number];
+  orientation?: [number, number, number, number]; // w, x, y, z
 }
 
 export interface EpisodeEnd {

@@ -3,9 +3,11 @@
 import {
   CapsuleGeometry,
   Color,
+  CylinderGeometry,
   Group,
   Mesh,
   MeshStandardMaterial,
+  Quaternion,
   SphereGeometry,
   type BufferGeometry,
 } from "three";
@@ -29,10 +31,21 @@ function geometryOf(link: BodyLink): BufferGeometry {
     return new RoundedBoxGeometry(x, y, z, 4, 0.14 * Math.min(x, y, z));
   }
   const straight = Math.max(0, link.length - 2 * link.radius);
-  const capsule = new CapsuleGeometry(link.radius, straight, 12, 28); // along y
-  if (link.axis === 0) capsule.rotateZ(-Math.PI / 2);
-  if (link.axis === 2) capsule.rotateX(Math.PI / 2);
-  return capsule;
+  const rod =
+    link.shape === "cylinder"
+      ? new CylinderGeometry(link.radius, link.radius, link.length, 32)
+      : new CapsuleGeometry(link.radius, straight, 12, 28); // both along y
+  if (link.axis === 0) rod.rotateZ(-Math.PI / 2);
+  if (link.axis === 2) rod.rotateX(Math.PI / 2);
+  return rod;
+}
+
+/** The geometry in the link's frame. */
+function placedGeometryOf(link: BodyLink): BufferGeometry {
+  const geometry = geometryOf(link);
+  const [w, x, y, z] = link.orientation ?? [1, 0, 0, 0];
+  geometry.applyQuaternion(new Quaternion(x, y, z, w));
+  return geometry.translate(...(link.position ?? [0, 0, 0]));
 }
 
 /** A dark plate on the front (+x) of base and head: without it, front and back look alike. */
@@ -106,8 +119,9 @@ export class RobotModel {
     const side = sideOf(link.name);
     const isJoint = link.shape === "sphere" && side !== "trunk";
     const material = this.materials[isJoint ? (`joint_${side}` as const) : side];
-    const mesh = new Mesh(geometryOf(link), material);
-    const hasFront = link.shape === "box" && (index === 0 || link.name === "head");
+    const mesh = new Mesh(placedGeometryOf(link), material);
+    const hasFront =
+      link.shape === "box" && link.position === undefined && (index === 0 || link.name === "head");
     if (hasFront) mesh.add(frontPlate(link, this.materials.plate));
     mesh.traverse((part) => {
       part.castShadow = true;

@@ -53,6 +53,17 @@ TEST(FirstHit, MeetsACapOnASlant) {
   ExpectHit(kRod, {{2, 0, 4}, {-half, 0, -half}}, std::sqrt(8.) - 1, {half, 0, half});
 }
 
+TEST(FirstHit, MeetsTheSideAndTheEndsOfACylinder) {
+  const LinkShape drum{ShapeKind::kCylinder, {}, 1, 6, 2};
+  ExpectHit(drum, {{5, 0.6, 2.9}, {-1, 0, 0}}, 4.2, {0.8, 0.6, 0});
+  ExpectHit(drum, {{0.3, 0.5, 5}, {0, 0, -1}}, 2, {0, 0, 1});
+  const double half = std::sqrt(0.5);
+  ExpectHit(drum, {{-4, 0, 7}, {half, 0, -half}}, 4 / half, {0, 0, 1});
+  EXPECT_FALSE(FirstHit(drum, {{5, 0, 3.001}, {-1, 0, 0}}));
+  EXPECT_FALSE(FirstHit(drum, {{5, 1.001, 0}, {-1, 0, 0}}));
+  EXPECT_FALSE(FirstHit(drum, {{0, 0, 0}, {0, 0.6, 0.8}}));
+}
+
 TEST(FirstHit, LiesAlongTheAxisOfTheCapsule) {
   LinkShape rod = kRod;
   rod.axis = 0;

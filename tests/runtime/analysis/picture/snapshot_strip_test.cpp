@@ -23,6 +23,20 @@ struct Crawl {
   Motion motion = ReadMotion(SampleRecording(2, 0.3), static_cast<int>(links.size()));
 };
 
+TEST(Body, IsKeptWithTheShapesThatAreMoved) {
+  robot::RobotDescription robot;
+  robot.links = {{"drum", 1, {}, {robot::ShapeKind::kCylinder, {}, 0.1, 0.3, 0}},
+                 {"slab", 1, {}, {robot::ShapeKind::kBox, {1, 2, 3}}}};
+  robot.links[1].shape.position = {0.1, 0.2, -0.3};
+  robot.links[1].shape.orientation = {0.6, 0, 0.8, 0};
+  const std::vector<robot::Link> links = ParseBody(BodyJson(robot)).value();
+  EXPECT_EQ(links[0].shape.kind, robot::ShapeKind::kCylinder);
+  EXPECT_EQ(links[0].shape.length, 0.3);
+  EXPECT_FALSE(links[0].shape.IsMoved());
+  EXPECT_EQ(links[1].shape.position, robot.links[1].shape.position);
+  EXPECT_EQ(links[1].shape.orientation, robot.links[1].shape.orientation);
+}
+
 TEST(SnapshotTimes, SpanTheMotionInEqualSteps) {
   EXPECT_THAT(SnapshotTimes(MotionOf(9), {.count = 3}), ElementsAre(0, 2, 4));
   EXPECT_EQ(SnapshotTimes(MotionOf(100)).size(), 8u);

@@ -27,6 +27,11 @@ inline const robot::RobotDescription& Tinker() {
   return robot;
 }
 
+inline const robot::RobotDescription& Blocks() {
+  static const robot::RobotDescription robot = robot::ReadRobot(BLOCKS);
+  return robot;
+}
+
 // Two balls on one axis through both centers, far above the ground: the joint's angle is a damped
 // oscillator with the reduced inertia, which has a known solution.
 inline robot::RobotDescription Rotor() {

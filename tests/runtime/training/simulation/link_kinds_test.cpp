@@ -1,0 +1,176 @@
+// What the shapes, inertias and frictions of links do, against what is known of them.
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "runtime/training/simulation/ground_height.h"
+#include "tests/runtime/training/simulation/robots.h"
+
+namespace runtime {
+namespace {
+
+using testing::ElementsAre;
+
+class LinkKindsTest : public testing::TestWithParam<const char*> {
+ protected:
+  World Make(const robot::RobotDescription& robot) const {
+    return World(robot, FindProfile(GetParam()), robot.poses[0]);
+  }
+};
+
+INSTANTIATE_TEST_SUITE_P(, LinkKindsTest,
+                         testing::Values("paper", "fast", "paper-tree", "fast-tree"),
+                         ProfileInName);
+
+// One link in a pose at this height.
+robot::RobotDescription Body(const robot::LinkShape& shape, double height) {
+  robot::RobotDescription robot = Rotor();
+  robot.links.resize(1);
+  robot.links[0].shape = shape;
+  robot.joints.clear();
+  robot.poses = {{"", {0, 0, height}, {1, 0, 0, 0}, {}}};
+  return robot;
+}
+
+TEST_P(LinkKindsTest, ACylinderStandsAndLies) {
+  const robot::LinkShape standing{robot::ShapeKind::kCylinder, {}, 0.1, 0.3, 2};
+  World on_its_end = Make(Body(standing, 0.15));
+  StepFor(on_its_end, 0.5, {});
+  EXPECT_NEAR(dBodyGetPosition(on_its_end.body().body(0))[2], 0.15, 1e-3);
+  robot::LinkShape lying = standing;
+  lying.axis = 1;
+  World on_its_side = Make(Body(lying, 0.1));
+  StepFor(on_its_side, 0.5, {});
+  EXPECT_NEAR(dBodyGetPosition(on_its_side.body().body(0))[2], 0.1, 1e-3);
+}
+
+TEST_P(LinkKindsTest, ACylinderHasTheInertiaOfOne) {
+  const World world = Make(Body({robot::ShapeKind::kCylinder, {}, 0.1, 0.3, 0}, 1));
+  dMass mass;
+  dBodyGetMass(world.body().body(0), &mass);
+  EXPECT_NEAR(mass.I[0], 0.5 * 0.1 * 0.1, 1e-15);
+  EXPECT_NEAR(mass.I[5], (3 * 0.1 * 0.1 + 0.3 * 0.3) / 12, 1e-15);
+}
+
+TEST_P(LinkKindsTest, AStartPutsAnyShapeOnTheGround) {
+  for (const int axis : {0, 1, 2}) {
+    robot::LinkShape shape{robot::ShapeKind::kCylinder, {}, 0.1, 0.3, axis};
+    shape.position = {0.05, 0, -0.2};
+    shape.orientation = {std::sqrt(0.5), 0, std::sqrt(0.5), 0};  // x to -z, z to x
+    const robot::RobotDescription robot = Body(shape, 0);
+    const double reach = axis == 0 ? 0.15 : 0.1;
+    EXPECT_NEAR(LowestPoint(robot, robot.poses[0]), -0.2 - reach, 1e-12) << axis;
+  }
+}
+
+// A body whose shape hangs beside its center of mass falls without turning, and turns in the air as
+// its own inertia says.
+TEST_P(LinkKindsTest, AnOffCenterBodyFallsAndTurnsAboutItsCenterOfMass) {
+  robot::RobotDescription robot = Body({robot::ShapeKind::kSphere, {}, 0.05}, 10);
+  robot.links[0].shape.position = {0.3, 0, 0};
+  robot.links[0].inertia = robot::Inertia{0.02, 0.02, 0.01, 0.005, 0, 0};
+  World world = Make(robot);
+  dBodySetAngularVel(world.body().body(0), 0, 0, 3);  // about a principal axis
+  StepFor(world, 0.5, {});
+  const dReal* position = dBodyGetPosition(world.body().body(0));
+  EXPECT_NEAR(position[0], 0, 1e-9);
+  EXPECT_NEAR(position[2], 10 - robot::kGravity * 0.125, 0.01);
+  const dReal* turning = dBodyGetAngularVel(world.body().body(0));
+  EXPECT_NEAR(turning[0], 0, 1e-6);
+  EXPECT_NEAR(turning[2], 3, 1e-6);
+}
+
+// Free rotation about no principal axis keeps the angular momentum.
+TEST_P(LinkKindsTest, ATurningBodyKeepsItsAngularMomentum) {
+  robot::RobotDescription robot = Body({robot::ShapeKind::kSphere, {}, 0.05}, 10);
+  robot.links[0].inertia = robot::Inertia{0.02, 0.025, 0.03, 0.004, -0.003, 0.002};
+  World world = Make(robot);
+  dBodySetAngularVel(world.body().body(0), 1, 2, 3);
+  const auto momentum = [&] {
+    const dBodyID body = world.body().body(0);
+    const robot::Inertia& m = *robot.links[0].inertia;
+    Matrix3 inertia;
+    inertia << m.xx, m.xy, m.xz, m.xy, m.yy, m.yz, m.xz, m.yz, m.zz;
+    const Matrix3 rotation = RotationOf(body);
+    return Vector3(rotation * inertia * rotation.transpose() * ToEigen(dBodyGetAngularVel(body)));
+  };
+  const Vector3 before = momentum();
+  StepFor(world, 0.2, {});
+  EXPECT_LT((momentum() - before).norm(), 20 * world.physics_time_step() * before.norm());
+}
+
+robot::RobotDescription Sliding(double friction) {
+  robot::RobotDescription robot = Body({robot::ShapeKind::kBox, {0.2, 0.2, 0.02}}, 0.01);
+  robot.links[0].friction = friction;
+  return robot;
+}
+
+TEST_P(LinkKindsTest, FrictionBringsASlidingBodyToRest) {
+  World world = Make(Sliding(0.3));
+  StepFor(world, 0.2, {});
+  dBodySetLinearVel(world.body().body(0), 1, 0, 0);
+  StepFor(world, 0.2, {});
+  EXPECT_NEAR(dBodyGetLinearVel(world.body().body(0))[0], 1 - 0.3 * robot::kGravity * 0.2, 0.03);
+  StepFor(world, 0.5, {});
+  EXPECT_NEAR(dBodyGetLinearVel(world.body().body(0))[0], 0, 1e-3);
+  EXPECT_NEAR(dBodyGetPosition(world.body().body(0))[0], 1 / (2 * 0.3 * robot::kGravity), 0.02);
+}
+
+TEST_P(LinkKindsTest, NothingHoldsABodyWithoutFriction) {
+  World world = Make(Sliding(0));
+  StepFor(world, 0.2, {});
+  dBodySetLinearVel(world.body().body(0), 0, 1, 0);
+  StepFor(world, 0.5, {});
+  EXPECT_NEAR(dBodyGetLinearVel(world.body().body(0))[1], 1, 1e-6);
+}
+
+// A block on the inclined top of a body that does not move: it slides from the angle of friction
+// on.
+TEST_P(LinkKindsTest, ABlockSlidesDownASlopeThatIsSteepEnough) {
+  for (const double friction : {0.2, 0.5}) {
+    const double angle = std::atan(0.35);
+    robot::RobotDescription robot = Rotor();
+    robot.has_fixed_base = true;
+    robot.links[0].shape = {robot::ShapeKind::kBox, {2, 2, 0.2}};
+    robot.links[1].shape = {robot::ShapeKind::kBox, {0.2, 0.2, 0.1}};
+    robot.links[1].position = {0, 0, 0.15};
+    robot.links[0].friction = robot.links[1].friction = friction;
+    // Between the two a rail without a motor that only guides, and a link that lets it.
+    robot.links.push_back({"guide", 1e-3, {0, 0, 0.5}, {robot::ShapeKind::kSphere, {}, 0.01}});
+    robot.joints = {{"down", 0, 2, {1, 0, 0}, {}, -5, 5}, {"onto", 2, 1, {0, 0, 1}, {}, -5, 5}};
+    for (robot::Joint& joint : robot.joints) {
+      joint.kind = robot::JointKind::kSlider;
+      joint.gains = {.stiffness = 0, .damping = 0, .max_torque = 0, .max_speed = {}};
+    }
+    robot.poses = {{"", {0, 0, 5}, {std::cos(angle / 2), 0, std::sin(angle / 2), 0}, {0, 0}}};
+    World world = Make(robot);
+    StepFor(world, 0.5, {0, 0});
+    const double pull = robot::kGravity * (std::sin(angle) - friction * std::cos(angle));
+    const double speed = std::max(0.0, pull) * 0.5;
+    EXPECT_NEAR(world.body().joint(0).Rate(), speed, 0.05) << friction;
+  }
+}
+
+TEST_P(LinkKindsTest, ExcludedLinksDoNotTouch) {
+  robot::RobotDescription humanoid = Humanoid();
+  robot::Pose pose = humanoid.poses[1];
+  for (size_t j = 0; j < pose.joint_angles.size(); ++j) {
+    pose.joint_angles[j] = 0.4 * humanoid.joints[j].high;  // limbs within each other
+  }
+  const auto touching = [&] {
+    World world(humanoid, FindProfile(GetParam()), pose);
+    std::vector<std::array<int, 2>> pairs;
+    for (const Contact& contact : world.collision().contacts()) {
+      if (contact.first != Contact::kGround && contact.second != Contact::kGround)
+        pairs.push_back({contact.first, contact.second});
+    }
+    return pairs;
+  };
+  const std::vector<std::array<int, 2>> before = touching();
+  ASSERT_FALSE(before.empty());
+  humanoid.contact_exclusions = before;
+  EXPECT_THAT(touching(), ElementsAre());
+}
+
+}  // namespace
+}  // namespace runtime
