@@ -58,9 +58,9 @@ class FreeAxis {
   void AddTo(Part& part) const { part[6] = impulse_ * std::sqrt(inverse_); }
 
  private:
-  Vector6 column_;  // u
-  double inverse_;  // 1 / d
-  double impulse_;  // of the last solution
+  Vector6 column_ = Vector6::Zero();  // u
+  double inverse_ = 0;                // 1 / d
+  double impulse_ = 0;                // of the last solution
 };
 
 // All turns, as those of a ball. With the three columns U = M turns and D = turns' U + hold, what
@@ -90,9 +90,9 @@ class FreeTurns {
   void AddTo(Part& part) const { part.segment<3>(3) = factor_.matrixL().solve(impulse_); }
 
  private:
-  Eigen::Matrix<double, 6, 3> columns_;  // U
-  Eigen::LLT<Eigen::Matrix3d> factor_;   // of D
-  Vector3 impulse_;                      // of the last solution
+  Eigen::Matrix<double, 6, 3> columns_ = Eigen::Matrix<double, 6, 3>::Zero();  // U
+  Eigen::LLT<Eigen::Matrix3d> factor_{Eigen::Matrix3d::Identity()};            // of D
+  Vector3 impulse_ = Vector3::Zero();  // of the last solution
 };
 
 class NothingFree {
