@@ -68,7 +68,18 @@ class SliderJoint : public BodyJoint {
   }
 
   double RawAngle() const override { return dJointGetSliderPosition(id()) / radius_; }
-  double Rate() const override { return dJointGetSliderPositionRate(id()) / radius_; }
+  // ODE's own rate leaves out that the axis turns with the parent.
+  double Rate() const override {
+    const dBodyID parent = dJointGetBody(id(), 0);
+    const dBodyID child = dJointGetBody(id(), 1);
+    const Vector3 between = ToEigen(dBodyGetPosition(child)) - ToEigen(dBodyGetPosition(parent));
+    const Vector3 lag = ToEigen(dBodyGetLinearVel(parent)) +
+                        ToEigen(dBodyGetAngularVel(parent)).cross(between) -
+                        ToEigen(dBodyGetLinearVel(child));
+    dVector3 axis;
+    dJointGetSliderAxis(id(), axis);
+    return ToEigen(axis).dot(lag) / radius_;
+  }
   void AddTorque(double torque) override { dJointAddSliderForce(id(), torque / radius_); }
   void SetStops(double low, double high) override {
     dJointSetSliderParam(id(), dParamLoStop, low * radius_);

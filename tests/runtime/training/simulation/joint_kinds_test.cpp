@@ -77,7 +77,7 @@ TEST_P(JointKindsTest, ASpringPullsTowardItsRest) {
   RemoveMotor(rotor.joints[0]);
   rotor.joints[0].passive = {.spring = 0.02, .spring_rest = -0.3, .damper = 0.01};
   World world = Make(rotor);
-  StepFor(world, 2, {0});
+  StepFor(world, 4, {0});
   EXPECT_NEAR(world.body().JointAngle(0), -0.3, 1e-3);
 }
 
@@ -163,11 +163,33 @@ TEST_P(JointKindsTest, ASliderKeepsMomentum) {
   const dReal* wheel = dBodyGetLinearVel(world.body().body(1));
   EXPECT_LT(wheel[0], -1e-4);
   EXPECT_NEAR(1.0 * hub[0] + 0.5 * wheel[0], 0, 1e-9);
-  const dReal* turning[] = {dBodyGetAngularVel(world.body().body(0)),
-                            dBodyGetAngularVel(world.body().body(1))};
-  const double about_center =
-      kHub * turning[0][2] + kWheel * turning[1][2] + 0.5 * 0.3 * (hub[0] - wheel[0]) / 1.5;
-  EXPECT_NEAR(about_center, 0, 1e-6);
+  const auto place = [&](int link) { return ToEigen(dBodyGetPosition(world.body().body(link))); };
+  const Vector3 between = ToEigen(wheel) - ToEigen(hub);
+  const Vector3 moved = 1.0 * 0.5 / 1.5 * (place(1) - place(0)).cross(between);
+  const double turned = kHub * dBodyGetAngularVel(world.body().body(0))[2] +
+                        kWheel * dBodyGetAngularVel(world.body().body(1))[2];
+  EXPECT_GT(std::abs(turned), 1e-5);
+  EXPECT_NEAR(turned + moved.z(), 0, 1e-6);
+}
+
+// Also where its axis turns with the parent, which is no part of the links' own velocities.
+TEST_P(JointKindsTest, ASlidersRateIsThatOfItsAngle) {
+  robot::RobotDescription robot = Rotor();
+  robot.links[1].position = {0, 0.3, 0};
+  robot.joints[0].kind = robot::JointKind::kSlider;
+  robot.joints[0].axis = {1, 0, 0};
+  RemoveMotor(robot.joints[0]);
+  robot::StartState start = robot::RestIn(robot.poses[0]);
+  start.angular_velocity = {0, 0, 3};
+  start.joint_velocities[0] = 0.5;
+  World world(robot, FindProfile(GetParam()), start);
+  EXPECT_NEAR(world.body().joint(0).Rate(), 0.5, 1e-9);
+  for (int i = 0; i < 10; ++i) {
+    const double before = world.body().JointAngle(0);
+    StepFor(world, 0.02, {0});
+    const double mean = (world.body().JointAngle(0) - before) / 0.02;
+    EXPECT_NEAR(world.body().joint(0).Rate(), mean, 0.1) << i;
+  }
 }
 
 TEST_P(JointKindsTest, AContinuousJointCountsItsTurns) {
