@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/text/nearest_name.h"
+#include "plugins/robot/reserved_words.h"
 
 namespace robot {
 namespace {
@@ -81,6 +82,11 @@ std::string TomlValue::Name() const {
 }
 
 void TomlValue::CheckIsName(std::string_view text) const {
+  if (IsReservedWord(text)) {
+    Fail(fmt::format("`{}` is a word of the task language and cannot be used as a name in a task",
+                     text),
+         fmt::format("call it otherwise, for example `{}_`", text));
+  }
   if (IsName(text)) return;
   Fail(fmt::format("`{}` cannot be used as a name in a task", text),
        "use letters, digits and underscores, and do not begin with a digit");

@@ -12,6 +12,7 @@ enum ExitStatus : int { kSuccess = 0, kFailed = 1, kWrongCall = 2, kStoppedBySig
 void AddTrainCommand(command_line::Command& program);
 void AddResumeCommand(command_line::Command& program);
 void AddAgentCommand(command_line::Command& program);
+void AddRobotCommand(command_line::Command& program);
 void AddServeCommand(command_line::Command& program);
 void AddStudyCommand(command_line::Command& program);
 void AddProbeCommand(command_line::Command& program);

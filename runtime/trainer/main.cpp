@@ -29,6 +29,7 @@ void Declare(command_line::Command& program) {
   AddSnapshotsCommand(program);
   AddPreferCommand(program);
   AddAgentCommand(program);
+  AddRobotCommand(program);
   AddCompletionCommand(program);
   program.Version(kVersion);
   for (const auto& command : program.commands()) command->Version(kVersion);

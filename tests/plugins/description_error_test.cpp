@@ -75,6 +75,9 @@ const Mistake kMistakes[] = {
     {"UnusableName", "name = \"hopper\"", "name = \"the hopper\"",
      "3:8: error: `the hopper` cannot be used as a name in a task\n"
      "  help: use letters, digits and underscores, and do not begin with a digit"},
+    {"NameOfTheLanguage", "name = \"trunk\"", "name = \"if\"",
+     "7:12: error: `if` is a word of the task language and cannot be used as a name in a task\n"
+     "  help: call it otherwise, for example `if_`"},
     {"LinksAreNoArray", "links = [\n", "links = \"none\"\nlonks = [\n",
      "7:1: error: unknown key `lonks` in the robot\n"
      "  help: did you mean `links`?"},

@@ -34,8 +34,8 @@ TEST(FindRobot, SuggestsTheNearestName) {
 }
 
 TEST(FindRobot, ListsTheRobotsIfNoneIsNear) {
-  EXPECT_THAT(MessageFor("quadruped", {ROBOTS, STAGED_ROBOTS}),
-              HasSubstr("choose from `blocks`, `hopper`, `humanoid` and `tinker`"));
+  EXPECT_THAT(MessageFor("submarine", {ROBOTS}),
+              HasSubstr("choose from `blocks`, `hopper` and `tinker`"));
 }
 
 TEST(FindRobot, SaysWhereItLookedIfThereIsNoRobotAtAll) {

@@ -7,6 +7,7 @@
 #include <sstream>
 #include <string>
 
+#include "plugins/robot/reserved_words.h"
 #include "plugins/robot/robot_keys.h"
 
 namespace robot {
@@ -62,6 +63,27 @@ TEST(RobotPage, SaysWhichKindsHaveAKey) {
     }
   }
   EXPECT_GT(rows, 20);
+}
+
+// What docs/language.md says of the words that are nobody's name.
+TEST(ReservedWords, AreThoseOfTheLanguagesPage) {
+  std::stringstream page;
+  page << std::ifstream(LANGUAGE_PAGE).rdbuf();
+  const std::string text = page.str();
+  const size_t begin = text.find("These words are reserved:");
+  ASSERT_NE(begin, std::string::npos);
+  const std::string list = text.substr(begin, text.find("(`min`", begin) - begin);
+  std::set<std::string> words;
+  for (size_t i = list.find('`'); i != std::string::npos; i = list.find('`', i)) {
+    const size_t end = list.find('`', i + 1);
+    words.insert(list.substr(i + 1, end - i - 1));
+    i = end + 1;
+  }
+  EXPECT_EQ(words.size(), 37u);
+  for (const std::string& word : words) EXPECT_TRUE(IsReservedWord(word)) << word;
+  for (const char* word : {"min", "phase", "unit", "left_knee", "M"}) {
+    EXPECT_EQ(IsReservedWord(word), words.contains(word)) << word;
+  }
 }
 
 }  // namespace

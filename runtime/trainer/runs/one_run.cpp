@@ -5,6 +5,7 @@
 #include "base/text/print.h"
 #include "runtime/trainer/commands.h"
 #include "runtime/trainer/runs/kept_run.h"
+#include "runtime/trainer/setup/start_check.h"
 #include "runtime/training/run/run_database.h"
 
 namespace runtime {
@@ -39,6 +40,7 @@ int TrainOneRun(const TaskOptions& options, const RunPlan& plan,
           : named_folder;
   RunDatabase::CheckIsFree(folder);
   setup.graph.Start();  // the last that can be wrong: only now the folder is made
+  WarnOfStart(setup);
   RunDatabase database = CreateRun(folder, setup, run);
   return RunSession({folder, run, database, setup.graph, setup.types, setup.context}, session);
 }

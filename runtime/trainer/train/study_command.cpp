@@ -8,6 +8,7 @@
 #include "runtime/trainer/commands.h"
 #include "runtime/trainer/runs/many_runs.h"
 #include "runtime/trainer/setup/create_run.h"
+#include "runtime/trainer/setup/start_check.h"
 #include "runtime/trainer/setup/study_file.h"
 #include "runtime/trainer/train/prepare_runs.h"
 
@@ -38,6 +39,7 @@ std::vector<std::filesystem::path> Prepare(const Experiment& experiment,
                                 experiment.place, name));
   }
   setup.graph.Start();
+  WarnOfStart(setup);
   return PrepareRuns(setup, run, experiment.seeds, out / name, experiment.place,
                      "give this experiment another `name`");
 }

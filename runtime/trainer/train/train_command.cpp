@@ -7,6 +7,7 @@
 #include "runtime/trainer/runs/many_runs.h"
 #include "runtime/trainer/runs/one_run.h"
 #include "runtime/trainer/setup/create_run.h"
+#include "runtime/trainer/setup/start_check.h"
 #include "runtime/trainer/setup/task_setup.h"
 #include "runtime/training/run/run_database.h"
 
@@ -45,6 +46,7 @@ int TrainMany(const TrainOptions& options) {
   for (uint64_t seed = run.seed; seed < end; ++seed) {
     RunDatabase::CheckIsFree(SeedFolder(folder, seed));
   }
+  WarnOfStart(setup);
   for (uint64_t seed = run.seed; seed < end; ++seed) {
     PrepareRun(SeedFolder(folder, seed), setup, run, seed);
   }

@@ -48,6 +48,7 @@ class RobotEnvironment : public Module {
   void RunTimeStep();
 
   const std::string& profile() const { return profile_; }
+  const std::string& start_pose() const { return start_pose_; }
   int link_count() const { return static_cast<int>(robot_.links.size()); }
   double time_step() const { return robot_.controller.time_step; }  // [s]
   double time() const { return time_; }  // since the start of the episode [s]

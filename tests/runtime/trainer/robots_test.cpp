@@ -1,5 +1,8 @@
 // Robots of a user's own: where they are found, and how they learn.
 #include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <regex>
 
 #include "tests/runtime/trainer/trainer_test.h"
 #include "tests/scoped_environment.h"
@@ -9,6 +12,8 @@ namespace {
 
 using testing::AllOf;
 using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
 
 class RobotsTest : public TrainerTest {
  protected:
@@ -87,6 +92,72 @@ TEST_F(RobotsTest, AnAgentFileIncludesWhatComesWithTheTrainer) {
   EXPECT_THAT(Trainer({"agent", "show", Task()}).errors,
               AllOf(HasSubstr("agent.toml:1:12: there is no file `"),
                     HasSubstr("hopper/pppo.agent.toml`")));
+}
+
+// The hopper of the tests beside the tasks, changed so.
+void Change(const std::filesystem::path& robot, const std::string& what, const std::string& to) {
+  std::ifstream in(robot);
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  std::ofstream(robot) << std::regex_replace(text, std::regex(what), to);
+}
+
+TEST_F(RobotsTest, ShowChecksARobotInEveryPose) {
+  const ProgramResult result = Trainer({"robot", "show", "humanoid", "--profile", "fast-tree"});
+  EXPECT_EQ(result.exit_status, 0) << result.errors;
+  EXPECT_THAT(result.output, AllOf(HasSubstr("17 joints"), HasSubstr("pose standing, held for 1 s"),
+                                   HasSubstr("stays: tilts by"), HasSubstr("times real time"),
+                                   Not(HasSubstr("warning"))));
+}
+
+TEST_F(RobotsTest, ShowPrintsJsonAndDrawsThePoses) {
+  AddRobot("mine");
+  const ProgramResult result =
+      Trainer({"robot", "show", "hopper", "--robots", Folder("mine"), "--profile", "fast-tree",
+               "--json", "-o", RunFolder("poses.png"), "--height", "24"});
+  ASSERT_EQ(result.exit_status, 0) << result.errors;
+  const nlohmann::json json = nlohmann::json::parse(result.output);
+  EXPECT_EQ(json["name"], "hopper");
+  EXPECT_EQ(json["joints"][1]["name"], "knee");
+  EXPECT_EQ(json["poses"][0]["profile"], "fast-tree");
+  std::ifstream in(RunFolder("poses.png"), std::ios::binary);
+  const std::string png{std::istreambuf_iterator<char>(in), {}};
+  // Two poses, each at its start and its end.
+  EXPECT_EQ(png.substr(0, 24),
+            std::string("\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\0\x60\0\0\0\x18", 24));
+}
+
+TEST_F(RobotsTest, ShowSaysWhatIsWrongSoDoesTheStartOfARun) {
+  AddRobot("tasks");
+  const std::filesystem::path robot = folder() / "tasks" / "hopper" / "robot.toml";
+  Change(robot, "position = \\[0, 0, 0.23\\]", "position = [0, 0, 0.18]");
+  const auto in_the_ground =
+      AllOf(HasSubstr("warning: `shank` is 50 mm in the ground in pose `upright`"),
+            HasSubstr("its z may be more by 0.05 m"));
+  EXPECT_THAT(Trainer({"robot", "show", robot.string(), "--profile", "fast-tree"}).output,
+              in_the_ground);
+  EXPECT_THAT(TrainHopper().errors, in_the_ground);
+}
+
+TEST_F(RobotsTest, ShowFailsWhereTheSimulationDiverges) {
+  AddRobot("mine");
+  const std::filesystem::path robot = folder() / "mine" / "hopper" / "robot.toml";
+  Change(robot, "position = \\[0, 0, 0.23\\]", "position = [0, 0, -0.8]");
+  const ProgramResult result = Trainer({"robot", "show", robot.string(), "--profile", "fast-tree"});
+  EXPECT_EQ(result.exit_status, 1);
+  EXPECT_THAT(result.output, AllOf(HasSubstr("diverges: "), HasSubstr("the simulation diverges")));
+}
+
+TEST_F(RobotsTest, ASoundRobotStartsWithoutAWord) {
+  AddRobot("tasks");
+  const ProgramResult result = TrainHopper();
+  EXPECT_EQ(result.exit_status, 0);
+  EXPECT_THAT(result.errors, IsEmpty());
+}
+
+TEST_F(RobotsTest, ShowNamesRobotsThatThereAre) {
+  const ProgramResult result = Trainer({"robot", "show", "humanoit"});
+  EXPECT_EQ(result.exit_status, 1);
+  EXPECT_THAT(result.errors, HasSubstr("humanoid"));
 }
 
 }  // namespace

@@ -1,0 +1,25 @@
+#include "runtime/analysis/robot/pose_pictures.h"
+
+#include "runtime/analysis/picture/snapshot_strip.h"
+
+namespace runtime {
+
+std::string PosePictures(const robot::RobotDescription& robot, const std::vector<HeldPose>& poses,
+                         int height) {
+  Motion motion;
+  motion.frame_interval = 1;
+  motion.link_count = static_cast<int>(robot.links.size());
+  const auto add = [&](const std::vector<LinkFrame>& frames) {
+    for (const LinkFrame& frame : frames) {
+      motion.positions.push_back(frame.position);
+      motion.orientations.push_back(frame.orientation);
+    }
+  };
+  for (const HeldPose& held : poses) {
+    add(held.start);
+    add(held.end);
+  }
+  return SnapshotStrip(motion, robot.links, {.count = motion.frame_count(), .height = height});
+}
+
+}  // namespace runtime
