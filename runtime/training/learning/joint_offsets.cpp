@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "runtime/training/learning/dof_configuration.h"
+#include "runtime/training/learning/robot_sensor_in.h"
 
 namespace runtime {
 
@@ -26,6 +27,12 @@ JointOffsets::JointOffsets(std::string name, const Context& context)
                 .target = &scale_,
                 .minimum = 0,
                 .unit = "rad"});
+  for (size_t i = 0; i < robot_.joints.size(); ++i) {
+    const bool has_motor = robot_.GainsOf(robot_.joints[i]).max_torque > 0;
+    if (has_motor && !robot_.joints[i].HasStops()) wheels_.push_back(static_cast<int>(i));
+  }
+  if (wheels_.empty()) return;
+  joint_angle_.reset(new SensorIn(MakeSensorIn(this, robot::SensorId::kJointAngle)));
 }
 
 const int& JointOffsets::ActionSize() {
@@ -60,6 +67,13 @@ void JointOffsets::Execute(const Eigen::VectorXd& action) {
 void JointOffsets::OffsetFrom(const Eigen::VectorXd& pose) {
   targets_ = pose + offsets_;
   stops_.Limit(targets_);
+  OffsetWheels();
+}
+
+void JointOffsets::OffsetWheels() {
+  if (!joint_angle_) return;
+  const double* angles = (*joint_angle_)().reals();
+  for (const int joint : wheels_) targets_[joint] = angles[joint] + offsets_[joint];
 }
 
 void JointOffsets::StartOfTimeStep(double) {
@@ -72,6 +86,12 @@ PolicyGraph::Value JointOffsets::AddTo(PolicyGraph& graph, PolicyGraph::Value ac
         "the policy cannot be exported: `{}` is connected, and with a motion the joints' targets "
         "change from one time step to the next, whatever is observed",
         motion_.full_name()));
+  }
+  if (!wheels_.empty()) {
+    throw UserError(
+        fmt::format("the policy cannot be exported: the target of `{}`, a joint without stops, "
+                    "follows its angle in each time step",
+                    robot_.joints[static_cast<size_t>(wheels_.front())].name));
   }
   std::vector<PolicyElement> elements;
   for (const int joint : moved_joints_) {
@@ -86,6 +106,7 @@ PolicyGraph::Value JointOffsets::AddTo(PolicyGraph& graph, PolicyGraph::Value ac
 }
 
 void JointOffsets::EndOfTimeStep(double) {
+  OffsetWheels();
   if (steps_left_ == 0 || --steps_left_ > 0) return;
   end_of_action_();  // usually starts the next action
 }

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "runtime/core/module/context.h"
 #include "runtime/core/module/module.h"
+#include "runtime/core/module/sensor_data.h"
 #include "runtime/core/module/values.h"
 #include "runtime/training/learning/dof_mapping.h"
 #include "runtime/training/learning/joint_stops.h"
@@ -16,6 +18,9 @@ namespace runtime {
 // pose, its first one, or from a motion. Each element moves a coordinate of a DoF configuration, or
 // a joint, by `scale` [rad]; targets go no farther than the joints' stops. The offsets are held for
 // `hold` time steps; then the action is over.
+//
+// A joint without stops, as that of a wheel, is moved from where it is in each time step: an offset
+// that is held turns it at stiffness / damping * offset.
 //
 //   in  motion: the joints' targets that the offsets are from, in each time step; unconnected: the
 //       rest pose
@@ -35,6 +40,7 @@ class JointOffsets : public Module, public PolicyPart {
   const int& ActionSize();
 
   void OffsetFrom(const Eigen::VectorXd& pose);
+  void OffsetWheels();
 
   // When the action's size is first asked for: modules may be started in any order.
   void Prepare();
@@ -52,6 +58,9 @@ class JointOffsets : public Module, public PolicyPart {
   Eigen::VectorXd offsets_;
   Eigen::VectorXd targets_;
   int steps_left_ = 0;
+
+  std::vector<int> wheels_;                // joints without stops
+  std::unique_ptr<SensorIn> joint_angle_;  // where the robot has any
 
   In<Eigen::VectorXd> motion_{this, "motion", "", In<Eigen::VectorXd>::Need::kOptional};
   Out<Eigen::VectorXd> joint_targets_{this, "joint_targets", &targets_};

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/runtime/training/learning/fake_sensors.h"
 #include "tests/runtime/training/learning/fake_state.h"
 #include "tests/runtime/training/learning/user_error_of.h"
 
@@ -187,6 +188,43 @@ TEST_F(JointOffsetsTest, OffsetsAreFromAMotionInEachTimeStep) {
   PolicyGraph graph;
   EXPECT_THAT(UserErrorOf([&] { offsets_.AddTo(graph, PolicyGraph::kObservation); }),
               HasSubstr("`action_space.motion` is connected"));
+}
+
+// Whose neck can turn all the way around.
+class WheelOffsetsTest : public JointOffsetsTest {
+ protected:
+  WheelOffsetsTest() : JointOffsetsTest(Robot()) {
+    Port::Connect(environment_.FindPort("joint.angle"), offsets_.FindPort("joint.angle"));
+  }
+  static const robot::RobotDescription& Robot() {
+    static const robot::RobotDescription robot = [] {
+      robot::RobotDescription owl = Humanoid();
+      robot::Joint& neck = owl.joints[*owl.FindJoint("neck_yaw")];
+      neck.kind = robot::JointKind::kContinuous;
+      neck.low = -robot::kUnlimited;
+      neck.high = robot::kUnlimited;
+      return owl;
+    }();
+    return robot;
+  }
+  FakeSensors sensors_;
+  FakeSensorModule environment_{&sensors_};
+};
+
+TEST_F(WheelOffsetsTest, AJointWithoutStopsIsMovedFromWhereItIs) {
+  Use("all");
+  double& angle = sensors_.joint_angle[*Humanoid().FindJoint("neck_yaw")];
+  angle = 40;
+  commander_.execute(Eigen::VectorXd::Constant(17, 0.5));
+  EXPECT_EQ(TargetOf("neck_yaw"), 40.5);
+  EXPECT_EQ(TargetOf("left_knee_pitch"), Humanoid().joints[9].high);
+  angle = 40.25;
+  commander_.end_of_time_step(kStep);
+  EXPECT_EQ(TargetOf("neck_yaw"), 40.75);
+  EXPECT_EQ(TargetOf("left_hip_pitch"), 0.5);
+  PolicyGraph graph;
+  EXPECT_THAT(UserErrorOf([&] { offsets_.AddTo(graph, PolicyGraph::kObservation); }),
+              HasSubstr("the target of `neck_yaw`, a joint without stops, follows its angle"));
 }
 
 }  // namespace
