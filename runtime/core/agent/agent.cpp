@@ -54,6 +54,7 @@ class TomlWriter {
   explicit TomlWriter(bool with_places) : with_places_(with_places) {}
 
   std::string Write(const Agent& agent) {
+    WriteLibraries(agent);
     WriteConnections(agent);
     WriteModules(agent, "modules");
     for (const CompositeSetting& composite : agent.composites) {
@@ -77,6 +78,15 @@ class TomlWriter {
     } else {
       text_ += line + "\n";
     }
+  }
+
+  void WriteLibraries(const Agent& agent) {
+    if (agent.libraries.empty()) return;
+    Line("libraries = [");
+    for (const LibrarySetting& library : agent.libraries) {
+      Line(fmt::format("  {},", Quoted(library.file)), &library.place);
+    }
+    Line("]");
   }
 
   void WriteConnections(const Agent& agent) {
@@ -129,6 +139,10 @@ Agent Changed(Agent agent, const Agent& changes) {
 
 Agent Joined(Agent agent, const Agent& changes) {
   agent.is_whole = agent.is_whole || changes.is_whole;
+  for (const LibrarySetting& library : changes.libraries) {
+    const auto known = std::ranges::find(agent.libraries, library.file, &LibrarySetting::file);
+    if (known == agent.libraries.end()) agent.libraries.push_back(library);
+  }
   for (const ModuleSetting& change : changes.modules) {
     ModuleSetting* known = FindByName(agent.modules, change.name);
     if (known == nullptr) {

@@ -6,6 +6,7 @@
 //   type = "PengQLambda"
 //   temperature = 5
 //
+// `libraries = ["lidar.so"]` brings types of modules that the trainer does not have.
 // `include = ["base.toml"]` begins with what other files say, which lie beside it or come with the
 // trainer ("robots/humanoid/agent.toml"), `include = ["ppo"]` with one of the robot's agents or,
 // where it has none of this name, the one for any robot. `whole = true` says that the file is no
@@ -61,10 +62,17 @@ struct ConnectionSetting {
   SourcePlace place;
 };
 
+// A shared object with types of modules (runtime/core/module/module_library.h).
+struct LibrarySetting {
+  std::string file;
+  SourcePlace place;
+};
+
 struct CompositeSetting;
 
 struct Agent {
-  bool is_whole = false;               // no change of another agent
+  bool is_whole = false;  // no change of another agent
+  std::vector<LibrarySetting> libraries;
   std::vector<ModuleSetting> modules;  // in the order of their creation
   std::vector<ConnectionSetting> connections;
   std::vector<CompositeSetting> composites;  // each may use those before it
@@ -104,13 +112,16 @@ Agent ParseAgent(std::string_view text, const std::string& name);
 
 // `agent` with the changes of another file: parameters replace those of the same name, modules with
 // a type of their own are added or replace the one of their name with all its parameters,
-// connections and composites are added; a composite replaces one of its name. A whole agent takes
-// the place of `agent`. Throws UserError for a change of a module that there is not.
+// connections, composites and libraries are added; a composite replaces one of its name. A whole
+// agent takes the place of `agent`. Throws UserError for a change of a module that there is not.
 Agent Changed(Agent agent, const Agent& changes);
 // The same for two files that may both be changes of a third: what changes a module of neither is
 // kept.
 Agent Joined(Agent agent, const Agent& changes);
 
+// `types` and those of the agent's libraries. Throws UserError, with the place in the agent file,
+// where a library does not fit.
+ModuleTypes WithLibraries(ModuleTypes types, const Agent& agent);
 // `types` and the agent's own composites.
 ModuleTypes WithComposites(ModuleTypes types, const Agent& agent);
 

@@ -2,6 +2,7 @@
 
 #include "runtime/core/agent/agent.h"
 #include "runtime/core/module/composite.h"
+#include "runtime/core/module/load_modules.h"
 
 namespace runtime {
 namespace {
@@ -46,6 +47,13 @@ std::unique_ptr<Module> MakeComposite(const CompositeSetting& setting, const Mod
 }
 
 }  // namespace
+
+ModuleTypes WithLibraries(ModuleTypes types, const Agent& agent) {
+  for (const LibrarySetting& library : agent.libraries) {
+    At(library.place, [&] { LoadModules(library.file, types); });
+  }
+  return types;
+}
 
 // Each composite may use those before it.
 ModuleTypes WithComposites(ModuleTypes types, const Agent& agent) {

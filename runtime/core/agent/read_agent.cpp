@@ -23,11 +23,13 @@ class AgentReader {
       if (key == "include") continue;  // has been read
       if (key == "whole") {
         agent.is_whole = ReadFlag(node, "`whole`");
+      } else if (key == "libraries") {
+        agent.libraries = ReadLibraries(node);
       } else if (key == "composites") {
         agent.composites = ReadComposites(TableAt(node, "`composites`"));
       } else if (!ReadPart(key, node, agent)) {
-        const std::vector<std::string> keys = {"modules", "connections", "composites", "include",
-                                               "whole"};
+        const std::vector<std::string> keys = {"modules",   "connections", "composites",
+                                               "libraries", "include",     "whole"};
         Fail(key.source(),
              fmt::format("an agent has no `{}`{}", key.str(), Suggestion(key.str(), keys)));
       }
@@ -66,6 +68,16 @@ class AgentReader {
       return false;
     }
     return true;
+  }
+
+  std::vector<LibrarySetting> ReadLibraries(const toml::node& node) const {
+    const toml::array* list = node.as_array();
+    if (list == nullptr) Fail(node.source(), "`libraries` is a list of files: [\"lidar.so\"]");
+    std::vector<LibrarySetting> libraries;
+    for (const toml::node& item : *list) {
+      libraries.push_back({ReadText(item, "the name of a library"), PlaceOf(item.source())});
+    }
+    return libraries;
   }
 
   std::vector<CompositeSetting> ReadComposites(const toml::table& table) const {
@@ -209,8 +221,11 @@ toml::table Parse(std::string_view text, const AgentReader& reader) {
   }
 }
 
-// A parameter called `file` names a file beside the agent file.
+// A library, and what a parameter called `file` names, is a file beside the agent file.
 void NameFilesFrom(const std::filesystem::path& folder, Agent& agent) {
+  for (LibrarySetting& library : agent.libraries) {
+    library.file = (folder / library.file).lexically_normal().string();
+  }
   for (ModuleSetting& module : agent.modules) {
     for (ParameterSetting& parameter : module.parameters) {
       auto* path = std::get_if<std::string>(&parameter.value);

@@ -21,6 +21,16 @@ auto FromDatabase(const std::filesystem::path& folder, const char* part, Make ma
   }
 }
 
+// The agent's own types come from the copies of its libraries in the run's folder.
+ModuleTypes TypesOf(const std::filesystem::path& folder, const Agent& agent,
+                    const ModuleTypes& program_types) {
+  Agent kept = agent;
+  for (LibrarySetting& library : kept.libraries) {
+    library.file = FindKeptPlugin(folder, library.file).string();
+  }
+  return WithComposites(WithLibraries(program_types, kept), kept);
+}
+
 }  // namespace
 
 KeptRun::KeptRun(const std::filesystem::path& folder, const RunRecord& run,
@@ -32,7 +42,7 @@ KeptRun::KeptRun(const std::filesystem::path& folder, const RunRecord& run,
       context{&robot, plugin, run.seed},
       agent(
           FromDatabase<UserError>(folder, "agent", [&] { return ParseAgent(run.agent, "agent"); })),
-      types(WithComposites(program_types, agent)),
+      types(TypesOf(folder, agent, program_types)),
       graph(FromDatabase<UserError>(folder, "agent",
                                     [&] { return BuildGraph(agent, types, context); })) {}
 

@@ -15,8 +15,8 @@ namespace runtime {
 
 struct KeptRun {
   // `robot_folder`: gets the robot's description as a file. `program_types`: what the agent's
-  // modules can be made of, besides its own composites. Throws UserError where something is gone or
-  // damaged.
+  // modules can be made of, besides its libraries and its own composites. Throws UserError where
+  // something is gone or damaged.
   KeptRun(const std::filesystem::path& folder, const RunRecord& run,
           const std::filesystem::path& robot_folder, const ModuleTypes& program_types);
   KeptRun(const KeptRun&) = delete;

@@ -41,6 +41,12 @@ std::vector<std::string> CallOf(const TaskOptions& options, const RunPlan& plan)
   return words;
 }
 
+// With its libraries called as they are in the run's folder.
+Agent KeptAgent(Agent agent) {
+  for (LibrarySetting& library : agent.libraries) library.file = KeptPluginName(library.file);
+  return agent;
+}
+
 }  // namespace
 
 void RunPlan::AddTo(command_line::Command& command) {
@@ -72,7 +78,7 @@ RunRecord RecordOf(const TaskSetup& setup, const RunPlan& plan) {
   run.robot = setup.robot.name;
   run.robot_description = ReadText(setup.robot_file);
   run.body = BodyJson(setup.robot);
-  run.agent = ToToml(setup.agent);
+  run.agent = ToToml(KeptAgent(setup.agent));
   run.settings = SettingsText(setup.settings);
   run.call = CallText(CallOf(setup.options, plan));
   run.profile = setup.graph.FindOnly<RobotEnvironment>().profile();
@@ -87,6 +93,7 @@ RunRecord RecordOf(const TaskSetup& setup, const RunPlan& plan) {
 RunDatabase CreateRun(const std::filesystem::path& folder, const TaskSetup& setup, RunRecord& run) {
   RunDatabase::CheckIsFree(folder);
   run.tasks.front().plugin = KeepPlugin(setup.plugin_file, folder);
+  for (const LibrarySetting& library : setup.agent.libraries) KeepPlugin(library.file, folder);
   return RunDatabase::Create(folder, run);
 }
 

@@ -127,7 +127,7 @@ TaskSetup::TaskSetup(const TaskOptions& wanted, const std::filesystem::path& fil
       robot(robot::ReadRobotCalled(RobotName(options, plugin->table()), robot_file)),
       agent(LayersOf(options, robot_file).Merge()),
       context{&robot, plugin, seed},
-      types(WithComposites(program_types, agent)),
+      types(WithComposites(WithLibraries(program_types, agent), agent)),
       graph(BuildGraph(agent, types, context)) {
   agent = Resolved(agent, graph);
   settings = LayersOf(options, robot_file).SettingsIn(agent);

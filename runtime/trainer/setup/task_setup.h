@@ -66,7 +66,7 @@ struct TaskSetup {
   Agent agent;                    // resolved
   std::vector<Setting> settings;  // what the user has set in it
   Context context;
-  ModuleTypes types;  // also the agent's own composites
+  ModuleTypes types;  // also those of the agent's libraries, and its own composites
   ModuleGraph graph;
 };
 

@@ -122,6 +122,10 @@ std::string KeepPlugin(const std::filesystem::path& plugin, const std::filesyste
   return name;
 }
 
+std::string KeptPluginName(const std::filesystem::path& plugin) {
+  return PluginName(ReadText(plugin));
+}
+
 std::filesystem::path FindKeptPlugin(const std::filesystem::path& folder, const std::string& name) {
   const std::filesystem::path file = folder / name;
   if (!std::filesystem::exists(file)) {

@@ -14,9 +14,13 @@ namespace runtime {
 // Makes the folder of a run, with those it lies in, where it is not there yet. Throws UserError.
 void MakeRunFolder(const std::filesystem::path& folder);
 
-// Copies the shared object into `folder` (made if need be) under a name that holds its hash;
-// returns this name when the disk has it. Throws UserError where it cannot be read or written.
+// Copies the shared object, a task's plugin or a library of modules, into `folder` (made if need
+// be) under a name that holds its hash; returns this name when the disk has it. Throws UserError
+// where it cannot be read or written.
 std::string KeepPlugin(const std::filesystem::path& plugin, const std::filesystem::path& folder);
+
+// How KeepPlugin() will call it. Throws UserError where it cannot be read.
+std::string KeptPluginName(const std::filesystem::path& plugin);
 
 // The plugin in the run's folder. Throws RecordError where it is gone or was changed.
 std::filesystem::path FindKeptPlugin(const std::filesystem::path& folder, const std::string& name);
