@@ -19,6 +19,7 @@ programs=(
   gnuplot-nox                                      # curves in documents
   libnlopt-cxx-dev                                 # fitting weights to preferences
   libpng-dev                                       # still pictures of robots
+  libmujoco-dev                                    # robots from URDF and MJCF files
   libgtest-dev libgmock-dev libbenchmark-dev
 )
 tests=(chromium procps gdb clang-format)           # a real browser, a real debugger, the format check

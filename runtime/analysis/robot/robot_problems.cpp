@@ -13,6 +13,7 @@ namespace {
 // millimeter, and links that rest on each other are within each other by as much.
 constexpr double kDeepest = 0.01;
 constexpr double kFarthest = 0.05;    // of its size, that a standing robot drifts in a second
+constexpr double kMostDensity = 1e5;  // [kg/m^3]; no element has a fourth of it
 constexpr double kMostChatter = 1.0;  // [rad/s]; sound robots are below 0.2
 
 std::string Millimeters(double length) { return fmt::format("{:.3g} mm", 1000 * length); }
@@ -64,7 +65,9 @@ RobotProblem ChatterProblem(const robot::RobotDescription& robot, const HeldPose
 // What no body of this mass and shape has.
 void CheckInertia(const robot::Link& link, const LinkProperties& properties,
                   std::vector<RobotProblem>& problems) {
-  if (!link.inertia) return;
+  // What is more than matter can be in so small a shape is not what is in it: the shape stands for
+  // another.
+  if (!link.inertia || link.mass / properties.volume > kMostDensity) return;
   // All of the mass as far from the center as the shape reaches; twice that far for what a shape
   // leaves out.
   const double most = 4 * link.mass * properties.reach * properties.reach;
@@ -86,10 +89,9 @@ void CheckInertia(const robot::Link& link, const LinkProperties& properties,
 
 void CheckDensity(const robot::Link& link, const LinkProperties& properties,
                   std::vector<RobotProblem>& problems) {
-  constexpr double kLeast = 1;      // [kg/m^3], about that of air
-  constexpr double kMost = 100000;  // no element has a fourth of it
+  constexpr double kLeast = 1;  // [kg/m^3], about that of air
   const double density = link.mass / properties.volume;
-  if (link.inertia || (density >= kLeast && density <= kMost)) return;
+  if (link.inertia || (density >= kLeast && density <= kMostDensity)) return;
   problems.push_back({fmt::format("`{}` has a density of {:.2g} kg/m^3", link.name, density),
                       "check the units: masses are in kg, lengths in m"});
 }

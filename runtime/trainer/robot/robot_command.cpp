@@ -6,6 +6,7 @@
 #include "runtime/analysis/robot/pose_pictures.h"
 #include "runtime/analysis/robot/robot_report.h"
 #include "runtime/trainer/commands.h"
+#include "runtime/trainer/robot/import_command.h"
 #include "runtime/trainer/setup/task_setup.h"
 #include "runtime/training/run/run_files.h"
 #include "runtime/training/simulation/profile.h"
@@ -68,8 +69,10 @@ void AddShowRobotCommand(command_line::Command& robot) {
 }  // namespace
 
 void AddRobotCommand(command_line::Command& program) {
-  command_line::Command& robot = program.AddCommand("robot", "Checks and draws robots.");
+  command_line::Command& robot =
+      program.AddCommand("robot", "Checks robots, and makes them of other programs' files.");
   AddShowRobotCommand(robot);
+  AddImportRobotCommand(robot);
 }
 
 }  // namespace runtime

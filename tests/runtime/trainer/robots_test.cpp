@@ -160,5 +160,35 @@ TEST_F(RobotsTest, ShowNamesRobotsThatThereAre) {
   EXPECT_THAT(result.errors, HasSubstr("humanoid"));
 }
 
+constexpr const char* kUrdf = R"(<robot name="table">
+<link name="top">
+<inertial><mass value="2"/><inertia ixx="0.02" iyy="0.02" izz="0.03" ixy="0" ixz="0" iyz="0"/></inertial>
+<collision><geometry><box size="0.4 0.3 0.1"/></geometry></collision></link>
+</robot>)";
+
+TEST_F(RobotsTest, AnImportedRobotIsReadyToLearn) {
+  std::ofstream(folder() / "table.urdf") << kUrdf;
+  const ProgramResult imported =
+      Trainer({"robot", "import", Folder("table.urdf"), "--robots", Folder("tasks")});
+  if (!HAS_MUJOCO) {
+    EXPECT_EQ(imported.exit_status, 1);
+    EXPECT_THAT(imported.errors, HasSubstr("install the package `libmujoco-dev`"));
+    return;
+  }
+  ASSERT_EQ(imported.exit_status, 0) << imported.errors;
+  EXPECT_THAT(imported.output, HasSubstr("tasks/table/robot.toml: the robot `table`"));
+  EXPECT_THAT(imported.errors, HasSubstr("warning: "));
+  const ProgramResult shown =
+      Trainer({"robot", "show", "table", "--robots", Folder("tasks"), "--profile", "fast-tree"});
+  EXPECT_EQ(shown.exit_status, 0) << shown.errors;
+  EXPECT_THAT(shown.output, AllOf(HasSubstr("stays: "), Not(HasSubstr("warning"))));
+  EXPECT_EQ(
+      Trainer({"robot", "import", Folder("table.urdf"), "--robots", Folder("tasks")}).exit_status,
+      1);  // is there already
+  const ProgramResult json = Trainer({"robot", "import", Folder("table.urdf"), "--robots",
+                                      Folder("tasks"), "--name", "other", "--json"});
+  EXPECT_EQ(nlohmann::json::parse(json.output)["name"], "other");
+}
+
 }  // namespace
 }  // namespace runtime

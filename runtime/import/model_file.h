@@ -1,0 +1,62 @@
+// A URDF or MJCF file, made ready for MuJoCo.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "runtime/import/xml_text.h"
+
+namespace runtime {
+
+// What URDF says of a joint and MuJoCo does not read.
+struct JointLimits {
+  double effort = 0;    // 0: not said
+  double velocity = 0;  // 0: not said
+};
+
+class ModelFile {
+ public:
+  // Throws UserError where the file cannot be read, or is neither.
+  explicit ModelFile(const std::filesystem::path& file);
+
+  const std::filesystem::path& file() const { return file_; }
+  bool is_urdf() const { return is_urdf_; }
+  const std::string& text() const { return text_.text(); }
+  // Meshes by the names that the text has for them now: where they are, or an empty path where they
+  // are nowhere to be found or are of a kind that MuJoCo does not read.
+  const std::map<std::string, std::filesystem::path>& meshes() const { return meshes_; }
+  // Of those without a place: MuJoCo's names.
+  const std::set<std::string>& missing() const { return missing_; }
+  const std::map<std::string, JointLimits>& limits() const { return limits_; }
+  const std::vector<std::string>& warnings() const { return warnings_; }
+
+  // Leaves out what MuJoCo's message is about, with a warning; false where the message names
+  // nothing that can be left out.
+  bool LeaveOut(const std::string& message);
+
+ private:
+  void PutIncludes();
+  void SetCompiler();
+  void FindLimits();
+  void FindMeshes();
+  void LeaveOutPictures();
+  std::filesystem::path Find(const std::string& name, const std::string& folder) const;
+  std::filesystem::path FindMesh(const std::string& name, const std::string& folder,
+                                 const XmlTag& tag);
+  void Warn(size_t place, const std::string& text);
+  XmlTag Root() const;
+
+  std::filesystem::path file_;
+  XmlText text_;
+  bool is_urdf_ = false;
+  bool has_includes_ = false;
+  std::map<std::string, std::filesystem::path> meshes_;
+  std::set<std::string> missing_;
+  std::map<std::string, JointLimits> limits_;
+  std::vector<std::string> warnings_;
+};
+
+}  // namespace runtime

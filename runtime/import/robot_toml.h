@@ -1,0 +1,14 @@
+// A robot's description as its file.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "plugins/robot/robot_description.h"
+
+namespace runtime {
+
+// The text of a robot.toml. `comments`: lines at its beginning. Nets and ranges are left out.
+std::string ToToml(const robot::RobotDescription& robot, const std::vector<std::string>& comments);
+
+}  // namespace runtime

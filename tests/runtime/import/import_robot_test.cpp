@@ -1,0 +1,283 @@
+#include "runtime/import/import_robot.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <fstream>
+#include <numbers>
+
+#include "plugins/robot/robot_description.h"
+#include "runtime/analysis/robot/held_pose.h"
+#include "runtime/base/user_error.h"
+#include "tests/runtime/training/run/temporary_folder.h"
+
+namespace runtime {
+namespace {
+
+using testing::AllOf;
+using testing::Contains;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+class ImportRobotTest : public testing::Test {
+ protected:
+  ImportedRobot Import(const std::string& text, const std::string& name = "model.urdf",
+                       std::optional<bool> fixed = std::nullopt) {
+    std::ofstream(folder_.path() / name) << text;
+    return ImportRobot({.file = folder_.path() / name,
+                        .name = "robot" + std::to_string(++count_),
+                        .folder = folder_.path() / "robots",
+                        .fixed_base = fixed});
+  }
+  robot::RobotDescription Read(const std::string& text, const std::string& name = "model.urdf") {
+    return robot::ReadRobot(Import(text, name).file);
+  }
+  std::string ErrorOf(const std::string& text, const std::string& name = "model.urdf") {
+    try {
+      Import(text, name);
+    } catch (const UserError& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+  TemporaryFolder folder_;
+  int count_ = 0;
+};
+
+// A URDF link of 1 kg with this shape.
+std::string Link(const std::string& name, const std::string& shape, double mass = 1) {
+  return "<link name=\"" + name + "\"><inertial><mass value=\"" + std::to_string(mass) +
+         "\"/><inertia ixx=\"0.01\" iyy=\"0.012\" izz=\"0.014\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/>"
+         "</inertial><collision><geometry>" +
+         shape + "</geometry></collision></link>\n";
+}
+
+const std::string kBox = "<box size=\"0.2 0.3 0.1\"/>";
+
+std::string TwoLinks(const std::string& joint) {
+  return "<robot name=\"two\">\n" + Link("body", kBox) +
+         Link("leg", "<cylinder radius=\"0.03\" length=\"0.2\"/>", 0.5) + "<joint name=\"hip\" " +
+         joint +
+         "<parent link=\"body\"/><child link=\"leg\"/><origin xyz=\"0.05 0 -0.15\"/></joint>\n"
+         "</robot>\n";
+}
+
+TEST_F(ImportRobotTest, UrdfBecomesLinksAndJoints) {
+  const robot::RobotDescription robot =
+      Read(TwoLinks("type=\"revolute\"><axis xyz=\"0 1 0\"/><limit lower=\"-1\" upper=\"2\" "
+                    "effort=\"7\" velocity=\"5\"/><dynamics damping=\"0.1\" friction=\"0.2\"/>"));
+  ASSERT_EQ(robot.links.size(), 2u);
+  EXPECT_FALSE(robot.has_fixed_base);
+  EXPECT_EQ(robot.links[0].shape.kind, robot::ShapeKind::kBox);
+  EXPECT_EQ(robot.links[0].shape.size, (robot::Vector3{0.2, 0.3, 0.1}));
+  EXPECT_NEAR(robot.links[0].inertia->yy, 0.012, 1e-9);
+  EXPECT_EQ(robot.links[1].shape.kind, robot::ShapeKind::kCylinder);
+  EXPECT_NEAR(robot.links[1].shape.length, 0.2, 1e-9);
+  EXPECT_NEAR(robot.links[1].position[2], -0.15, 1e-9);
+  const robot::Joint& hip = robot.joints[0];
+  EXPECT_EQ(hip.axis, (robot::Vector3{0, -1, 0}));  // angles count the other way about
+  EXPECT_NEAR(hip.low, -1, 1e-5);
+  EXPECT_NEAR(hip.high, 2, 1e-5);
+  EXPECT_NEAR(robot.GainsOf(hip).max_torque, 7, 1e-9);
+  EXPECT_NEAR(robot.GainsOf(hip).max_speed, 5, 1e-9);
+  EXPECT_NEAR(robot.GainsOf(hip).stiffness, 17.5, 0.1);
+  EXPECT_NEAR(hip.passive.damper, 0.1, 1e-9);
+  EXPECT_NEAR(hip.passive.friction, 0.2, 1e-9);
+}
+
+TEST_F(ImportRobotTest, EveryTypeOfJointHasOneHere) {
+  EXPECT_EQ(Read(TwoLinks("type=\"continuous\"><axis xyz=\"1 0 0\"/>")).joints[0].kind,
+            robot::JointKind::kContinuous);
+  const robot::RobotDescription slider = Read(
+      TwoLinks("type=\"prismatic\"><axis xyz=\"1 0 0\"/><limit lower=\"-0.1\" upper=\"0.2\"/>"));
+  EXPECT_EQ(slider.joints[0].kind, robot::JointKind::kSlider);
+  EXPECT_EQ(slider.joints[0].axis, (robot::Vector3{1, 0, 0}));
+  EXPECT_NEAR(slider.joints[0].high, 0.2, 1e-9);
+  const robot::RobotDescription fixed = Read(TwoLinks("type=\"fixed\">"));
+  EXPECT_THAT(fixed.joints, IsEmpty());
+  EXPECT_EQ(fixed.mounts.size(), 1u);
+}
+
+TEST_F(ImportRobotTest, TheBaseIsAsTheUserSays) {
+  const std::string text = TwoLinks("type=\"fixed\">");
+  const ImportedRobot free = Import(text);
+  EXPECT_THAT(free.warnings, Contains(HasSubstr("`--base fixed` fixes it")));
+  EXPECT_TRUE(robot::ReadRobot(Import(text, "model.urdf", true).file).has_fixed_base);
+}
+
+TEST_F(ImportRobotTest, FramesWithoutMassBecomePartOfTheirLink) {
+  const ImportedRobot imported =
+      Import("<robot name=\"a\">" + Link("body", kBox) +
+             "<link name=\"camera\"/><joint name=\"c\" type=\"fixed\"><parent link=\"body\"/>"
+             "<child link=\"camera\"/></joint></robot>");
+  EXPECT_THAT(imported.warnings,
+              Contains(HasSubstr("part of the link they are fixed to: `camera`")));
+  EXPECT_EQ(robot::ReadRobot(imported.file).links.size(), 1u);
+}
+
+TEST_F(ImportRobotTest, AMeshThatIsNotThereIsABoxWithTheLinksInertia) {
+  const ImportedRobot imported =
+      Import("<robot name=\"a\">\n" +
+             Link("body", "<mesh filename=\"package://a/meshes/body.stl\"/>", 12) + "</robot>");
+  EXPECT_THAT(imported.warnings,
+              Contains(AllOf(HasSubstr("model.urdf:2: "),
+                             HasSubstr("the mesh package://a/meshes/body.stl is not there"))));
+  const robot::RobotDescription robot = robot::ReadRobot(imported.file);
+  const robot::Vector3& size = robot.links[0].shape.size;
+  // m / 12 (b^2 + c^2) = 0.01, ...
+  std::vector<double> squares = {size[0] * size[0], size[1] * size[1], size[2] * size[2]};
+  std::ranges::sort(squares);
+  EXPECT_NEAR(squares[0], 0.004, 1e-4);
+  EXPECT_NEAR(squares[1], 0.006, 1e-4);
+  EXPECT_NEAR(squares[2], 0.008, 1e-4);
+}
+
+TEST_F(ImportRobotTest, WhatMuJoCoDoesNotKnowIsLeftOutAndNamed) {
+  const ImportedRobot imported = Import(
+      "<mujoco>\n<option integrator=\"implicitfast\"/>\n<worldbody>\n<body name=\"b\" pos=\"0 0 "
+      "1\">"
+      "<freejoint/>\n<geom type=\"box\" size=\".1 .1 .1\" mass=\"1\" shade=\"3\"/>\n"
+      "<flavor sweet=\"1\"><inner/></flavor></body></worldbody></mujoco>",
+      "model.xml");
+  EXPECT_THAT(imported.warnings,
+              AllOf(Contains(HasSubstr("model.xml:2: `implicitfast` of `option` is left out")),
+                    Contains(HasSubstr("model.xml:5: `shade` of `geom` is left out")),
+                    Contains(HasSubstr("model.xml:6: `flavor` is left out"))));
+  EXPECT_EQ(robot::ReadRobot(imported.file).links[0].mass, 1);
+}
+
+constexpr const char* kPlanar = R"(<mujoco>
+<compiler angle="degree"/>
+<default><geom friction="0.7"/></default>
+<worldbody>
+  <geom type="plane" size="1 1 1"/>
+  <body name="torso" pos="0 0 1">
+    <joint name="rootx" type="slide" axis="1 0 0"/>
+    <joint name="rootz" type="slide" axis="0 0 1"/>
+    <joint name="rooty" type="hinge" axis="0 1 0"/>
+    <geom type="capsule" fromto="0 0 -.2 0 0 .2" size=".05" mass="2"/>
+    <geom type="sphere" pos="0 0 .3" size=".04" mass="0.1"/>
+    <body name="leg" pos="0 0 -.2">
+      <joint name="knee" type="hinge" axis="0 -1 0" range="-90 10" armature="0.3" ref="0"/>
+      <geom type="capsule" fromto="0 0 0 0 0 -.4" size=".04" mass="1"/>
+    </body>
+  </body>
+</worldbody>
+<actuator><motor joint="knee" gear="40" ctrlrange="-1 1"/></actuator>
+<keyframe><key qpos="0 0.1 0 -0.5"/></keyframe>
+</mujoco>)";
+
+TEST_F(ImportRobotTest, SeveralJointsOfABodyAreAChainOfLinks) {
+  const ImportedRobot imported = Import(kPlanar, "planar.xml");
+  const robot::RobotDescription robot = robot::ReadRobot(imported.file);
+  EXPECT_TRUE(robot.has_fixed_base);
+  EXPECT_EQ(robot.links[0].name, "world");
+  ASSERT_EQ(robot.joints.size(), 4u);
+  const int torso = *robot.FindLink("torso");
+  EXPECT_EQ(robot.joints[0].parent, 0);
+  EXPECT_EQ(robot.joints[1].parent, robot.joints[0].child);
+  EXPECT_EQ(robot.joints[2].child, torso);
+  EXPECT_EQ(robot.GainsOf(robot.joints[0]).max_torque, 0);
+  const robot::Joint& knee = robot.joints[3];
+  EXPECT_NEAR(knee.low, -std::numbers::pi / 2, 1e-5);
+  EXPECT_EQ(knee.passive.armature, 0.3);
+  EXPECT_NEAR(robot.GainsOf(knee).max_torque, 40, 1e-9);
+  // All of the mass is there, and where it was.
+  double mass = -1;  // of what stands for the world
+  double height = 0;
+  for (const robot::Link& link : robot.links) mass += link.mass;
+  for (size_t i = 1; i < robot.links.size(); ++i)
+    height += robot.links[i].mass * robot.links[i].position[2] / mass;
+  EXPECT_NEAR(mass, 3.1, 1e-5);
+  EXPECT_NEAR(height, (0.1 * 0.3 - 1 * 0.4) / 3.1, 1e-5);
+  EXPECT_NEAR(robot.poses[0].joint_angles[3], -0.5, 1e-6);
+  EXPECT_NEAR(robot.poses[0].joint_angles[1], 0.1, 1e-6);
+  EXPECT_NEAR(robot.links[torso].friction, 0.7, 1e-9);
+}
+
+TEST_F(ImportRobotTest, ALeggedRobotStandsWhereItsFeetAre) {
+  std::string text = "<robot name=\"table\">\n" + Link("top", "<box size=\"0.4 0.4 0.05\"/>", 4);
+  for (const char* leg : {"fl", "fr", "rl", "rr"}) {
+    const std::string name = leg;
+    text += Link(name + "_leg", "<cylinder radius=\"0.02\" length=\"0.3\"/>", 0.5);
+    text += "<joint name=\"" + name +
+            "_hip\" type=\"revolute\"><axis xyz=\"1 0 0\"/><limit "
+            "lower=\"-1\" upper=\"1\" effort=\"20\" velocity=\"10\"/><parent link=\"top\"/><child "
+            "link=\"" +
+            name + "_leg\"/><origin xyz=\"" + (name[0] == 'f' ? "0.15 " : "-0.15 ") +
+            (name[1] == 'l' ? "0.15" : "-0.15") + " -0.18\"/></joint>\n";
+  }
+  const ImportedRobot imported = Import(text + "</robot>");
+  const robot::RobotDescription robot = robot::ReadRobot(imported.file);
+  const robot::Pose& pose = robot.poses[0];
+  EXPECT_NEAR(pose.position[2], 0.18 + 0.15, 1e-5);
+  EXPECT_TRUE(HoldPose(robot, FindProfile("fast-tree"), pose).Stands());
+  ASSERT_EQ(robot.link_groups.size(), 1u);
+  EXPECT_EQ(robot.link_groups[0].members.size(), 4u);
+  // Left and right turn about the same axis: a symmetric posture has opposite angles.
+  const robot::DofConfiguration* symmetric = robot.FindDof("symmetric");
+  ASSERT_NE(symmetric, nullptr);
+  EXPECT_EQ(symmetric->dof(), 2);
+  EXPECT_EQ(symmetric->couplings[1].factor, -1);
+}
+
+TEST_F(ImportRobotTest, IncludesAreRead) {
+  std::ofstream(folder_.path() / "leg.xml") << "<mujocoinclude><body name=\"leg\"><joint "
+                                               "name=\"j\" axis=\"0 1 0\"/><geom type=\"sphere\" "
+                                               "size=\".1\" mass=\"1\"/></body></mujocoinclude>";
+  const robot::RobotDescription robot = Read(
+      "<mujoco><worldbody><body name=\"b\"><freejoint/><geom type=\"sphere\" size=\".2\" "
+      "mass=\"1\"/><include file=\"leg.xml\"/></body></worldbody></mujoco>",
+      "model.xml");
+  EXPECT_TRUE(robot.FindLink("leg").has_value());
+  EXPECT_THAT(ErrorOf("<mujoco><include file=\"self.xml\"/></mujoco>", "self.xml"),
+              HasSubstr("does one include itself?"));
+}
+
+TEST_F(ImportRobotTest, SaysWhatIsWrongWithAFile) {
+  EXPECT_THAT(ErrorOf("<sdf/>"), HasSubstr("its first element is `sdf`"));
+  EXPECT_THAT(ErrorOf(""), HasSubstr("its first element is ``"));
+  EXPECT_THAT(ErrorOf("<robot name=\"a\"></robot>"), HasSubstr("no body"));
+  EXPECT_THAT(ErrorOf("<robot name=\"a\"><link name=\"b\">"),
+              HasSubstr("MuJoCo cannot make a model"));
+  const std::string two = Link("b", kBox) + Link("c", kBox);
+  const std::string joint =
+      "<joint name=\"j\" type=\"fixed\"><parent link=\"b\"/><child link=\"c\"/></joint>";
+  const std::string back =
+      "<joint name=\"k\" type=\"fixed\"><parent link=\"c\"/><child link=\"b\"/></joint>";
+  EXPECT_NE(ErrorOf("<robot name=\"a\">" + two + joint + back + "</robot>"), "");  // a loop
+  EXPECT_NE(ErrorOf("<robot name=\"a\">" + two +
+                    "<joint name=\"j\" type=\"fixed\"><parent "
+                    "link=\"nobody\"/><child link=\"c\"/></joint></robot>"),
+            "");
+  EXPECT_THROW(ImportRobot({.file = "/nowhere/robot.urdf", .folder = folder_.path()}), UserError);
+}
+
+TEST_F(ImportRobotTest, NumbersThatNoRobotHasAreRefused) {
+  EXPECT_THAT(
+      ErrorOf(TwoLinks("type=\"continuous\"><axis xyz=\"1 0 0\"/><dynamics damping=\"inf\"/>")),
+      AllOf(HasSubstr("model.urdf: what it describes "), HasSubstr("not")));
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "robots" / "robot1" / "robot.toml"));
+}
+
+TEST_F(ImportRobotTest, DoesNotWriteOverARobot) {
+  const std::string text = "<robot name=\"a\">" + Link("b", kBox) + "</robot>";
+  std::ofstream(folder_.path() / "a.urdf") << text;
+  const ImportOptions options = {.file = folder_.path() / "a.urdf", .folder = folder_.path()};
+  EXPECT_EQ(ImportRobot(options).name, "a");
+  EXPECT_THROW(ImportRobot(options), UserError);
+}
+
+TEST_F(ImportRobotTest, NamesOfTheLanguageAndNegativeInertiasAreMadeUsable) {
+  const ImportedRobot imported = Import(
+      "<robot name=\"a\"><link name=\"if\"><inertial><mass value=\"1\"/><inertia ixx=\"0.01\" "
+      "iyy=\"0.01\" izz=\"-0.01\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial><collision><geometry>" +
+      kBox + "</geometry></collision></link></robot>");
+  const robot::RobotDescription robot = robot::ReadRobot(imported.file);
+  EXPECT_EQ(robot.links[0].name, "if_");
+  EXPECT_GT(robot.links[0].inertia->zz, 0);
+}
+
+}  // namespace
+}  // namespace runtime
