@@ -211,7 +211,7 @@ void FunctionEmitter::EmitDrawStart() {
   for (uint32_t i = 0; i < task_.goals.size(); ++i) {
     Emit(CheckedRedraw{i}, LineOf(task_.goals[i].span));
   }
-  if (is_random) EmitDrawPlace(task_.start.stream, "0u", line);
+  if (is_random) EmitDrawPlace(task_.start.stream, "frame->attempt", line);
   EmitBlock(block.body);
   End();
 }

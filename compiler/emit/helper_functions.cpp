@@ -85,7 +85,7 @@ void Require(taskc_frame* frame, int requirement, bool holds) {
   if (!holds && frame->violation < 0) frame->violation = requirement;
 })"},
     {Helper::kDrawPlace, "DrawPlace",
-     R"(// Where a goal is drawn; see taskc_goal.
+     R"(// Where a goal or a start is drawn; see taskc_goal.
 struct DrawPlace {
   taskc_uint64 seed;
   taskc_uint32 stream;

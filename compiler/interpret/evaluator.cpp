@@ -56,7 +56,7 @@ void Evaluator::DrawStart() {
   }
   for (uint32_t i = 0; i < task_.goals.size(); ++i) Run(CheckedRedraw{i});
   locals_.assign(block.locals.size(), {});
-  place_ = {frame_.seed, task_.start.stream, 0};
+  place_ = {frame_.seed, task_.start.stream, frame_.attempt};
   Run(block.body);
 }
 

@@ -27,7 +27,8 @@ struct Frame {
   std::vector<double> params;  // as a host passes them: a double, whatever the type
   std::vector<Value> memory;
   uint64_t seed = 0;
-  int32_t pose = 0;  // that a start has drawn
+  int32_t pose = 0;      // that a start has drawn
+  uint32_t attempt = 0;  // of a start: how often it was drawn for this episode before
   double time_step = 0;
   double discount = 1;
   EndKind outcome = EndKind::kTruncated;

@@ -12,11 +12,11 @@ namespace compiler {
 // passes the tests of TestU01. The words of key and counter begin with the lowest.
 std::array<uint32_t, 4> Philox(const std::array<uint32_t, 2>& key, std::array<uint32_t, 4> counter);
 
-// Where a goal is drawn; see taskc_goal in taskc/plugin.h.
+// Where a goal or a start is drawn; see taskc_goal in taskc/plugin.h.
 struct DrawPlace {
   uint64_t seed = 0;
   uint32_t stream = 0;  // the hash of the goal's name
-  uint32_t draw = 0;    // how often it was drawn before
+  uint32_t draw = 0;    // how often it was drawn before in this episode
 };
 
 // `site`: the number of the random number in the goal's equation; `element`: of that number.

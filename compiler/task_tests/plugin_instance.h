@@ -4,6 +4,7 @@
 #include <taskc/plugin.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "compiler/check/value.h"
@@ -24,7 +25,7 @@ class PluginInstance {
 
   void SetSeed(uint64_t seed) { host_.SetSeed(seed); }
   int DrawPose() { return host_.DrawPose(); }
-  void DrawStart() { host_.DrawStart(); }
+  void DrawStart(uint32_t attempt) { host_.DrawStart(attempt); }
   void SetDiscount(double discount) { host_.SetDiscount(discount); }
   // TASKC_SUCCESS ...
   void SetOutcome(int outcome) { host_.SetOutcome(outcome); }

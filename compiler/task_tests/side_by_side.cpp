@@ -70,10 +70,11 @@ void SideBySide::SetSeed(uint64_t seed) {
   evaluator_.frame().seed = seed;
 }
 
-void SideBySide::DrawStart() {
+void SideBySide::DrawStart(uint32_t attempt) {
+  evaluator_.frame().attempt = attempt;
   evaluator_.DrawPose();
   CompareIndices("pose", plugin_.DrawPose(), evaluator_.frame().pose);
-  plugin_.DrawStart();
+  plugin_.DrawStart(attempt);
   evaluator_.DrawStart();
   for (size_t i = 0; i < task_.memory.size(); ++i) CompareMemory(i);
 }

@@ -34,8 +34,9 @@ class SideBySide {
   void SetSeed(uint64_t seed);
   void SetDiscount(double discount);
 
-  // Draws how an episode starts; then the two agree as after an event. Throws Disagreement.
-  void DrawStart();
+  // Draws how an episode starts, after it was drawn `attempt` times for it; then the two agree as
+  // after an event. Throws Disagreement.
+  void DrawStart(uint32_t attempt);
 
   // Runs an event, and computes the metrics and what the learner sees. Then all that can be seen of
   // the two has the same bits; only that numbers which are none (NaN) count as equal whatever

@@ -117,7 +117,9 @@ class TaskFrame {
   std::span<double> Elements(const taskc_start_value& value) {
     return {reinterpret_cast<double*>(memory_.data() + value.offset), value.rows};
   }
-  void DrawStart() {
+  // `attempt`: how often it was drawn for this episode before.
+  void DrawStart(taskc_uint32 attempt = 0) {
+    frame_.attempt = attempt;
     if (plugin_.draw_start != nullptr) plugin_.draw_start(Next(0));
   }
   // Decides what is drawn; another one for each episode. At first 0.

@@ -136,6 +136,8 @@ struct Pose {
   Vector3 position{};
   Quaternion orientation{1, 0, 0, 0};
   std::vector<double> joint_angles;  // one for each joint
+
+  bool operator==(const Pose&) const = default;
 };
 
 // A named set of links or joints, as indices in ascending order.

@@ -22,6 +22,8 @@ struct StartState {
     return std::ranges::all_of(joint_velocities, is_zero) &&
            std::ranges::all_of(velocity, is_zero) && std::ranges::all_of(angular_velocity, is_zero);
   }
+
+  bool operator==(const StartState&) const = default;
 };
 
 // At rest in a pose.

@@ -18,10 +18,13 @@
 // values that may be params; the host never does.
 //
 // Before `start_of_episode`, a host that makes the first state draws it as the task says: it sets
-// `taskc_frame.seed`, calls `draw_pose` (null: the first pose counts), puts the values of that pose
-// into the memory block where `start_values` say, calls `draw_start`, and takes the values from
-// there. The two functions take nothing from the memory of an episode that runs, and what they draw
-// depends on the seed, the params and the memory of the run alone.
+// `taskc_frame.seed` and `attempt = 0`, calls `draw_pose` (null: the first pose counts), puts the
+// values of that pose into the memory block where `start_values` say, calls `draw_start`, and takes
+// the values from there. If nothing can be in that state, such as links inside each other, the host
+// may draw another one: it adds 1 to `attempt`, puts the values of the same pose into the memory
+// block again, and calls `draw_start`; the goals stay what they are. The two functions take nothing
+// from the memory of an episode that runs, and what they draw depends on the seed, the attempt, the
+// params and the memory of the run alone.
 //
 // Pointers: where a count is 0, the pointer that belongs to it is null in a `taskc_plugin` and may
 // be null in a `taskc_frame`; likewise `memory` where `memory_size` is 0.
@@ -257,6 +260,7 @@ typedef struct taskc_frame {
   double time_step;            // length of the step that ends or starts [s]; 0 for other events;
                                //      for `measure`, that of the last time step
   double discount;             // of the learner, for one action: 0 to 1; 1 where nobody learns.
+  taskc_uint32 attempt;        // for `draw_start`: how often it was called for this episode before
                                //      Read by `end_of_action` and `end_of_episode`
   taskc_int32 outcome;         // for `end_of_episode`: how the episode has ended for the learner,
                                //      TASKC_SUCCESS, TASKC_FAILURE or TASKC_TRUNCATED

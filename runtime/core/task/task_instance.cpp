@@ -156,10 +156,11 @@ void TaskInstance::StartEpisode(uint64_t run_seed, int64_t episode) {
 void TaskInstance::SetOutcome(EndKind kind) { host_.SetOutcome(OutcomeOf(kind)); }
 
 std::optional<robot::StartState> TaskInstance::DrawStart(const robot::RobotDescription& robot,
-                                                         uint64_t run_seed, int64_t episode) {
+                                                         uint64_t run_seed, int64_t episode,
+                                                         uint32_t attempt) {
   const InsideOfTask watched(id_);
   goals_.StartEpisode(run_seed, episode);
-  return runtime::DrawStart(host_, robot);
+  return runtime::DrawStart(host_, robot, attempt);
 }
 
 void TaskInstance::Enter(taskc_event_function function) {

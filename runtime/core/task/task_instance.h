@@ -65,7 +65,7 @@ class TaskInstance {
   void StartEpisode(uint64_t run_seed, int64_t episode);
   // How the episode begins that is the next to start; see task_start.h.
   std::optional<robot::StartState> DrawStart(const robot::RobotDescription& robot,
-                                             uint64_t run_seed, int64_t episode);
+                                             uint64_t run_seed, int64_t episode, uint32_t attempt);
   // The learner's, for one action; at first 1.
   void SetDiscount(double discount) { host_.SetDiscount(discount); }
   // How the episode has ended for the learner; before the event at its end.

@@ -62,7 +62,7 @@ void CheckStops(const taskc_plugin& table, const robot::StartState& state,
 }  // namespace
 
 std::optional<robot::StartState> DrawStart(host::TaskFrame& host,
-                                           const robot::RobotDescription& robot) {
+                                           const robot::RobotDescription& robot, uint32_t attempt) {
   const taskc_plugin& table = host.plugin();
   if (table.pose_count == 0) return std::nullopt;
   const auto drawn = static_cast<uint32_t>(std::max(host.DrawPose(), 0));
@@ -74,7 +74,7 @@ std::optional<robot::StartState> DrawStart(host::TaskFrame& host,
   for (const taskc_start_value& value : values) {
     std::ranges::copy(ElementsIn(state, turn, value.name), host.Elements(value).begin());
   }
-  host.DrawStart();
+  host.DrawStart(attempt);
   for (const taskc_start_value& value : values) {
     const std::span<double> elements = host.Elements(value);
     if (!std::ranges::all_of(elements, [](double x) { return std::isfinite(x); })) {

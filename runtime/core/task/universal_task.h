@@ -106,9 +106,10 @@ class UniversalTask : public Module, public TaskObservations {
   // The number in the run of the episode that starts next; else it is one more than the last.
   void SetNextEpisode(int64_t number) { episode_ = number - 1; }
   // How the episode that starts next begins, as the task draws it; nothing where it says nothing.
-  // Right before that episode. Throws as runtime::DrawStart().
-  std::optional<robot::StartState> DrawStart() {
-    return instance_->DrawStart(robot_, seed_, episode_ + 1);
+  // Right before that episode. `attempt`: how many were drawn for it before, of which each is
+  // another one. Throws as runtime::DrawStart().
+  std::optional<robot::StartState> DrawStart(uint32_t attempt = 0) {
+    return instance_->DrawStart(robot_, seed_, episode_ + 1, attempt);
   }
   // Its number among the task's goals. Throws UserError where there is no goal of this name.
   size_t FindGoal(std::string_view goal) const;

@@ -49,7 +49,8 @@ EpisodeRecord RunEpisode(int64_t number, const EpisodeModules& modules,
   modules.learner.SetNextEpisode(number);
   modules.tasks.active->SetNextEpisode(number);
   for (UniversalTask* shadow : modules.tasks.shadows) shadow->SetNextEpisode(number);
-  modules.environment.StartEpisode(modules.tasks.active->DrawStart());
+  modules.environment.StartDrawnEpisode(
+      [&](uint32_t attempt) { return modules.tasks.active->DrawStart(attempt); });
   after_step(steps);
   while (!modules.learner.episode_over()) {
     modules.environment.RunTimeStep();

@@ -16,10 +16,9 @@ std::string PlaceText(const taskc_plugin& plugin, const taskc_place& place) {
 void EpisodeWarnings::About(const EpisodeRecord& episode, const UniversalTask& task,
                             const Learner& learner) {
   if (episode.active.end_kind == EndKindName(EndKind::kDiverged)) {
-    warn_(fmt::format(
-        "warning: episode {}: the simulation diverged after {:.3f} s; its last action was not "
-        "learned from",
-        episode.number, episode.simulated_seconds));
+    warn_(
+        fmt::format("warning: episode {}: {}, after {:.3f} s; its last action was not learned from",
+                    episode.number, episode.active.end_reason, episode.simulated_seconds));
   }
   if (task.fault_count() > 0) AboutFaults(episode, task);
   if (learner.passed_over_count() > 0) AboutLearner(episode, learner);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <utility>
 
 namespace runtime {
 namespace {
@@ -48,6 +49,41 @@ void RobotEnvironment::Start() {
 }
 
 void RobotEnvironment::StartEpisode(const std::optional<robot::StartState>& start) {
+  Place(start);
+  Begin();
+}
+
+void RobotEnvironment::StartDrawnEpisode(const StartDraw& draw) {
+  const std::optional<LinkOverlap> overlap = PlaceDrawn(draw);
+  Begin();
+  if (!overlap) return;
+  CapturePose(last_pose_);
+  Diverge(
+      fmt::format("links overlap in each of {} starts that were drawn: `{}` and `{}` by {:.1f} "
+                  "mm in the last one",
+                  kMostDraws, robot_.links[overlap->first].name, robot_.links[overlap->second].name,
+                  1000 * overlap->depth));
+}
+
+std::optional<LinkOverlap> RobotEnvironment::PlaceDrawn(const StartDraw& draw) {
+  std::optional<robot::StartState> start = draw(0);
+  Place(start);
+  if (!start || !start_pose_.empty()) return std::nullopt;
+  const Profile& profile = FindProfile(profile_);
+  std::optional<LinkOverlap> overlap = FindOverlap(robot_, profile, *start, *world_);
+  bool changes = false;
+  for (uint32_t attempt = 1; overlap && attempt < kMostDraws; ++attempt) {
+    std::optional<robot::StartState> next = draw(attempt);
+    if (next == start) continue;
+    changes = true;
+    start = std::move(next);
+    Place(start);
+    overlap = FindOverlap(robot_, profile, *start, *world_);
+  }
+  return changes ? overlap : std::nullopt;
+}
+
+void RobotEnvironment::Place(const std::optional<robot::StartState>& start) {
   const Profile& profile = FindProfile(profile_);
   if (start && start_pose_.empty()) {
     world_ = std::make_unique<World>(robot_, profile, *start);
@@ -57,6 +93,9 @@ void RobotEnvironment::StartEpisode(const std::optional<robot::StartState>& star
     assert(pose != nullptr);
     world_ = std::make_unique<World>(robot_, profile, *pose);
   }
+}
+
+void RobotEnvironment::Begin() {
   running_ = true;
   time_steps_ = 0;
   time_ = 0;
@@ -94,7 +133,7 @@ bool RobotEnvironment::StepPhysics(int index) {
   try {
     world_->Step(targets_);
   } catch (const OdeFailure& failure) {
-    Diverge(failure.what());
+    Diverge(fmt::format("the simulation diverged: {}", failure.what()));
     return false;
   }
   // Counted, not summed, so that 4000 time steps of 5 ms are 20 s and not a little more.
@@ -115,10 +154,10 @@ StepMeans::Wanted RobotEnvironment::WantedMeans() const {
           .contact_forces = is_read(robot::SensorId::kContactForce)};
 }
 
-void RobotEnvironment::Diverge(const char* why) {
+void RobotEnvironment::Diverge(std::string why) {
   running_ = false;
   sensors_.Freeze();
-  why_diverged_ = std::string("the simulation diverged: ") + why;
+  why_diverged_ = std::move(why);
   end_of_episode_({EndKind::kDiverged, why_diverged_.c_str()});
 }
 

@@ -1,7 +1,9 @@
 // The module in which a robot lives: it steps the simulation, and offers the robot's sensors.
 #pragma once
 
+#include <cstdint>
 #include <deque>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -12,6 +14,7 @@
 #include "runtime/core/module/module.h"
 #include "runtime/core/module/sensor_data.h"
 #include "runtime/core/module/values.h"
+#include "runtime/training/simulation/link_overlap.h"
 #include "runtime/training/simulation/robot_sensors.h"
 #include "runtime/training/simulation/world.h"
 
@@ -31,7 +34,8 @@ namespace runtime {
 // then for each physics step start_of_physics_step(length) and end_of_physics_step(length), then
 // end_of_time_step(length).
 // A simulation that diverges emits end_of_episode(kDiverged, why) in place of the signals that
-// would follow. The sensors then keep what was last read from them.
+// would follow. The sensors then keep what was last read from them. So does an episode for which no
+// start can be found, right after start_of_episode.
 class RobotEnvironment : public Module {
  public:
   static constexpr const char* kRole = "environment";       // for ModuleGraph::FindOnly()
@@ -44,6 +48,15 @@ class RobotEnvironment : public Module {
 
   // A fresh world with the robot in its start pose, or else in this state where there is one.
   void StartEpisode(const std::optional<robot::StartState>& start = std::nullopt);
+
+  // How an episode is to start, if anything is said of it; after `attempt` other answers.
+  using StartDraw = std::function<std::optional<robot::StartState>(uint32_t attempt)>;
+  static constexpr uint32_t kMostDraws = 100;
+  // The same in the first state that is drawn in which no links overlap more than in its pose. If
+  // there is none in kMostDraws, the episode ends as diverged where it starts. What is drawn is
+  // taken as it is where it does not change from draw to draw.
+  void StartDrawnEpisode(const StartDraw& draw);
+
   // One time step; nothing if the episode has diverged, or none has been started.
   void RunTimeStep();
 
@@ -58,11 +71,15 @@ class RobotEnvironment : public Module {
   void CapturePose(std::span<float> out) const;
 
  private:
-  // Returns whether the episode can continue.
+  void Place(const std::optional<robot::StartState>& start);
+  // Places the robot. Returns an overlap that all draws have.
+  std::optional<LinkOverlap> PlaceDrawn(const StartDraw& draw);
+  void Begin();
   [[noreturn]] void ThrowForeignTargets() const;
+  // Returns whether the episode can continue.
   bool StepPhysics(int index);
   StepMeans::Wanted WantedMeans() const;
-  void Diverge(const char* why);
+  void Diverge(std::string why);
 
   const robot::RobotDescription& robot_;
   std::string profile_ = "paper";

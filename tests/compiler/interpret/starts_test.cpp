@@ -22,8 +22,9 @@ class StartRun {
       : task_(CheckTask("task tested for humanoid\n" + rest + "start " + start + "\n")),
         evaluator_(task_) {}
 
-  void Draw(uint64_t seed) {
+  void Draw(uint64_t seed, uint32_t attempt = 0) {
     evaluator_.frame().seed = seed;
+    evaluator_.frame().attempt = attempt;
     evaluator_.DrawPose();
     evaluator_.DrawStart();
   }
@@ -106,6 +107,23 @@ TEST(Starts, ReadGoalsAsTheEpisodeWillHaveThem) {
   const double yaw = run.Of("base.yaw")[0];
   run.evaluator().Fire(EventKind::kStartOfEpisode, 0);
   EXPECT_EQ(run.Memory("turn")[0], yaw);
+}
+
+TEST(Starts, AreOthersInEachAttemptWithTheSamePoseAndGoals) {
+  StartRun run("standing or lying { base.yaw = turn base.roll = uniform(1 rad, 2 rad) }",
+               "goal turn: real [rad] = uniform(-1 rad, 1 rad)\n"
+               "on end_of_time_step { reward rate a = turn }\n");
+  std::set<int> poses;
+  std::set<double> yaws;
+  for (uint32_t attempt = 0; attempt < 20; ++attempt) {
+    run.Draw(99, attempt);
+    poses.insert(run.evaluator().frame().pose);
+    yaws.insert(run.Of("base.yaw")[0]);
+    const DrawPlace place{99, run.task().start.stream, attempt};
+    EXPECT_THAT(run.Of("base.roll"), ElementsAre(DrawUniform(place, 0, 1, 1, 2)));
+  }
+  EXPECT_EQ(poses.size(), 1u);
+  EXPECT_EQ(yaws.size(), 1u);
 }
 
 TEST(Starts, BranchAndLoop) {

@@ -104,7 +104,7 @@ void DrawStart(const CheckedTask& task, RandomNumbers& random, SideBySide& both)
   both.SetSeed(static_cast<uint64_t>(random.Bits()));
   for (const CheckedStartValue& value : task.start.values)
     both.SetMemory(value.memory, RandomValue(task.memory[value.memory].type, random));
-  both.DrawStart();
+  both.DrawStart(static_cast<uint32_t>(random.Below(3)));
 }
 
 // What differs between plugin and evaluator when it is used for a while; nothing if nothing does.

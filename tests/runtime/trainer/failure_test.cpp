@@ -95,6 +95,27 @@ TEST_F(FailureTest, GoesOnAfterASimulationThatDiverged) {
   EXPECT_EQ(episodes[1].active.end_kind, "diverged");
 }
 
+// Where some starts would have links inside each other, others are drawn; where all would, the
+// episode is over at once.
+TEST_F(FailureTest, EndsEpisodesForWhichThereIsNoStart) {
+  const auto train = [&](const std::string& name, const std::string& least) {
+    const ProgramResult result =
+        Trainer({"train", TaskFile("striding"), "--profile", "fast-tree", "--episodes", "5",
+                 "--quiet", "--set", "task.least=" + least, "--out", RunFolder(name)});
+    EXPECT_EQ(result.exit_status, 0) << result.errors;
+    return result.errors;
+  };
+  EXPECT_EQ(train("some", "-1"), "");
+  EXPECT_THAT(train("all", "0.2"),
+              HasSubstr("warning: episode 5: links overlap in each of 100 starts that were drawn: "
+                        "`left_ankle` and `right_ankle` by "));
+  for (const EpisodeRecord& episode : RunDatabase::OpenToRead(RunFolder("all")).ReadEpisodes()) {
+    EXPECT_EQ(episode.steps, 0);
+    EXPECT_EQ(episode.active.end_kind, "diverged");
+    EXPECT_EQ(episode.active.episode_return, 0);
+  }
+}
+
 TEST_F(FailureTest, KeepsWhatWasSavedWhenTheDiskIsFull) {
   std::vector<std::string> words = {"/bin/sh", "-c", "ulimit -f 400; exec \"$@\"", "sh", TRAINER};
   const std::vector<std::string> training =

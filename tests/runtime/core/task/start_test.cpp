@@ -87,6 +87,17 @@ TEST_F(StartTest, DependsOnTheSeedOfTheRunAndTheNumberOfTheEpisode) {
   EXPECT_NE(poses(1, 1), poses(1, 31));
 }
 
+TEST_F(StartTest, IsAnotherOneOfThePoseInEachAttempt) {
+  const auto task = MakeTask(1);
+  const robot::StartState first = task->DrawStart().value();
+  for (const uint32_t attempt : {1u, 2u, 0u}) {
+    robot::StartState start = task->DrawStart(attempt).value();
+    EXPECT_EQ(start.velocity[1], attempt);
+    start.velocity[1] = 0;
+    EXPECT_EQ(start, first);
+  }
+}
+
 TEST_F(StartTest, FollowsTheParams) {
   const auto task = MakeTask(1);
   task->Set("bend", -0.5);

@@ -1,5 +1,6 @@
 // A task that starts in one of two poses: the seed's lowest bit says in which. It adds the seed to
-// the second joint's angle, and turns the robot by a quarter about z.
+// the second joint's angle, and turns the robot by a quarter about z. It moves to the left as many
+// meters per second as states were drawn before.
 #include "plugin_table.h"
 
 typedef struct memory {
@@ -17,6 +18,7 @@ static void draw_start(taskc_frame* frame) {
   m->angles[1] += frame->params[0];
   m->yaw = 1.5707963267948966;
   m->velocity[0] = (double)(frame->seed & 1);
+  m->velocity[1] = frame->attempt;
 }
 
 static const taskc_param params[] = {{"bend", "", "rad", TASKC_REAL, 0.25, -100, 100}};
