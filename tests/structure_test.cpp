@@ -59,7 +59,7 @@ const std::map<std::string, Folders> kMayInclude = {
     {"runtime/base", {"base/text"}},
     {"runtime/core/module", {"base/variant", "plugins/robot", "runtime/base"}},
     {"runtime/core/task",
-     {"base/file", "base/seal", "plugins/host", "plugins/robot", "runtime/base",
+     {"base/file", "base/seal", "base/variant", "plugins/host", "plugins/robot", "runtime/base",
       "runtime/core/module"}},
     {"runtime/core/agent", {"base/file", "runtime/base", "runtime/core/module"}},
     {"runtime/training/learning",

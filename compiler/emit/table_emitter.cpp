@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 #include <taskc/plugin.h>
 
+#include <algorithm>
 #include <string>
 
 #include "compiler/emit/cpp_literal.h"
@@ -73,9 +74,11 @@ std::string TypeFields(const Type& type) {
 }
 
 std::string Row(const CheckedSensor& sensor) {
-  return fmt::format("{}, {}, {}, {}, {}", StringLiteral(sensor.name),
+  return fmt::format("{}, {}, {}, {}, {}, {}, {}", StringLiteral(sensor.name),
                      StringLiteral(ToString(sensor.type)), StringLiteral(ToString(sensor.unit)),
-                     TypeFields(sensor.type), EventBits(sensor.read_by));
+                     TypeFields(sensor.type), EventBits(sensor.read_by),
+                     RealLiteral(std::ranges::min(sensor.minimum)),
+                     RealLiteral(std::ranges::max(sensor.maximum)));
 }
 
 std::string Row(const CheckedParam& param) {

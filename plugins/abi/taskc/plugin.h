@@ -78,7 +78,8 @@ enum { TASKC_MEASURE = TASKC_EVENT_COUNT, TASKC_OBSERVE, TASKC_READER_COUNT };
 // How one scalar lies in memory: a bool is one byte (0 or 1), an int 8 bytes, a real a double.
 enum { TASKC_BOOL, TASKC_INT, TASKC_REAL };
 
-// A sensor that the task reads, the robot's or its own. `rows * columns` contiguous elements.
+// A sensor that the task reads: one of the robot's, or one that the task declares itself, of which
+// the host alone knows what fills it. `rows * columns` contiguous elements.
 typedef struct taskc_sensor {
   const char* name;      // as the task writes it: "base.velocity"
   const char* type;      // as the task writes it: "vec3", "bool[link]"; compared when binding
@@ -87,6 +88,8 @@ typedef struct taskc_sensor {
   taskc_uint32 rows;     // 1 for a scalar, n for vectors, arrays and quaternions
   taskc_uint32 columns;  // 1 except for matrices
   taskc_uint32 read_by;  // bit e is set: event e (or TASKC_MEASURE, TASKC_OBSERVE) reads the sensor
+  double minimum;        // of each element, as the task or the robot says; infinite where they say
+  double maximum;        //      nothing
 } taskc_sensor;
 
 // A number that can be set while the task runs. Passed as a double, whatever its type.
@@ -257,10 +260,10 @@ typedef struct taskc_frame {
   void* memory;                // `memory_size` bytes, aligned to 16
   taskc_uint64 seed;           // of goals and start: another one in each episode
   taskc_int32 pose;            // out, of `draw_pose`: index into `taskc_plugin.poses`
+  taskc_uint32 attempt;        // for `draw_start`: how often it was called for this episode before
   double time_step;            // length of the step that ends or starts [s]; 0 for other events;
                                //      for `measure`, that of the last time step
   double discount;             // of the learner, for one action: 0 to 1; 1 where nobody learns.
-  taskc_uint32 attempt;        // for `draw_start`: how often it was called for this episode before
                                //      Read by `end_of_action` and `end_of_episode`
   taskc_int32 outcome;         // for `end_of_episode`: how the episode has ended for the learner,
                                //      TASKC_SUCCESS, TASKC_FAILURE or TASKC_TRUNCATED

@@ -6,12 +6,14 @@
 
 namespace runtime {
 
+void RequireConnection(const Port& port) {
+  if (!port.must_be_connected() || !port.Connections().empty()) return;
+  throw UserError(fmt::format("`{}` is not connected: connect it to an out port of the type `{}`",
+                              port.full_name(), port.type().text));
+}
+
 void RequireConnections(const Module& module) {
-  for (const Port* port : module.ports()) {
-    if (!port->must_be_connected() || !port->Connections().empty()) continue;
-    throw UserError(fmt::format("`{}` is not connected: connect it to an out port of the type `{}`",
-                                port->full_name(), port->type().text));
-  }
+  for (const Port* port : module.ports()) RequireConnection(*port);
 }
 
 Port* FindOut(const ModuleGraph& graph, std::string_view name, const PortType& type) {

@@ -6,6 +6,9 @@
 
 namespace runtime {
 
+// Throws UserError if it is an in port that must be connected, and is not.
+void RequireConnection(const Port& port);
+
 // Throws UserError if an in port of the module that must be connected is not.
 void RequireConnections(const Module& module);
 

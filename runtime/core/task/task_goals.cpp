@@ -1,36 +1,12 @@
 #include "runtime/core/task/task_goals.h"
 
-#include <cstring>
 #include <utility>
 
 #include "runtime/core/module/episode_seed.h"
+#include "runtime/core/task/scalar_bytes.h"
 
 namespace runtime {
 namespace {
-
-template <class Number>
-double LoadAs(const std::byte* place) {
-  Number number;
-  std::memcpy(&number, place, sizeof number);
-  return static_cast<double>(number);
-}
-
-double Load(const std::byte* place, taskc_int32 scalar) {
-  if (scalar == TASKC_REAL) return LoadAs<double>(place);
-  return scalar == TASKC_INT ? LoadAs<taskc_int64>(place) : LoadAs<unsigned char>(place);
-}
-
-template <class Number>
-void StoreAs(std::byte* place, double value) {
-  const auto number = static_cast<Number>(value);
-  std::memcpy(place, &number, sizeof number);
-}
-
-void Store(std::byte* place, taskc_int32 scalar, double value) {
-  if (scalar == TASKC_REAL) return StoreAs<double>(place, value);
-  if (scalar == TASKC_INT) return StoreAs<taskc_int64>(place, value);
-  StoreAs<unsigned char>(place, value != 0 ? 1 : 0);
-}
 
 bool IsSame(const taskc_goal& a, const taskc_goal& b) {
   return std::string_view(a.name) == b.name && std::string_view(a.type) == b.type &&
@@ -72,7 +48,7 @@ std::vector<double> TaskGoals::Value(size_t goal) const {
   const std::byte* place = std::as_const(host_).Bytes(entry).data();
   std::vector<double> value;
   for (uint32_t i = 0; i < entry.rows * entry.columns; ++i) {
-    value.push_back(Load(place + i * host::ScalarSize(entry.scalar), entry.scalar));
+    value.push_back(LoadScalar(place + i * host::ScalarSize(entry.scalar), entry.scalar));
   }
   return value;
 }
@@ -81,7 +57,7 @@ void TaskGoals::Hold(size_t goal, std::span<const double> value, double time) {
   const taskc_goal& entry = goals_[goal];
   std::byte* place = host_.Bytes(entry).data();
   for (size_t i = 0; i < value.size(); ++i) {
-    Store(place + i * host::ScalarSize(entry.scalar), entry.scalar, value[i]);
+    StoreScalar(place + i * host::ScalarSize(entry.scalar), entry.scalar, value[i]);
   }
   host_.Hold(entry, true);
   Note(goal, time);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <iterator>
 #include <string_view>
 
 #include "plugins/host/log_value.h"
@@ -93,6 +94,7 @@ TaskInstance::TaskInstance(std::shared_ptr<const Plugin> plugin, int64_t id)
       memory_(host_),
       goals_(host_),
       phases_(host_),
+      told_(table()),
       params_(table().param_count),
       reducer_({table().metrics, table().metric_count}),
       logged_(table().log_count),
@@ -123,6 +125,7 @@ std::vector<Parameter> TaskInstance::Params() {
     if (param.scalar == TASKC_INT) parameter.target = &params_[i].integer;
     parameters.push_back(std::move(parameter));
   }
+  std::ranges::move(told_.Parameters(), std::back_inserter(parameters));
   return parameters;
 }
 
@@ -243,6 +246,7 @@ std::span<const double> TaskInstance::Observe() {
 
 void TaskInstance::TakeOver(const TaskInstance& old, bool in_episode) {
   TakeOverParams(old);
+  told_.TakeOver(old.told_);
   memory_.TakeOver(old.memory_, in_episode);
   if (in_episode) TakeOverSums(old);
 }
@@ -283,10 +287,15 @@ void TaskInstance::TakeOverSums(const TaskInstance& old) {
 }
 
 void TaskInstance::Save(std::ostream& stream) const {
-  SaveNumber(stream, table().param_count);
+  const auto told = told_.Saved();
+  SaveNumber(stream, table().param_count + static_cast<uint32_t>(told.size()));
   for (uint32_t i = 0; i < table().param_count; ++i) {
     SaveText(stream, table().params[i].name);
     SaveNumber(stream, host_.params()[i]);
+  }
+  for (const auto& [name, number] : told) {
+    SaveText(stream, name);
+    SaveNumber(stream, number);
   }
   memory_.Save(stream);
 }
@@ -296,6 +305,7 @@ void TaskInstance::Load(std::istream& stream) {
   for (uint32_t saved = 0; saved < count; ++saved) {
     const std::string name = LoadText(stream);
     const auto value = LoadNumber<double>(stream);
+    told_.Restore(name, value);
     const auto params = ParamsOf(table());
     for (size_t i = 0; i < params.size(); ++i) {
       const bool fits = params[i].minimum <= value && value <= params[i].maximum;

@@ -22,6 +22,7 @@
 #include "runtime/core/task/task_memory.h"
 #include "runtime/core/task/task_phases.h"
 #include "runtime/core/task/task_start.h"
+#include "runtime/core/task/told_sensors.h"
 
 namespace runtime {
 
@@ -53,13 +54,18 @@ class TaskInstance {
   const taskc_plugin& table() const { return plugin_->table(); }
   int64_t id() const { return id_; }
 
-  // The params as parameters of a module, whose targets live in this object.
+  // The params, and what the task's own sensors are told, as parameters of a module, whose targets
+  // live in this object.
   std::vector<Parameter> Params();
   // To be called after such a target was changed.
   void PassParams();
 
   // Where the event functions look for the data of sensor number `index`.
   const void** sensor_data(size_t index) { return &host_.sensor(index); }
+
+  // What a user has told the task's own sensors.
+  ToldSensors& told() { return told_; }
+  const ToldSensors& told() const { return told_; }
 
   // `episode`: its number in the run; with the run's seed it decides what goals are drawn.
   void StartEpisode(uint64_t run_seed, int64_t episode);
@@ -105,15 +111,16 @@ class TaskInstance {
   std::span<const double> logs() const { return logged_; }
 
   // Goes on where `old` is, as far as the two have variables of the same name, type and unit: the
-  // params that differ from their initial value there, where they lie in the range here, and the
-  // memory of the run. `in_episode`: also all other memory, and what was paid, measured and logged
-  // in the current episode.
+  // params that differ from their initial value there and what sensors were told, where they lie in
+  // the range here, and the memory of the run. `in_episode`: also all other memory, and what was
+  // paid, measured and logged in the current episode.
   void TakeOver(const TaskInstance& old, bool in_episode);
 
   // As if this instance had run the episodes that `other`, of the same plugin, has run.
   void TakeOverRun(const TaskInstance& other) { memory_.TakeOver(other.memory_, false); }
 
-  // The values of the params and of the variables that live as long as the run.
+  // The values of the params and of the variables that live as long as the run, and what sensors
+  // are told.
   void Save(std::ostream& stream) const;
   // Throws UserError if the stream ends early.
   void Load(std::istream& stream);
@@ -142,6 +149,7 @@ class TaskInstance {
   TaskMemory memory_;
   TaskGoals goals_;
   TaskPhases phases_;
+  ToldSensors told_;
   std::vector<Param> params_;
 
   host::MetricReducer reducer_;

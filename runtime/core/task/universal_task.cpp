@@ -46,6 +46,14 @@ std::string Remedy(const taskc_sensor& sensor) {
       ModuleNameFor(sensor.name), sensor.name, type, sensor.unit);
 }
 
+// How a run can begin without such a module.
+std::string ToldByOption(std::string_view module, const taskc_sensor& sensor) {
+  const size_t size = size_t{sensor.rows} * sensor.columns;
+  const std::string zeros = fmt::format("{}", fmt::join(std::vector(size, 0), ", "));
+  return Remedy(sensor) + fmt::format("\n  or tell it a value: --set '{}.{}={}'", module,
+                                      sensor.name, size == 1 ? zeros : "[" + zeros + "]");
+}
+
 [[noreturn]] void ThrowNotOffered(const taskc_plugin& table, const taskc_sensor& sensor,
                                   const std::string& hint) {
   throw UserError(fmt::format(
@@ -98,16 +106,39 @@ UniversalTask::UniversalTask(std::string name, const robot::RobotDescription& ro
 }
 
 void UniversalTask::Set(std::string_view parameter, const ParameterValue& value) {
-  Module::Set(parameter, value);
-  instance_->PassParams();
+  const std::optional<size_t> sensor = told().Find(parameter);
+  if (!sensor) {
+    Module::Set(parameter, value);
+    return instance_->PassParams();
+  }
+  Module::Set(parameter,
+              told().ElementsIn(*sensor, value, fmt::format("{}.{}", name(), parameter)));
+  told().Pass(*sensor);
+  DisconnectTold();
 }
 
 void UniversalTask::Start() {
+  DisconnectTold();
   for (size_t i = 0; i < sensors_.size(); ++i) {
     const taskc_sensor& sensor = plugin().sensors[i];
-    if (!sensors_[i]->connected() && !IsOfRobots(sensor)) ThrowNotOffered(plugin(), sensor, "");
+    if (sensors_[i]->connected() || told().IsTold(i)) continue;
+    if (!IsOfRobots(sensor)) ThrowNotOffered(plugin(), sensor, ToldByOption(name(), sensor));
+    RequireConnection(*sensors_[i]);
   }
-  RequireConnections(*this);
+}
+
+void UniversalTask::DisconnectTold() {
+  for (size_t i = 0; i < sensors_.size(); ++i) {
+    if (told().IsTold(i)) sensors_[i]->Disconnect();
+  }
+  BindSensors();
+}
+
+void UniversalTask::NoteConnection() {
+  for (size_t i = 0; i < sensors_.size(); ++i) {
+    if (sensors_[i]->connected()) told().Forget(i);
+  }
+  BindSensors();
 }
 
 UniversalTask::Sensors::const_iterator UniversalTask::FindSensor(const taskc_sensor& sensor) const {
@@ -138,19 +169,23 @@ std::unique_ptr<TaskInstance> UniversalTask::Exchange(std::unique_ptr<TaskInstan
 }
 
 void UniversalTask::BindSensors() {
+  for (size_t i = 0; i < sensors_.size(); ++i) {
+    if (told().IsTold(i)) *instance_->sensor_data(i) = told().Data(i);
+  }
   for (size_t reader = 0; reader < reads_.size(); ++reader) {
     reads_[reader].clear();
     for (size_t i = 0; i < sensors_.size(); ++i) {
-      if ((plugin().sensors[i].read_by >> reader & 1) == 0) continue;
+      if ((plugin().sensors[i].read_by >> reader & 1) == 0 || told().IsTold(i)) continue;
       reads_[reader].push_back({sensors_[i].get(), instance_->sensor_data(i)});
     }
   }
 }
 
-void UniversalTask::CheckCanLoad(const Plugin& plugin, const robot::RobotDescription& robot,
+void UniversalTask::CheckCanLoad(const Plugin& plugin, const UniversalTask& active,
                                  const ModuleGraph& graph) {
-  CheckFitsRobot(plugin, robot);
+  CheckFitsRobot(plugin, active.robot_);
   for (const taskc_sensor& sensor : SensorsOf(plugin.table())) {
+    if (active.told().IsToldFor(sensor)) continue;
     CheckIsOffered(graph, sensor, plugin.table());
   }
 }
@@ -161,12 +196,14 @@ void UniversalTask::CheckCanSwap(const Plugin& plugin, const ModuleGraph& graph)
   for (const taskc_sensor& sensor : SensorsOf(table)) {
     const auto present = FindSensor(sensor);
     if (present != sensors_.end() && (*present)->connected()) continue;
+    if (told().IsToldFor(sensor)) continue;
     CheckIsOffered(graph, sensor, table);
   }
 }
 
 void UniversalTask::ConnectSensors(const ModuleGraph& graph) {
   runtime::ConnectSensors(*this, graph);
+  DisconnectTold();
 }
 
 void UniversalTask::Swap(std::unique_ptr<TaskInstance> next, const ModuleGraph& graph) {
@@ -301,6 +338,7 @@ void UniversalTask::Save(std::ostream& stream) const {
 
 void UniversalTask::Load(std::istream& stream) {
   instance_->Load(stream);
+  DisconnectTold();
   if (LoadNumber<uint32_t>(stream) != 0 && previous_ != nullptr) previous_->Load(stream);
 }
 

@@ -9,6 +9,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "runtime/core/module/context.h"
@@ -36,6 +37,10 @@ struct TaskEnd {
 //   signals  reward: what an event pays, also 0, after every event with an own function;
 //            end_of_episode: after that, the first end that is reached in an episode
 //   out      observations: what the task lets a learner see, computed when it is asked for
+//
+// A sensor that the task declares itself is a parameter, too: where that is set, it is what the
+// task reads, and the in port has no connection. `--set` comes before the connections of an agent;
+// after the start, the last word holds, be it a value or a connection.
 //
 // An event brings exactly those sensors up to date that it reads. Ends that are reached later in
 // the episode, or in the event at its end, are not emitted. A requirement that does not hold ends
@@ -67,7 +72,7 @@ class UniversalTask : public Module, public TaskObservations {
   UniversalTask(std::string name, const robot::RobotDescription& robot,
                 std::unique_ptr<TaskInstance> instance, uint64_t seed = 0);
 
-  // Throws UserError if a sensor's in port has no connection.
+  // Throws UserError if a sensor's in port has no connection, and it is not told.
   void Start() override;
   void Set(std::string_view parameter, const ParameterValue& value) override;
   // The values of the params and of the variables that live as long as the run, also those of the
@@ -78,15 +83,17 @@ class UniversalTask : public Module, public TaskObservations {
   ObservationLayout observation_layout() const override { return ObservationLayoutOf(plugin()); }
   std::span<const double> Observe() const override;
 
-  // Connects the sensors that are not connected yet to the out ports of their name. Precondition:
-  // there are such ports.
+  // Connects the sensors that are not connected yet, nor told, to the out ports of their name.
+  // Precondition: there are such ports.
   void ConnectSensors(const ModuleGraph& graph);
+  // To be called after a port of this module was connected.
+  void NoteConnection();
   // Throws UserError if the task does not fit the robot, or if it reads a sensor that no module of
-  // `graph` offers.
-  static void CheckCanLoad(const Plugin& plugin, const robot::RobotDescription& robot,
+  // `graph` offers and nobody has told `active`.
+  static void CheckCanLoad(const Plugin& plugin, const UniversalTask& active,
                            const ModuleGraph& graph);
   // Throws UserError if the task does not fit the robot, or if it reads a sensor that this module
-  // has not, or not connected, and that no module of `graph` offers.
+  // has not, or not connected, nor told, and that no module of `graph` offers.
   void CheckCanSwap(const Plugin& plugin, const ModuleGraph& graph) const;
   // Another task from now on, which takes over what it can (TaskInstance::TakeOver). The sensors
   // that are new in it are connected to the out ports of their name. What was until now is kept as
@@ -183,7 +190,12 @@ class UniversalTask : public Module, public TaskObservations {
 
   using Sensors = std::vector<std::unique_ptr<SensorIn>>;
 
+  ToldSensors& told() { return instance_->told(); }
+  const ToldSensors& told() const { return std::as_const(*instance_).told(); }
+
   Sensors::const_iterator FindSensor(const taskc_sensor& sensor) const;
+  // What is told is not read from a port.
+  void DisconnectTold();
   // Puts `next` in the place of the present task, which is returned. The ports of sensors that only
   // one of the two reads go or come, unconnected.
   std::unique_ptr<TaskInstance> Exchange(std::unique_ptr<TaskInstance> next);

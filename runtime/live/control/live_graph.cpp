@@ -49,12 +49,13 @@ UniversalTask& LiveGraph::active_task() const { return *FindTaskModules(graph_, 
 
 void LiveGraph::CheckLoad(const std::string& name, const Plugin& plugin) const {
   graph_.CheckNewName(name);
-  UniversalTask::CheckCanLoad(plugin, *context_.robot, graph_);
+  UniversalTask::CheckCanLoad(plugin, active_task(), graph_);
 }
 
 UniversalTask& LiveGraph::Load(const std::string& name, std::unique_ptr<TaskInstance> instance) {
   CheckLoad(name, *instance->plugin());
   const UniversalTask& active = active_task();
+  instance->told().TakeOver(active.instance().told());  // it sees the same
   auto made =
       std::make_unique<UniversalTask>(name, *context_.robot, std::move(instance), context_.seed);
   UniversalTask& shadow = *made;
@@ -195,6 +196,7 @@ void LiveGraph::Connect(const std::string& first, const std::string& second) {
     Port::Disconnect(in, *before.front());
   }
   graph_.Connect(first, second);
+  if (auto* task = dynamic_cast<UniversalTask*>(&in.owner())) task->NoteConnection();
   StartWhatCan();
 }
 

@@ -25,6 +25,11 @@ std::string TomlValue(const std::string& value) {
   return value.empty() || (is_word && !is_plain) ? fmt::format("'{}'", value) : value;
 }
 
+// The name of a task's own sensor may have dots.
+std::string TomlKey(const std::string& parameter) {
+  return parameter.find('.') == std::string::npos ? parameter : fmt::format("'{}'", parameter);
+}
+
 // The module that simulates the robot. `origin`: who needs it.
 const ModuleSetting& EnvironmentOf(const Agent& agent, const std::string& origin) {
   const auto environment =
@@ -67,7 +72,8 @@ Agent ParseSetting(const std::string& setting) {
         setting));
   }
   try {
-    Agent change = ParseAgent(fmt::format("modules.{} = {}", setting.substr(0, equals),
+    Agent change = ParseAgent(fmt::format("modules.{}.{} = {}", setting.substr(0, dot),
+                                          TomlKey(setting.substr(dot + 1, equals - dot - 1)),
                                           TomlValue(setting.substr(equals + 1))),
                               kSetOption);
     const SourcePlace place{fmt::format("{} {}", kSetOption, setting)};

@@ -60,6 +60,40 @@ TEST_F(KeptChangesTest, ASignalIsAddedForATaskThatReadsIt) {
   ExpectTheSameFromTheRecord(8);
 }
 
+// A task's own sensor without any module, told anew while it runs.
+TEST_F(KeptChangesTest, WhatATasksOwnSensorIsToldIsRepeated) {
+  const std::string task = (folder() / "wishing.task").string();
+  std::ofstream(task) << "task wishing for humanoid\nsensor wish: real [m/s] in 0 m/s .. 1 m/s\n"
+                         "sensor ball.place: vec2 [m]\non end_of_time_step {\n"
+                         "  reward rate near = -abs(wish - base.velocity.x)\n"
+                         "  reward rate far = norm(ball.place - base.position.xy) / 1 m\n"
+                         "  if time > 0.3 s { truncate_episode \"time is up\" }\n}\n";
+  Serve(100,
+        {"--checkpoint-every", "0", "--record-every", "1", "--set", "task.wish=0.25", "--set",
+         "task.ball.place=[1, 0.5]"},
+        task);
+  RunEpisodes(2);
+  EXPECT_EQ(Ask({"get", "task.wish"})["value"], json({0.25}));
+  Ask({"set", "task.wish", "0.5 m/s"});
+  Ask({"set", "task.ball.place", "[2, -1]"});
+  RunEpisodes(2);
+  EXPECT_THAT(Refusal({"set", "task.wish", "2"}), HasSubstr("must lie in 0 .. 1"));
+  EXPECT_THAT(Refusal({"set", "task.wish", "0.5 m"}), HasSubstr("in m/s"));
+  EXPECT_THAT(Refusal({"set", "task.ball.place", "1"}), HasSubstr("with 2 elements, not 1"));
+  Ask({"load", task, "as", "shadow"});
+  Ask({"swap", "task", task, "--forget"});
+  RunEpisodes(2);
+  const EpisodeRecord episode = Episodes().back();
+  ASSERT_THAT(episode.shadows, SizeIs(1));
+  EXPECT_EQ(episode.shadows[0].episode_return, episode.active.episode_return);
+  Kill();
+  ServeAgain();
+  EXPECT_EQ(Ask({"get", "task.ball.place"})["value"], json({2.0, -1.0}));
+  RunOneMoreEpisode();
+  Stop();
+  ExpectTheSameFromTheRecord(10);
+}
+
 TEST_F(KeptChangesTest, AChangeThatTakesEffectLaterSurvivesTheNextKill) {
   Serve(100, {"--checkpoint-every", "0", "--record-every", "1"});
   Ask({"swap", "task", TaskFile("upright"), "--now"});

@@ -1,7 +1,10 @@
 // The table of a task that does nothing, for the robot of these tests. PLUGIN(.field = value, ...)
 // defines and exports it with some fields changed.
+#include <math.h>
 #include <stddef.h>
 #include <taskc/plugin.h>
+
+#define NO_RANGE -HUGE_VAL, HUGE_VAL  // minimum and maximum of a sensor
 
 #define PLUGIN(...)                                                                   \
   static const taskc_source sources[] = {{"test.task", ""}};                          \

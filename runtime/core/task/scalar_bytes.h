@@ -1,0 +1,14 @@
+// Numbers as the elements of a task's goals and sensors have them in memory.
+#pragma once
+
+#include <taskc/plugin.h>
+
+#include <cstddef>
+
+namespace runtime {
+
+// `scalar`: TASKC_BOOL, TASKC_INT or TASKC_REAL. A bool is 0 or 1.
+double LoadScalar(const std::byte* place, taskc_int32 scalar);
+void StoreScalar(std::byte* place, taskc_int32 scalar, double value);
+
+}  // namespace runtime
