@@ -71,7 +71,7 @@ void EventBounds::Run(const CheckedAssign& assign, Reached& values) {
   if (type.size() > kTrackedElements) {
     // One interval for all elements: those that are not set keep their values.
     const Interval set = assigned(memory[0], Hull(value));
-    memory[0] = sets_all ? set : Join(memory[0], set);
+    memory.Set(0, sets_all ? set : Join(memory[0], set));
     return;
   }
   std::vector<Interval> elements(type.size());

@@ -19,6 +19,10 @@ constexpr int kDeepestCall = 50;
 // A normal number is made of two uniform ones with 53 bits: sqrt(-2 log(2^-53)), rounded up.
 constexpr double kMostDeviations = 8.572;
 
+std::vector<Interval> ElementsOf(const Box& box) {
+  return {box.elements().begin(), box.elements().end()};
+}
+
 Interval Anything(Scalar scalar) { return scalar == Scalar::kReal ? kAnything : AnyOf(scalar); }
 
 enum class SquareKind { kNone, kSquare, kNegated };
@@ -71,7 +75,7 @@ Box ExpressionBounds::AllOf(const CheckedExpression& expression) {
                         [&](const TimeStep&) { return Box(values_.time_step); },
                         [&](const Elements& node) { return Calculate(node); },
                         [&](const CheckedUnary& node) {
-                          std::vector<Interval> elements = AllOf(*node.operand).elements();
+                          std::vector<Interval> elements = ElementsOf(AllOf(*node.operand));
                           for (Interval& x : elements)
                             x = node.op == UnaryOperator::kNot ? Not(x) : Negate(x);
                           return Box(std::move(elements));
@@ -113,7 +117,7 @@ void ShortenToOne(Interval& x) {
 Box ExpressionBounds::Calculate(const CheckedBinary& binary) {
   const SquareKind square = SquareKindOf(binary);
   if (square != SquareKind::kNone) {
-    std::vector<Interval> elements = AllOf(*binary.right).elements();
+    std::vector<Interval> elements = ElementsOf(AllOf(*binary.right));
     for (Interval& x : elements) x = Squared(square, x);
     return Box(std::move(elements));
   }

@@ -8,7 +8,11 @@
 // the largest double that sums and products of a few of them are no infinity.
 #pragma once
 
+#include <algorithm>
 #include <limits>
+#include <memory>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "compiler/check/checked_task.h"
@@ -83,21 +87,43 @@ Interval Square(const Interval& x);
 
 // The intervals of a value's elements. A single one stands for all of them, whether the value is
 // a scalar, or that it has too many elements to tell apart.
+//
+// The analysis copies all boxes at each branch, and changes few of them: so copies share several
+// elements until one of them is changed, and a single one needs no memory of its own.
 class Box {
  public:
   Box() = default;
-  explicit Box(Interval all) : elements_{all} {}
-  explicit Box(std::vector<Interval> elements) : elements_(std::move(elements)) {}
+  explicit Box(Interval all) : single_(all), size_(1) {}
+  explicit Box(std::vector<Interval> elements) : size_(elements.size()) {
+    if (size_ == 1) single_ = elements[0];
+    if (size_ > 1) several_ = std::make_shared<std::vector<Interval>>(std::move(elements));
+  }
 
-  const Interval& operator[](size_t i) const { return elements_[elements_.size() == 1 ? 0 : i]; }
-  Interval& operator[](size_t i) { return elements_[elements_.size() == 1 ? 0 : i]; }
-  size_t size() const { return elements_.size(); }
-  const std::vector<Interval>& elements() const { return elements_; }
+  const Interval& operator[](size_t i) const { return size_ > 1 ? (*several_)[i] : single_; }
+  void Set(size_t i, Interval element) {
+    if (size_ <= 1) {
+      single_ = element;
+      return;
+    }
+    if (several_.use_count() > 1) several_ = std::make_shared<std::vector<Interval>>(*several_);
+    (*several_)[i] = element;
+  }
+  size_t size() const { return size_; }
+  // Valid while this box lives and stays as it is.
+  std::span<const Interval> elements() const {
+    return size_ > 1 ? std::span<const Interval>(*several_) : std::span(&single_, size_);
+  }
 
-  bool operator==(const Box&) const = default;
+  // Whether the two are copies of each other; false may mean that they are equal nevertheless.
+  bool IsCopyOf(const Box& other) const { return size_ > 1 && several_ == other.several_; }
+  bool operator==(const Box& other) const {
+    return IsCopyOf(other) || std::ranges::equal(elements(), other.elements());
+  }
 
  private:
-  std::vector<Interval> elements_;
+  Interval single_;
+  size_t size_ = 0;
+  std::shared_ptr<std::vector<Interval>> several_;  // null where there is no more than one
 };
 
 }  // namespace compiler

@@ -76,8 +76,11 @@ class MemoryFixpoint {
  public:
   MemoryFixpoint(const CheckedTask& task, const Assumptions& assumptions)
       : task_(task), assumptions_(assumptions), landmarks_(LandmarksOf(task)), initial_(Initial()) {
-    for (size_t i = 0; i < task.events.size(); ++i)
-      if (SetsMemory(task.events[i])) setting_.push_back(static_cast<EventKind>(i));
+    for (size_t i = 0; i < task.events.size(); ++i) {
+      if (SetsMemory(task.events[i]))
+        setting_.push_back(
+            {task.events[i], ValuesAtStart(task, static_cast<EventKind>(i), assumptions)});
+    }
   }
 
   std::vector<Box> Find() const {
@@ -95,6 +98,12 @@ class MemoryFixpoint {
   }
 
  private:
+  // An event that sets memory, and what is known when it begins, besides that of memory.
+  struct SettingEvent {
+    const CheckedEvent& event;
+    Values start;
+  };
+
   // Goals are drawn as soon as all else has its first value.
   std::vector<Box> Initial() const {
     Values values = ValuesAtStart(task_, EventKind::kStartOfEpisode, assumptions_);
@@ -126,10 +135,10 @@ class MemoryFixpoint {
   // Also reset, or left alone by what sets nothing.
   std::vector<Box> AfterAnyEvent(const std::vector<Box>& before) const {
     std::vector<Box> after = initial_;
-    for (const EventKind event : setting_) {
-      Values values = ValuesAtStart(task_, event, assumptions_);
+    for (const SettingEvent& setting : setting_) {
+      Values values = setting.start;
       values.memory = before;
-      values = EventBounds(task_, nullptr).Run(task_.events[static_cast<size_t>(event)], values);
+      values = EventBounds(task_, nullptr).Run(setting.event, std::move(values));
       after = Join(after, values.memory);
     }
     return after;
@@ -137,11 +146,12 @@ class MemoryFixpoint {
 
   void Jump(const std::vector<Box>& from, std::vector<Box>& to, bool to_landmarks) const {
     for (size_t i = 0; i < to.size(); ++i)
-      for (size_t j = 0; j < to[i].size(); ++j) {
-        Interval& end = to[i][j];
+      for (size_t j = 0; j < to[i].size() && !to[i].IsCopyOf(from[i]); ++j) {
+        Interval end = to[i][j];
         if (end.low < from[i][j].low) end.low = to_landmarks ? LandmarkBelow(end.low) : -kInfinity;
         if (end.high > from[i][j].high)
           end.high = to_landmarks ? LandmarkAbove(end.high) : kInfinity;
+        to[i].Set(j, end);
       }
   }
 
@@ -159,7 +169,7 @@ class MemoryFixpoint {
   const Assumptions& assumptions_;
   std::vector<double> landmarks_;
   std::vector<Box> initial_;
-  std::vector<EventKind> setting_;
+  std::vector<SettingEvent> setting_;
 };
 
 }  // namespace

@@ -227,7 +227,7 @@ bool Narrowing::Restrict(const CheckedExpression& expression, const Interval& ra
   if (narrowed.low > narrowed.high) return false;
   if (narrowed.low == now.low && narrowed.high == now.high && !now.may_be_nan) return true;
   if (Box* box = BoxOf(expression)) {
-    (*box)[0] = narrowed;
+    box->Set(0, narrowed);
     const auto* local = std::get_if<LocalRead>(&expression.node);
     const CheckedExpression* definition = local ? definitions_[local->local] : nullptr;
     if (definition == nullptr) return true;
@@ -338,7 +338,7 @@ bool Narrowing::RestrictElement(const CheckedExpression& expression, uint32_t el
     *box = Box(std::vector<Interval>(expression.type.size(), (*box)[0]));
   const Interval narrowed = NumbersIn((*box)[element], range);
   if (narrowed.low > narrowed.high) return false;
-  (*box)[element] = narrowed;
+  box->Set(element, narrowed);
   return true;
 }
 

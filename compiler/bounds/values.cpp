@@ -7,7 +7,8 @@ namespace compiler {
 
 Box Join(const Box& a, const Box& b) {
   if (a.size() == 0) return b;
-  if (b.size() == 0) return a;
+  if (b.size() == 0 || a.IsCopyOf(b)) return a;
+  if (a.size() == 1 && b.size() == 1) return Box(Join(a[0], b[0]));
   std::vector<Interval> elements(std::max(a.size(), b.size()));
   for (size_t i = 0; i < elements.size(); ++i) elements[i] = Join(a[i], b[i]);
   return Box(std::move(elements));
