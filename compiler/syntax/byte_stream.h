@@ -27,6 +27,9 @@ class ByteStream : public antlr4::ANTLRInputStream {
   size_t size() override { return first_offset_ + ANTLRInputStream::size(); }
   size_t index() override { return first_offset_ + ANTLRInputStream::index(); }
   void seek(size_t index) override { ANTLRInputStream::seek(index - first_offset_); }
+  // What has not been read yet.
+  std::u32string_view rest() const { return std::u32string_view(_data).substr(p); }
+
   std::string getText(const antlr4::misc::Interval& interval) override {
     const auto shift = static_cast<ssize_t>(first_offset_);
     return ANTLRInputStream::getText({interval.a - shift, interval.b - shift});

@@ -4,8 +4,8 @@
 
 #include <utility>
 
+#include "compiler/syntax/characters.h"
 #include "compiler/syntax/layout.h"
-#include "compiler/syntax/lexical_errors.h"
 #include "compiler/syntax/syntax_errors.h"
 
 namespace compiler {

@@ -1,7 +1,6 @@
 // The parser as ANTLR generates it, run on one file.
 #pragma once
 
-#include <TaskLexer.h>
 #include <TaskParser.h>
 
 #include <map>
@@ -9,6 +8,7 @@
 #include <string>
 
 #include "compiler/syntax/byte_stream.h"
+#include "compiler/syntax/quick_lexer.h"
 #include "compiler/syntax/syntax_report.h"
 
 namespace compiler {
@@ -29,7 +29,7 @@ class FileParser {
 
   SyntaxReport& report_;
   ByteStream bytes_;
-  grammar::TaskLexer lexer_;
+  QuickLexer lexer_;
   std::map<uint32_t, std::string> docs_;
   std::unique_ptr<antlr4::ListTokenSource> source_;
   std::unique_ptr<antlr4::CommonTokenStream> tokens_;

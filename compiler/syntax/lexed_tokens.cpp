@@ -5,6 +5,7 @@
 #include <string>
 
 #include "compiler/syntax/byte_stream.h"
+#include "compiler/syntax/quick_lexer.h"
 #include "compiler/syntax/token_classes.h"
 
 namespace compiler {
@@ -35,7 +36,7 @@ LexedKind KindOf(TokenType type) {
 
 std::vector<LexedToken> Lex(std::string_view text) {
   ByteStream bytes(SourceFile("", std::string(text)));
-  TaskLexer lexer(&bytes);
+  QuickLexer lexer(&bytes);
   lexer.removeErrorListeners();
   std::vector<LexedToken> tokens;
   while (true) {

@@ -2,6 +2,7 @@
 
 #include <TaskLexer.h>
 #include <TaskParser.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
@@ -119,11 +120,23 @@ bool IsReserved(TokenType type) {
   return !spelling.empty() && std::isalpha(static_cast<unsigned char>(spelling.front())) != 0;
 }
 
+bool IsOpening(TokenType type) {
+  return type == TaskParser::LEFT_PARENTHESIS || type == TaskParser::LEFT_BRACKET ||
+         type == TaskParser::LEFT_BRACE;
+}
+
+bool IsClosing(TokenType type) {
+  return type == TaskParser::RIGHT_PARENTHESIS || type == TaskParser::RIGHT_BRACKET ||
+         type == TaskParser::RIGHT_BRACE;
+}
+
 std::string Spelling(TokenType type) {
   if (type == antlr4::Token::EOF) return "";
   const std::string quoted = Parser().getVocabulary().getLiteralName(type);
   return quoted.size() > 2 ? quoted.substr(1, quoted.size() - 2) : "";
 }
+
+std::string Quoted(TokenType type) { return fmt::format("`{}`", Spelling(type)); }
 
 std::vector<std::string> DeclarationKeywords() {
   return Spellings(FirstOf(TaskParser::RuleDeclaration));

@@ -37,8 +37,14 @@ bool IsUnit(TokenType type);
 // Any keyword or unit.
 bool IsReserved(TokenType type);
 
+// Of brackets of all three kinds.
+bool IsOpening(TokenType type);
+bool IsClosing(TokenType type);
+
 // The fixed spelling of a token, without quotes; empty if it has none.
 std::string Spelling(TokenType type);
+// The same as messages show it: "`{`".
+std::string Quoted(TokenType type);
 
 std::vector<std::string> DeclarationKeywords();
 std::vector<std::string> StatementKeywords();
