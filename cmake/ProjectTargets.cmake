@@ -76,3 +76,19 @@ function(project_test name)
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 300)
 endfunction()
+
+# The packages that package.json and package-lock.json beside the caller name, installed into its
+# build folder by `npm ci`: once, and again when one of the two changes. `what`: whose they are. Sets
+# `packages` to the file that what needs them depends on.
+function(project_node_packages what)
+  set(stamp ${CMAKE_CURRENT_BINARY_DIR}/packages.stamp)
+  set(files package.json package-lock.json .npmrc)
+  list(TRANSFORM files PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
+  add_custom_command(OUTPUT ${stamp}
+    COMMAND ${CMAKE_COMMAND} -E copy ${files} .
+    COMMAND ${NPM_PROGRAM} ci --ignore-scripts --no-update-notifier --loglevel=error
+    COMMAND ${CMAKE_COMMAND} -E touch ${stamp}
+    DEPENDS ${files}
+    COMMENT "Installing ${what} (needs network this once)")
+  set(packages ${stamp} PARENT_SCOPE)
+endfunction()
