@@ -30,7 +30,7 @@ struct TaskOptions {
   std::string profile;
   std::string agent;  // a name or a file (FindAgentFile)
   std::string robot;
-  std::filesystem::path robots;  // where to look for robots first; may be empty
+  std::filesystem::path robots{};  // where to look for robots first; may be empty
   std::vector<std::string> settings;
 
   void AddTo(command_line::Command& command);
