@@ -86,10 +86,11 @@ TEST_F(AgentShowTest, AgentsAreListed) {
   EXPECT_THAT(Trainer({"agent", "list"}).output,
               ContainsRegex("ppo +humanoid +Proximal policy optimization"));
   const auto json = nlohmann::json::parse(Trainer({"agent", "list", "--json"}).output);
-  std::vector<std::string> names;
-  for (const auto& agent : json) names.push_back(agent["name"]);
-  EXPECT_THAT(names, IsSupersetOf({"paper", "ppo"}));
-  EXPECT_EQ(json.at(0)["robot"], "humanoid");
+  std::vector<std::string> agents;
+  for (const auto& agent : json) {
+    agents.push_back(agent["robot"].get<std::string>() + " " + agent["name"].get<std::string>());
+  }
+  EXPECT_THAT(agents, IsSupersetOf({"humanoid paper", "humanoid ppo", "rover ppo"}));
 }
 
 TEST_F(AgentShowTest, MistakeInASettingNamesTheSetting) {

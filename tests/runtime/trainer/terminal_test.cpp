@@ -1,7 +1,9 @@
 // What a person sees who trains on a terminal.
 #include "tests/terminal.h"
 
+#include <chrono>
 #include <csignal>
+#include <thread>
 
 #include "tests/runtime/trainer/trainer_test.h"
 #include "tests/screen.h"
@@ -53,8 +55,10 @@ TEST_F(OnTerminalTest, OneLineFitsTheWindowAndStaysOne) {
 }
 
 TEST_F(OnTerminalTest, CtrlCSaysThatItIsStopping) {
-  TerminalProgram trainer(Words({}), 60);
+  // In the middle of an episode of half a second: between two there is nothing to wait for.
+  TerminalProgram trainer(Words({"--set", "task.limit=10"}), 60);
   ASSERT_TRUE(trainer.WaitFor("/100000  ", 2));
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));
   trainer.Type(kCtrlC);
   EXPECT_EQ(WEXITSTATUS(trainer.Wait()), 128 + SIGINT);
   EXPECT_THAT(trainer.printed(),
