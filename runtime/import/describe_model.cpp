@@ -9,6 +9,7 @@
 
 #include "runtime/base/user_error.h"
 #include "runtime/import/body_parts.h"
+#include "runtime/import/joint_parts.h"
 #include "runtime/import/load_model.h"
 #include "runtime/import/names.h"
 
@@ -20,7 +21,6 @@ using Vector = Eigen::Vector3d;
 constexpr double kLeastMass = 1e-3;  // of a link that the model gives none [kg]
 constexpr double kShare = 1e-3;      // of a body's mass: what a link gets that is but a shape of it
 constexpr double kPoint = 0.005;     // radius of the shape of a link that has none [m]
-constexpr double kLongTravel = 100;  // of a slider without stops [m]
 
 robot::Vector3 ToArray(const Vector& v) { return {v[0], v[1], v[2]}; }
 
@@ -278,68 +278,20 @@ class Builder {
     joint.parent = parent;
     joint.child = child;
     joint.anchor = ToArray(anchor);
-    const bool slides = type == mjJNT_SLIDE;
     // Angles count the other way around here.
-    joint.axis = ToArray((slides ? 1 : -1) * Vector(data_->xaxis + 3 * index));
+    joint.axis = ToArray((type == mjJNT_SLIDE ? 1 : -1) * Vector(data_->xaxis + 3 * index));
     const double reference = model_.qpos0[model_.jnt_qposadr[index]];
-    if (!ReadStops(index, name, slides, reference, joint)) {
+    if (!ReadStops(model_, index, joint)) {
+      Warn(fmt::format("the stops of `{}` leave it nothing to move by: it is fixed", name));
       AddMount(name, robot::MountKind::kFixed, parent, child);
       return;
     }
     joint.name = joint_names_.Take(name, "joint");
-    joint.passive = {.spring = model_.jnt_stiffness[index],
-                     .spring_rest = model_.qpos_spring[model_.jnt_qposadr[index]] - reference,
-                     .damper = model_.dof_damping[dof],
-                     .friction = model_.dof_frictionloss[dof],
-                     .armature = model_.dof_armature[dof]};
-    ReadMotor(index, called, joint);
+    joint.passive = PassiveForcesOf(model_, index);
+    joint.gains = MotorOf(file_, model_, index, called);
     robot().joints.push_back(std::move(joint));
     described_.qpos.push_back(model_.jnt_qposadr[index]);
     described_.references.push_back(reference);
-  }
-
-  // False where the stops leave nothing.
-  bool ReadStops(int index, const std::string& name, bool slides, double reference,
-                 robot::Joint& joint) {
-    joint.kind = slides ? robot::JointKind::kSlider : robot::JointKind::kHinge;
-    joint.low = model_.jnt_range[2 * index] - reference;
-    joint.high = model_.jnt_range[2 * index + 1] - reference;
-    if (model_.jnt_limited[index] == 0) {
-      if (!slides) joint.kind = robot::JointKind::kContinuous;
-      joint.low = slides ? -kLongTravel : -robot::kUnlimited;
-      joint.high = -joint.low;
-      return true;
-    }
-    if (joint.low < joint.high) return true;
-    Warn(fmt::format("the stops of `{}` leave it nothing to move by: it is fixed", name));
-    return false;
-  }
-
-  // What drives the joint, as the file says it; gains that it does not say are proposed later.
-  void ReadMotor(int index, const std::string& name, robot::Joint& joint) {
-    bool is_driven = file_.is_urdf();
-    for (int a = 0; a < model_.nu; ++a) {
-      const bool is_joint = model_.actuator_trntype[a] == mjTRN_JOINT;
-      if (!is_joint || model_.actuator_trnid[2 * a] != index) continue;
-      is_driven = true;
-      const double gear = std::abs(model_.actuator_gear[6 * a]);
-      const double gain = model_.actuator_gainprm[mjNGAIN * a];
-      const double* bias = model_.actuator_biasprm + mjNBIAS * a;
-      if (bias[1] < 0) {
-        joint.gains.stiffness = -bias[1] * gear * gear;
-        if (bias[2] < 0) joint.gains.damping = -bias[2] * gear * gear;
-      } else if (model_.actuator_ctrllimited[a] != 0) {
-        joint.gains.max_torque = std::abs(gain * model_.actuator_ctrlrange[2 * a + 1]) * gear;
-      }
-      if (model_.actuator_forcelimited[a] != 0)
-        joint.gains.max_torque = model_.actuator_forcerange[2 * a + 1] * gear;
-    }
-    if (const auto limits = file_.limits().find(name); limits != file_.limits().end()) {
-      if (limits->second.effort > 0) joint.gains.max_torque = limits->second.effort;
-      if (limits->second.velocity > 0) joint.gains.max_speed = limits->second.velocity;
-    }
-    if (joint.gains.max_torque && !(*joint.gains.max_torque > 0)) joint.gains.max_torque.reset();
-    if (!is_driven) joint.gains = {.stiffness = 0, .damping = 0, .max_torque = 0, .max_speed = {}};
   }
 
   bool MayTouch(size_t a, size_t b) const {
