@@ -99,7 +99,7 @@ class Builder {
     }
     int root = top_;
     while (model_.body_jntnum[root] == 0 && MassOf(model_, *data_, root).mass == 0 &&
-           ShapesOf(model_, *data_, root).empty() && BodyName(root) != "world") {
+           ShapesOf(model_, *data_, root).empty()) {
       const std::vector<int> children = ChildrenOf(root);
       if (children.size() != 1 || model_.body_jntnum[children.front()] != 0) break;
       root = children.front();
@@ -130,7 +130,7 @@ class Builder {
   }
 
   void ReadBase(int root, std::optional<bool> fixed_base) {
-    const bool says_nothing = file_.is_urdf() && BodyName(root) != "world";
+    const bool says_nothing = file_.is_urdf() && !file_.has_world();
     const bool is_fixed = fixed_base.value_or(!HasFreeJoint(root) && !says_nothing);
     robot().has_fixed_base = is_fixed;
     if (says_nothing && !fixed_base) {

@@ -43,7 +43,7 @@ ModelFile::ModelFile(const std::filesystem::path& file) : file_(file), text_(Rea
         ExtensionOf(file.string()) == ".xacro" ? "; write it as URDF first, with `xacro`" : ""));
   }
   if (!is_urdf_) PutIncludes();
-  if (is_urdf_) FindLimits();
+  if (is_urdf_) FindLimitsAndWorld();
   FindMeshes();
   if (!is_urdf_) LeaveOutPictures();
   SetCompiler();
@@ -85,9 +85,10 @@ void ModelFile::PutIncludes() {
   }
 }
 
-void ModelFile::FindLimits() {
+void ModelFile::FindLimitsAndWorld() {
   std::string joint;
   for (const XmlTag& tag : text_.Tags()) {
+    if (tag.name == "link" && text_.Attribute(tag, "name") == "world") has_world_ = true;
     if (tag.name == "joint") joint = tag.is_end ? "" : text_.Attribute(tag, "name");
     if (tag.name == "limit" && !joint.empty()) {
       limits_[joint] = {NumberIn(text_.Attribute(tag, "effort")),

@@ -31,6 +31,8 @@ class ModelFile {
   // Of those without a place: MuJoCo's names.
   const std::set<std::string>& missing() const { return missing_; }
   const std::map<std::string, JointLimits>& limits() const { return limits_; }
+  // Whether a URDF file has a link `world`, which MuJoCo takes for the world itself.
+  bool has_world() const { return has_world_; }
   const std::vector<std::string>& warnings() const { return warnings_; }
 
   // Leaves out what MuJoCo's message is about, with a warning; false where the message names
@@ -40,7 +42,7 @@ class ModelFile {
  private:
   void PutIncludes();
   void SetCompiler();
-  void FindLimits();
+  void FindLimitsAndWorld();
   void FindMeshes();
   void LeaveOutPictures();
   std::filesystem::path Find(const std::string& name, const std::string& folder) const;
@@ -53,6 +55,7 @@ class ModelFile {
   XmlText text_;
   bool is_urdf_ = false;
   bool has_includes_ = false;
+  bool has_world_ = false;
   std::map<std::string, std::filesystem::path> meshes_;
   std::set<std::string> missing_;
   std::map<std::string, JointLimits> limits_;

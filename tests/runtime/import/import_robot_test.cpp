@@ -18,6 +18,7 @@ using testing::AllOf;
 using testing::Contains;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 
 class ImportRobotTest : public testing::Test {
  protected:
@@ -104,6 +105,15 @@ TEST_F(ImportRobotTest, TheBaseIsAsTheUserSays) {
   const ImportedRobot free = Import(text);
   EXPECT_THAT(free.warnings, Contains(HasSubstr("`--base fixed` fixes it")));
   EXPECT_TRUE(robot::ReadRobot(Import(text, "model.urdf", true).file).has_fixed_base);
+}
+
+TEST_F(ImportRobotTest, WhatIsFixedToALinkCalledWorldIsFixed) {
+  const ImportedRobot imported =
+      Import("<robot name=\"a\"><link name=\"world\"/>" + Link("body", kBox) +
+             "<joint name=\"mount\" type=\"fixed\"><parent link=\"world\"/>"
+             "<child link=\"body\"/></joint></robot>");
+  EXPECT_THAT(imported.warnings, Not(Contains(HasSubstr("--base fixed"))));
+  EXPECT_TRUE(robot::ReadRobot(imported.file).has_fixed_base);
 }
 
 TEST_F(ImportRobotTest, FramesWithoutMassBecomePartOfTheirLink) {
