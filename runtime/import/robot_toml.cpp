@@ -8,6 +8,8 @@
 #include <iterator>
 #include <numbers>
 
+#include "plugins/robot/kind_names.h"
+
 namespace runtime {
 namespace {
 
@@ -130,20 +132,8 @@ void AddStops(const robot::Joint& joint, Row& row) {
   }
 }
 
-const char* TypeOf(robot::JointKind kind) {
-  switch (kind) {
-    case robot::JointKind::kHinge:
-      return "hinge";
-    case robot::JointKind::kContinuous:
-      return "continuous";
-    case robot::JointKind::kSlider:
-      return "slider";
-  }
-  std::abort();
-}
-
 std::string JointLine(const robot::RobotDescription& robot, const robot::Joint& joint) {
-  Row row = ConnectionRow(robot, joint.name, TypeOf(joint.kind), joint.parent, joint.child);
+  Row row = ConnectionRow(robot, joint.name, robot::NameOf(joint.kind), joint.parent, joint.child);
   row.Add("axis", Numbers(joint.axis));
   if (joint.kind != robot::JointKind::kSlider) row.Add("anchor", Numbers(joint.anchor));
   AddStops(joint, row);

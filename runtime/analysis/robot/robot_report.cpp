@@ -5,9 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <iterator>
 #include <numbers>
+
+#include "plugins/robot/kind_names.h"
 
 namespace runtime {
 namespace {
@@ -15,18 +16,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr double kDegrees = 180 / std::numbers::pi;
-
-const char* NameOf(robot::JointKind kind) {
-  switch (kind) {
-    case robot::JointKind::kHinge:
-      return "hinge";
-    case robot::JointKind::kContinuous:
-      return "continuous";
-    case robot::JointKind::kSlider:
-      return "slider";
-  }
-  std::abort();
-}
 
 std::string StopsOf(const robot::Joint& joint) {
   if (!joint.HasStops()) return "without";

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdlib>
+
+#include "plugins/robot/robot_description.h"
+
+namespace robot {
+
+// As description files call it.
+inline const char* NameOf(JointKind kind) {
+  switch (kind) {
+    case JointKind::kHinge:
+      return "hinge";
+    case JointKind::kContinuous:
+      return "continuous";
+    case JointKind::kSlider:
+      return "slider";
+  }
+  std::abort();
+}
+
+}  // namespace robot
