@@ -3,6 +3,8 @@
 namespace robot {
 namespace {
 
+constexpr int kMostUnits = 100'000;  // of a net: for each of them an action has a weight
+
 // One coordinate: the joint that stands for it, then those that follow.
 void ReadCoordinate(const TomlValue& value, const RobotDescription& robot, DofConfiguration& dof) {
   value.AllowKeys(KeysOf("coordinate"));
@@ -55,7 +57,15 @@ NetDescription ReadNet(const TomlValue& value, const RobotDescription& robot) {
     net.kind = NetKind::kGrid;
     const TomlValue counts = named.At("counts");
     counts.Numbers(dof.representatives.size());
-    for (const TomlValue& count : counts.Items()) net.counts.push_back(count.Count());
+    double units = 1;  // a product that an int may not hold
+    for (const TomlValue& count : counts.Items()) {
+      net.counts.push_back(count.Count());
+      units *= net.counts.back();
+    }
+    if (units > kMostUnits) {
+      counts.Fail(fmt::format("{} make {} basis functions", counts.what(), units),
+                  fmt::format("a net has at most {}", kMostUnits));
+    }
     if (const auto deviations = named.Find("deviations")) {
       deviations->Numbers(dof.representatives.size());
       for (const TomlValue& item : deviations->Items()) {

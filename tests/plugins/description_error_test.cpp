@@ -259,6 +259,9 @@ const Mistake kMistakes[] = {
     {"CountIsZero", "counts = [3]", "counts = [0]",
      "41:11: error: item 1 of `counts` of net `g3` is out of range\n"
      "  help: give 1 to 1000000"},
+    {"CountsAreHuge", "counts = [3]", "counts = [1000000]",
+     "41:10: error: `counts` of net `g3` make 1000000 basis functions\n"
+     "  help: a net has at most 100000"},
     {"CountIsFractional", "counts = [3]", "counts = [2.5]",
      "41:11: error: item 1 of `counts` of net `g3` is not an integer\n"
      "  help: write an integer"},

@@ -69,7 +69,10 @@ class Assignment {
   }
 
   void operator()(std::string* target) const {
-    const std::string* text = std::get_if<std::string>(&value_);
+    // A name may be a number: the DoF configuration 5.
+    const int64_t* number = std::get_if<int64_t>(&value_);
+    const std::string digits = number == nullptr ? "" : std::to_string(*number);
+    const std::string* text = number == nullptr ? std::get_if<std::string>(&value_) : &digits;
     if (text == nullptr) ThrowWrongType(name_, "a string", value_);
     const auto former = parameter_.former_choices.find(*text);
     if (former != parameter_.former_choices.end()) text = &former->second;

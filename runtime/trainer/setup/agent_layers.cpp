@@ -30,6 +30,23 @@ std::string TomlKey(const std::string& parameter) {
   return parameter.find('.') == std::string::npos ? parameter : fmt::format("'{}'", parameter);
 }
 
+// What can be called so may begin with a digit, as the net `3_g5` does.
+bool IsName(const std::string& value) {
+  return !value.empty() && std::ranges::all_of(value, [](unsigned char c) {
+    return std::isalnum(c) != 0 || c == '_';
+  });
+}
+
+// `name` = `value`, as TOML writes it. Throws UserError where that is no TOML.
+Agent SettingOf(const std::string& name, const std::string& value, const SourcePlace& place) {
+  Agent change = ParseAgent(fmt::format("{} = {}", name, value), kSetOption);
+  for (ModuleSetting& module : change.modules) {
+    module.place = place;
+    for (ParameterSetting& parameter : module.parameters) parameter.place = place;
+  }
+  return change;
+}
+
 // The module that simulates the robot. `origin`: who needs it.
 const ModuleSetting& EnvironmentOf(const Agent& agent, const std::string& origin) {
   const auto environment =
@@ -71,18 +88,14 @@ Agent ParseSetting(const std::string& setting) {
         "--set {}: write MODULE.PARAMETER=VALUE, for example `--set learner.temperature=2`",
         setting));
   }
+  const std::string name = fmt::format("modules.{}.{}", setting.substr(0, dot),
+                                       TomlKey(setting.substr(dot + 1, equals - dot - 1)));
+  const std::string value = setting.substr(equals + 1);
+  const SourcePlace place{fmt::format("{} {}", kSetOption, setting)};
   try {
-    Agent change = ParseAgent(fmt::format("modules.{}.{} = {}", setting.substr(0, dot),
-                                          TomlKey(setting.substr(dot + 1, equals - dot - 1)),
-                                          TomlValue(setting.substr(equals + 1))),
-                              kSetOption);
-    const SourcePlace place{fmt::format("{} {}", kSetOption, setting)};
-    for (ModuleSetting& module : change.modules) {
-      module.place = place;
-      for (ParameterSetting& parameter : module.parameters) parameter.place = place;
-    }
-    return change;
+    return SettingOf(name, TomlValue(value), place);
   } catch (const UserError&) {
+    if (IsName(value)) return SettingOf(name, fmt::format("'{}'", value), place);
     throw CallError(fmt::format(
         "--set {}: this is not a value: write a number, true, false, \"text\" or [1, 2]", setting));
   }

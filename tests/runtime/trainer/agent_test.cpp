@@ -82,6 +82,17 @@ TEST_F(AgentShowTest, UnknownAgentsShowTheNearestName) {
   EXPECT_THAT(file.errors, HasSubstr("--agent nowhere.toml: there is no such file"));
 }
 
+TEST_F(AgentShowTest, NamesThatBeginWithADigitNeedNoQuotes) {
+  const ProgramResult result = Show({"--agent", "motion_search", "--set", "action_space.dof=7",
+                                     "--set", "action_space.kind=one_shot"});
+  EXPECT_EQ(result.exit_status, 0) << result.errors;
+  EXPECT_THAT(result.output, HasSubstr("dof = \"7\""));
+  const ProgramResult net = Show({"--set", "features.net=3_g5", "--set", "state.dof=3"});
+  EXPECT_EQ(net.exit_status, 0) << net.errors;
+  EXPECT_THAT(net.output, HasSubstr("net = \"3_g5\""));
+  EXPECT_THAT(net.output, HasSubstr("dof = \"3\""));
+}
+
 TEST_F(AgentShowTest, AgentsAreListed) {
   EXPECT_THAT(Trainer({"agent", "list"}).output,
               ContainsRegex("ppo +humanoid +Proximal policy optimization"));

@@ -77,7 +77,7 @@ TEST(ModuleSet, RefusesAnotherType) {
   EXPECT_EQ(MessageOfSetting("discount", true),
             "`learner.discount` is a number, and true is not one");
   EXPECT_EQ(MessageOfSetting("episode_end", int64_t{3}),
-            "`learner.episode_end` is a string, and 3 is not one");
+            "`learner.episode_end` cannot be \"3\"; there are `after_action`, `immediate`");
   EXPECT_EQ(MessageOfSetting("intervals", "wide"),
             "`learner.intervals` is a list of numbers, and \"wide\" is not one");
 }

@@ -74,7 +74,7 @@ TEST_F(ParameterJsonTest, WhatNoParameterCanBeIsRefused) {
 }
 
 TEST_F(ParameterJsonTest, AnotherTypeIsRefused) {
-  EXPECT_EQ(Refusal("mood", 3), "`mind.mood` is a string, and 3 is not one");
+  EXPECT_EQ(Refusal("mood", 3), "`mind.mood` cannot be \"3\"; there are `calm`, `wild`");
   EXPECT_EQ(Refusal("mood", "wlid"), "`mind.mood` cannot be \"wlid\": did you mean `wild`?");
   EXPECT_EQ(Refusal("strict", "true"), "`mind.strict` is true or false, and \"true\" is not one");
   EXPECT_EQ(Refusal("strict", 1), "`mind.strict` is true or false, and 1 is not one");
