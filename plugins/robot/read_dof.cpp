@@ -5,6 +5,13 @@ namespace {
 
 constexpr int kMostUnits = 100'000;  // of a net: for each of them an action has a weight
 
+// `units`: of the net that `place` lays out.
+void CheckUnits(const TomlValue& place, double units) {
+  if (units <= kMostUnits) return;
+  place.Fail(fmt::format("{} make {} basis functions", place.what(), units),
+             fmt::format("a net has at most {}", kMostUnits));
+}
+
 // One coordinate: the joint that stands for it, then those that follow.
 void ReadCoordinate(const TomlValue& value, const RobotDescription& robot, DofConfiguration& dof) {
   value.AllowKeys(KeysOf("coordinate"));
@@ -62,10 +69,7 @@ NetDescription ReadNet(const TomlValue& value, const RobotDescription& robot) {
       net.counts.push_back(count.Count());
       units *= net.counts.back();
     }
-    if (units > kMostUnits) {
-      counts.Fail(fmt::format("{} make {} basis functions", counts.what(), units),
-                  fmt::format("a net has at most {}", kMostUnits));
-    }
+    CheckUnits(counts, units);
     if (const auto deviations = named.Find("deviations")) {
       deviations->Numbers(dof.representatives.size());
       for (const TomlValue& item : deviations->Items()) {
@@ -75,7 +79,9 @@ NetDescription ReadNet(const TomlValue& value, const RobotDescription& robot) {
   } else {
     named.AllowKeys(KeysOf("bubble"));
     net.kind = NetKind::kBubble;
-    net.units = named.At("units").Count();
+    const TomlValue units = named.At("units");
+    net.units = units.Count();
+    CheckUnits(units, net.units);
   }
   ReadRange(named, dof.representatives.size(), net);
   return net;

@@ -262,6 +262,9 @@ const Mistake kMistakes[] = {
     {"CountsAreHuge", "counts = [3]", "counts = [1000000]",
      "41:10: error: `counts` of net `g3` make 1000000 basis functions\n"
      "  help: a net has at most 100000"},
+    {"UnitsAreHuge", "kind = \"grid\"\ncounts = [3]", "kind = \"bubble\"\nunits = 500000",
+     "41:9: error: `units` of net `g3` make 500000 basis functions\n"
+     "  help: a net has at most 100000"},
     {"CountIsFractional", "counts = [3]", "counts = [2.5]",
      "41:11: error: item 1 of `counts` of net `g3` is not an integer\n"
      "  help: write an integer"},

@@ -38,24 +38,23 @@ int Import(ImportRobotOptions options) {
 void AddImportRobotCommand(command_line::Command& robot) {
   const auto options = std::make_shared<ImportRobotOptions>();
   options->import.folder = "robots";
-  command_line::Command& import = robot.AddCommand(
+  command_line::Command& command = robot.AddCommand(
       "import",
       "Makes a robot of a URDF or MJCF file, and says what it could not take over. What the file "
       "leaves open is proposed: gains, a pose to start from, an agent.");
-  import.AddOption("FILE", options->import.file, "the URDF or MJCF file")
+  command.AddOption("FILE", options->import.file, "the URDF or MJCF file")
       .Required()
       .ValueName("FILE.urdf|FILE.xml");
-  import.AddOption("--name", options->import.name, "the robot's name, by default the file's");
-  import.AddOption("--robots", options->import.folder, "folder in which the robot's own is made")
+  command.AddOption("--name", options->import.name, "the robot's name, by default the file's");
+  command.AddOption("--robots", options->import.folder, "folder in which the robot's own is made")
       .ShowDefault()
       .ValueName("DIR");
-  import
+  command
       .AddOption("--base", options->base,
                  "whether something holds the first link; by default as the file says")
       .OneOf({"free", "fixed"});
-  import.AddFlag("--json", options->json, "print JSON");
-  import.OnRun([options] { return Import(*options);
-});
-}  // namespace runtime
+  command.AddFlag("--json", options->json, "print JSON");
+  command.OnRun([options] { return Import(*options); });
+}
 
 }  // namespace runtime

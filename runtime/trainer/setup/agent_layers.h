@@ -27,7 +27,6 @@ struct AgentLayers {
   std::vector<std::string> settings;
 
   // Throws UserError, or CallError where there is no such agent.
-  // Throws UserError, or CallError where there is no such agent.
   Agent Merge() const;
   // What the user's file, if `agent` is one, and `settings` set, with the values of `merged`; not
   // what another layer has set differently after them.
