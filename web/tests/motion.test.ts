@@ -63,8 +63,8 @@ test("a moment on a frame belongs to that frame", () => {
 
 test("a straight path is its own mean, and a step becomes a ramp", () => {
   const at = (x: number): number[] => [x, 2 * x, 0, 1, 0, 0, 0];
-  assert.deepEqual([...smoothPath(motion([0, 1, 2, 3].map(at), 1), 1)], [0, 0, 1, 2, 2, 4, 3, 6]);
-  const step = smoothPath(motion([0, 0, 3, 3].map(at), 1), 1);
+  assert.deepEqual([...smoothPath(motion([0, 1, 2, 3].map(at), 1), 0, 1)], [0, 0, 1, 2, 2, 4, 3, 6]);
+  const step = smoothPath(motion([0, 0, 3, 3].map(at), 1), 0, 1);
   assert.deepEqual([step[0], step[2], step[4], step[6]], [0, 1, 2, 3]);
 });
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "runtime/analysis/picture/subject.h"
+
 namespace runtime {
 namespace {
 
@@ -15,15 +17,26 @@ constexpr double kAhead = 0.4, kBeside = 1.12, kAbove = 0.4;
 constexpr double kMargin = 0.05;  // of the picture, that stays free on each side
 
 // The direction of the way, if the robot went farther than it is long itself; otherwise +x.
-Vector3d WayOf(const Motion& motion, double size, int from, int to) {
-  Vector3d way = motion.position(to, 0) - motion.position(from, 0);
+Vector3d WayOf(const Motion& motion, int link, double size, int from, int to) {
+  Vector3d way = motion.position(to, link) - motion.position(from, link);
   way.z() = 0;
   if (!(way.norm() > size)) return Vector3d::UnitX();
   if (way.x() < 0) way = -way;
   return way / way.norm();
 }
 
-// What the links of a frame reach along a direction, from least to greatest.
+// Links of a motion.
+struct Subject {
+  const Motion& motion;
+  const std::vector<robot::Link>& links;
+  std::vector<int> indices;
+
+  double Radius(int link) const {
+    return BoundingRadiusOfLink(links[static_cast<size_t>(link)].shape);
+  }
+};
+
+// What the subject reaches in a frame along a direction, from least to greatest.
 struct Reach {
   double low = std::numeric_limits<double>::infinity();
   double high = -std::numeric_limits<double>::infinity();
@@ -32,14 +45,12 @@ struct Reach {
   double size() const { return high - low; }
 };
 
-Reach ReachAlong(const Vector3d& direction, const Motion& motion,
-                 const std::vector<robot::Link>& links, int frame) {
+Reach ReachAlong(const Vector3d& direction, const Subject& subject, int frame) {
   Reach reach;
-  for (size_t i = 0; i < links.size(); ++i) {
-    const double place = motion.position(frame, static_cast<int>(i)).dot(direction);
-    const double radius = BoundingRadiusOfLink(links[i].shape);
-    reach.low = std::min(reach.low, place - radius);
-    reach.high = std::max(reach.high, place + radius);
+  for (const int link : subject.indices) {
+    const double place = subject.motion.position(frame, link).dot(direction);
+    reach.low = std::min(reach.low, place - subject.Radius(link));
+    reach.high = std::max(reach.high, place + subject.Radius(link));
   }
   return reach;
 }
@@ -64,8 +75,9 @@ Ray Camera::RayThrough(double x, double y) const {
 
 std::vector<Camera> PlaceCameras(const Motion& motion, const std::vector<robot::Link>& links,
                                  const std::vector<int>& frames) {
-  const double size = ReachAlong(Vector3d::UnitX(), motion, links, frames.front()).size();
-  const Vector3d way = WayOf(motion, size, frames.front(), frames.back());
+  const Subject subject{motion, links, SubjectOf(motion, links)};
+  const double size = ReachAlong(Vector3d::UnitX(), subject, frames.front()).size();
+  const Vector3d way = WayOf(motion, subject.indices.front(), size, frames.front(), frames.back());
   const Vector3d beside = way.cross(Vector3d::UnitZ());
   Camera camera;
   camera.forward = -(kAhead * way + kBeside * beside + kAbove * Vector3d::UnitZ()).normalized();
@@ -74,19 +86,18 @@ std::vector<Camera> PlaceCameras(const Motion& motion, const std::vector<robot::
 
   double top = 0;
   for (const int frame : frames) {
-    top = std::max(top, ReachAlong(Vector3d::UnitZ(), motion, links, frame).high);
+    top = std::max(top, ReachAlong(Vector3d::UnitZ(), subject, frame).high);
   }
   const Vector3d away = Vector3d::UnitZ().cross(camera.right);  // level, from the camera
   std::vector<Vector3d> targets;
   for (const int frame : frames) {
-    targets.push_back(ReachAlong(camera.right, motion, links, frame).middle() * camera.right +
-                      ReachAlong(away, motion, links, frame).middle() * away +
+    targets.push_back(ReachAlong(camera.right, subject, frame).middle() * camera.right +
+                      ReachAlong(away, subject, frame).middle() * away +
                       0.5 * top * Vector3d::UnitZ());
-    for (size_t i = 0; i < links.size(); ++i) {
-      camera.distance =
-          std::max(camera.distance,
-                   DistanceFor(camera, targets.back(), motion.position(frame, static_cast<int>(i)),
-                               BoundingRadiusOfLink(links[i].shape)));
+    for (const int link : subject.indices) {
+      camera.distance = std::max(
+          camera.distance,
+          DistanceFor(camera, targets.back(), motion.position(frame, link), subject.Radius(link)));
     }
   }
   std::vector<Camera> cameras;

@@ -28,8 +28,9 @@ struct Camera {
 
 // One for each of `frames`. All look from the same side and the same distance, and at the same
 // height, so that a robot that jumps is seen to leave the ground; each has the whole robot in the
-// middle. They stand across the way that the robot goes between the first and the last of them, a
-// little ahead; on the side from which +x, where robots face at first, is to the right.
+// middle, or what SubjectOf() says of it. They stand across the way that the robot goes between the
+// first and the last of them, a little ahead; on the side from which +x, where robots face at
+// first, is to the right.
 std::vector<Camera> PlaceCameras(const Motion& motion, const std::vector<robot::Link>& links,
                                  const std::vector<int>& frames);
 

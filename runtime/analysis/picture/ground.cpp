@@ -14,17 +14,15 @@ constexpr double kLine = 0.0042;              // width, of what a picture shows
 constexpr uint32_t kDiscColor = 0x8b98a5, kLineColor = 0x6d7b88, kTrailColor = 0x4f86c6;
 constexpr double kDiscCover = 0.16, kFineCover = 0.22, kCoarseCover = 0.6, kTrailCover = 0.9;
 
-Point BaseAbove(const Motion& motion, int frame) { return motion.position(frame, 0).head<2>(); }
-
 // Mean over the frames around `frame`, fewer toward both ends of the motion, so that the trail
-// starts and ends where the base does.
-Point SmoothBase(const Motion& motion, int frame) {
+// starts and ends where the link does.
+Point SmoothPlace(const Motion& motion, int link, int frame) {
   const int last = motion.frame_count() - 1;
   const int half = std::min({static_cast<int>(std::floor(
                                  std::min(kSmoothing / motion.frame_interval + 0.5, double(last)))),
                              frame, last - frame});
   Point sum = Point::Zero();
-  for (int i = frame - half; i <= frame + half; ++i) sum += BaseAbove(motion, i);
+  for (int i = frame - half; i <= frame + half; ++i) sum += motion.position(i, link).head<2>();
   return sum / (2 * half + 1);
 }
 
@@ -57,10 +55,10 @@ double DiscCover(double distance, double radius, double blur) {
 
 }  // namespace
 
-Trail TrailOf(const Motion& motion, const std::vector<int>& frames, size_t picture) {
+Trail TrailOf(const Motion& motion, int link, const std::vector<int>& frames, size_t picture) {
   Trail trail;
   for (int frame = 0; frame <= frames[picture]; ++frame) {
-    trail.points.push_back(SmoothBase(motion, frame));
+    trail.points.push_back(SmoothPlace(motion, link, frame));
   }
   for (size_t i = 0; i <= picture; ++i) {
     trail.marks.push_back(trail.points[static_cast<size_t>(frames[i])]);

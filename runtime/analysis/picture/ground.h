@@ -13,15 +13,15 @@ namespace runtime {
 
 using Point = Eigen::Vector2d;  // of the floor [m]
 
-// Where the base was above the floor up to a frame, its swaying smoothed; and which of these places
+// Where a link was above the floor up to a frame, its swaying smoothed; and which of these places
 // belong to pictures.
 struct Trail {
   std::vector<Point> points;
   std::vector<Point> marks;
 };
 
-// Up to frames[picture].
-Trail TrailOf(const Motion& motion, const std::vector<int>& frames, size_t picture);
+// Of a link, up to frames[picture].
+Trail TrailOf(const Motion& motion, int link, const std::vector<int>& frames, size_t picture);
 
 class Ground {
  public:

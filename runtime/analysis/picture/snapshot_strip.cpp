@@ -11,6 +11,7 @@
 #include "runtime/analysis/picture/png.h"
 #include "runtime/analysis/picture/posed_robot.h"
 #include "runtime/analysis/picture/render.h"
+#include "runtime/analysis/picture/subject.h"
 
 namespace runtime {
 namespace {
@@ -41,10 +42,11 @@ std::string SnapshotStrip(const Motion& motion, const std::vector<robot::Link>& 
                           const StripOptions& options) {
   const std::vector<int> frames = SnapshotFrames(motion, options);
   const std::vector<Camera> cameras = PlaceCameras(motion, links, frames);
+  const int followed = SubjectOf(motion, links).front();
   Image image(options.count * options.height, options.height);
   const auto draw = [&](size_t i) {
     const PosedRobot robot(links, motion, frames[i]);
-    const Ground ground(cameras[i], TrailOf(motion, frames, i));
+    const Ground ground(cameras[i], TrailOf(motion, followed, frames, i));
     Render({links, robot, ground, cameras[i]}, static_cast<int>(i) * options.height, options.height,
            image);
   };

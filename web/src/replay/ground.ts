@@ -18,18 +18,23 @@ import {
 
 import { themeColor } from "../page/dom.ts";
 
-const kFine = 0.1; // between grid lines [m]
-const kCoarse = 0.5; // between strong lines and between marks [m]
-const kMargin = 3; // of the grid around the path [m]
-const kLabelHeight = 0.055; // [m]
+const kFineLines = 5; // between two strong lines
+const kMargin = 6; // of the grid around the path, in strong lines
+const kLabelHeight = 0.11; // in distances between strong lines
+const kSpacings = [0.1, 0.2, 0.5, 1, 2, 5, 10]; // that strong lines may have [m]
+const kLeastSpacing = 1.5; // in radii of the robot
 
 interface Extent {
   low: [number, number];
   high: [number, number];
 }
 
-/** The part of the floor around `path` ([point][x, y]), in whole coarse cells. */
-function extentOf(path: Float32Array): Extent {
+/** Between two strong lines, and two marks, of a floor for a robot of this radius [m]. */
+export const spacingFor = (radius: number): number =>
+  kSpacings.find((spacing) => spacing >= kLeastSpacing * radius) ?? (kSpacings.at(-1) as number);
+
+/** The part of the floor around `path` ([point][x, y]), in whole cells of strong lines. */
+function extentOf(path: Float32Array, spacing: number): Extent {
   const extent: Extent = { low: [0, 0], high: [0, 0] };
   for (let i = 0; i < path.length; ++i) {
     const axis = (i % 2) as 0 | 1;
@@ -37,8 +42,8 @@ function extentOf(path: Float32Array): Extent {
     extent.high[axis] = Math.max(extent.high[axis], path[i] as number);
   }
   for (const axis of [0, 1] as const) {
-    extent.low[axis] = Math.floor((extent.low[axis] - kMargin) / kCoarse) * kCoarse;
-    extent.high[axis] = Math.ceil((extent.high[axis] + kMargin) / kCoarse) * kCoarse;
+    extent.low[axis] = (Math.floor(extent.low[axis] / spacing) - kMargin) * spacing;
+    extent.high[axis] = (Math.ceil(extent.high[axis] / spacing) + kMargin) * spacing;
   }
   return extent;
 }
@@ -48,21 +53,26 @@ const isMultiple = (value: number, of: number): boolean =>
 
 /**
  * Lines along x and y every `spacing`; those on a multiple of `except` are left to others. They are
- * made of short pieces, since some renderers drop lines that reach behind the camera.
+ * made of pieces of this length, since some renderers drop lines that reach behind the camera.
  */
-function gridLines(extent: Extent, spacing: number, except: number): BufferGeometry {
+function gridLines(
+  extent: Extent,
+  spacing: number,
+  except: number,
+  length: number,
+): BufferGeometry {
   const points: number[] = [];
   for (const axis of [0, 1] as const) {
     const other = (1 - axis) as 0 | 1;
     const lines = Math.round((extent.high[axis] - extent.low[axis]) / spacing);
-    const pieces = Math.round((extent.high[other] - extent.low[other]) / kCoarse);
+    const pieces = Math.round((extent.high[other] - extent.low[other]) / length);
     for (let line = 0; line <= lines; ++line) {
       const place = extent.low[axis] + line * spacing;
       if (isMultiple(place, except)) continue;
       for (let piece = 0; piece < pieces; ++piece) {
-        const from = extent.low[other] + piece * kCoarse;
-        if (axis === 0) points.push(place, from, 0, place, from + kCoarse, 0);
-        else points.push(from, place, 0, from + kCoarse, place, 0);
+        const from = extent.low[other] + piece * length;
+        if (axis === 0) points.push(place, from, 0, place, from + length, 0);
+        else points.push(from, place, 0, from + length, place, 0);
       }
     }
   }
@@ -70,8 +80,8 @@ function gridLines(extent: Extent, spacing: number, except: number): BufferGeome
   return new BufferGeometry().setAttribute("position", positions);
 }
 
-/** A flat label on the floor, read with +x to the right. */
-function label(text: string, color: string): Mesh {
+/** A flat label on the floor, `height` m high, read with +x to the right. */
+function label(text: string, color: string, height: number): Mesh {
   const canvas = document.createElement("canvas");
   const context = canvas.getContext("2d") as CanvasRenderingContext2D;
   const font = "500 64px system-ui, sans-serif";
@@ -85,7 +95,7 @@ function label(text: string, color: string): Mesh {
   const texture = new CanvasTexture(canvas);
   texture.colorSpace = SRGBColorSpace;
   texture.anisotropy = 8;
-  const plane = new PlaneGeometry((kLabelHeight * canvas.width) / canvas.height, kLabelHeight);
+  const plane = new PlaneGeometry((height * canvas.width) / canvas.height, height);
   return new Mesh(
     plane,
     new MeshBasicMaterial({ map: texture, transparent: true, depthWrite: false }),
@@ -95,10 +105,12 @@ function label(text: string, color: string): Mesh {
 export class Ground {
   readonly object = new Group();
   private readonly pathLine: Line;
+  private readonly spacing: number; // of strong lines [m]
 
-  /** `path`: the base's way over the ground, [frame][x, y]. */
-  constructor(path: Float32Array) {
-    const extent = extentOf(path);
+  /** `path`: the robot's way over the ground, [frame][x, y]; `radius`: how large it is [m]. */
+  constructor(path: Float32Array, radius: number) {
+    this.spacing = spacingFor(radius);
+    const extent = extentOf(path, this.spacing);
     this.addGrid(extent);
     this.addLabels(extent);
     this.addShadowPlane(extent);
@@ -121,24 +133,27 @@ export class Ground {
   }
 
   private addGrid(extent: Extent): void {
+    const { spacing } = this;
     const fine = new LineBasicMaterial({ color: new Color(themeColor("--floor-fine")) });
     const coarse = new LineBasicMaterial({ color: new Color(themeColor("--floor-coarse")) });
     this.object.add(
-      new LineSegments(gridLines(extent, kFine, kCoarse), fine),
-      new LineSegments(gridLines(extent, kCoarse, 0), coarse),
+      new LineSegments(gridLines(extent, spacing / kFineLines, spacing, spacing), fine),
+      new LineSegments(gridLines(extent, spacing, 0, spacing), coarse),
     );
   }
 
   /** Distances from the start along both axes, beside their lines. */
   private addLabels(extent: Extent): void {
+    const { spacing } = this;
     const color = themeColor("--floor-ink");
+    const height = kLabelHeight * spacing;
     const place = (value: number, x: number, y: number): void => {
-      const mark = label(`${Number(value.toFixed(1))} m`.replace("-", "\u2212"), color);
-      mark.position.set(x + 0.06, y + 0.5 * kLabelHeight, 0.0006);
+      const mark = label(`${Number(value.toFixed(1))} m`.replace("-", "\u2212"), color, height);
+      mark.position.set(x + 1.1 * height, y + 0.5 * height, 0.0012 * spacing);
       this.object.add(mark);
     };
-    for (let x = extent.low[0]; x <= extent.high[0]; x += kCoarse) place(x, x, 0);
-    for (let y = extent.low[1]; y <= extent.high[1]; y += kCoarse) {
+    for (let x = extent.low[0]; x <= extent.high[0]; x += spacing) place(x, x, 0);
+    for (let y = extent.low[1]; y <= extent.high[1]; y += spacing) {
       if (Math.abs(y) > 1e-6) place(y, 0, y);
     }
   }
@@ -148,7 +163,7 @@ export class Ground {
     const [x1, y1] = extent.high;
     const opacity = Number(themeColor("--shadow-opacity"));
     const plane = new Mesh(new PlaneGeometry(x1 - x0, y1 - y0), new ShadowMaterial({ opacity }));
-    plane.position.set((x0 + x1) / 2, (y0 + y1) / 2, 0.0003);
+    plane.position.set((x0 + x1) / 2, (y0 + y1) / 2, 0.0006 * this.spacing);
     plane.receiveShadow = true;
     this.object.add(plane);
   }
@@ -156,7 +171,7 @@ export class Ground {
   private addPath(path: Float32Array): Line {
     const points = new Float32Array((path.length / 2) * 3);
     for (let i = 0; i < path.length / 2; ++i) {
-      points.set([path[2 * i] as number, path[2 * i + 1] as number, 0.001], 3 * i);
+      points.set([path[2 * i] as number, path[2 * i + 1] as number, 0.002 * this.spacing], 3 * i);
     }
     const geometry = new BufferGeometry().setAttribute("position", new BufferAttribute(points, 3));
     const line = new Line(

@@ -53,17 +53,18 @@ function blendPoses(a: Float32Array, b: Float32Array, weight: number, out: Float
   for (let i = 3; i < kPoseSize; ++i) out[i] = at(out, i) / Math.sqrt(norm);
 }
 
-/** The base's path over the ground ([frame][x, y]), each point the mean of `halfWidth` s around. */
-export function smoothPath(motion: Motion, halfWidth: number): Float32Array {
+/** A link's path over the ground ([frame][x, y]), each point the mean of `halfWidth` s around. */
+export function smoothPath(motion: Motion, link: number, halfWidth: number): Float32Array {
   const stride = linkCount(motion) * kPoseSize;
+  const first = link * kPoseSize;
   const half = Math.max(0, Math.round(halfWidth / motion.interval));
   const path = new Float32Array(2 * motion.frames);
   for (let frame = 0; frame < motion.frames; ++frame) {
-    // The window shrinks toward both ends, so that the path starts and ends where the base does.
+    // The window shrinks toward both ends, so that the path starts and ends where the link does.
     const reach = Math.min(half, frame, motion.frames - 1 - frame);
     for (let i = frame - reach; i <= frame + reach; ++i) {
-      path[2 * frame]! += (motion.poses[i * stride] as number) / (2 * reach + 1);
-      path[2 * frame + 1]! += (motion.poses[i * stride + 1] as number) / (2 * reach + 1);
+      path[2 * frame]! += (motion.poses[i * stride + first] as number) / (2 * reach + 1);
+      path[2 * frame + 1]! += (motion.poses[i * stride + first + 1] as number) / (2 * reach + 1);
     }
   }
   return path;

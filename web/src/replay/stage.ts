@@ -15,28 +15,36 @@ import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 
 import type { BodyLink } from "../data/report_data.ts";
 import { themeColor } from "../page/dom.ts";
+import { framingOf, type Framing } from "./framing.ts";
 import { Ground } from "./ground.ts";
 import { durationOf, frameAt, kPoseSize, sampleMotion, smoothPath, type Motion } from "./motion.ts";
 import { RobotModel } from "./robot_model.ts";
 
 const kFollowSmoothing = 0.3; // half the time over which the followed path is averaged [s]
-const kTargetHeight = 0.12; // of the point the camera looks at [m]
-const kFirstView = new Vector3(0.4, -1.12, 0.4); // camera relative to that point [m]
-const kLightPlace = new Vector3(-0.7, -0.9, 1.6);
 const kNothing: Motion = { frames: 0, interval: 1, poses: new Float32Array() };
+const kNothingFramed: Framing = { anchor: 0, height: 0, radius: 0.2 };
+
+// Seen from the point that the camera looks at, in radii of the robot around that point.
+const kFirstView = new Vector3(1.9, -5.4, 1.9);
+const kLightPlace = new Vector3(-3.3, -4.3, 7.6);
+const kLit = 2.9; // half the width of what has shadows
+const kNearest = 1.9;
+const kFarthest = 38;
+const kFog = { near: 7.6, far: 24 };
 
 export class Stage {
   readonly canvas: HTMLCanvasElement;
   private readonly renderer: WebGLRenderer;
   private readonly scene = new Scene();
-  private readonly camera = new PerspectiveCamera(24, 1, 0.05, 30);
+  private readonly camera = new PerspectiveCamera(24);
   private readonly controls: OrbitControls;
   private readonly sky = new HemisphereLight(0xffffff, 0xffffff, 2.3);
   private readonly light = new DirectionalLight(0xffffff, 1.9);
   private robot: RobotModel;
   private poses: Float32Array;
-  private readonly target = new Vector3(0, 0, kTargetHeight);
+  private readonly target = new Vector3();
   private motion: Motion = kNothing;
+  private framing: Framing = kNothingFramed;
   private path: Float32Array = new Float32Array();
   private ground: Ground | undefined;
   private time = 0;
@@ -45,7 +53,10 @@ export class Stage {
   private height = 1;
 
   /** `onView` is called when the user moves the camera. */
-  constructor(body: BodyLink[], onView: () => void) {
+  constructor(
+    private body: BodyLink[],
+    onView: () => void,
+  ) {
     this.renderer = new WebGLRenderer({ antialias: true });
     this.canvas = this.renderer.domElement;
     this.renderer.shadowMap.enabled = true;
@@ -57,14 +68,13 @@ export class Stage {
     this.scene.add(this.robot.object);
     this.controls = new OrbitControls(this.camera, this.canvas);
     this.controls.maxPolarAngle = 0.495 * Math.PI;
-    this.controls.minDistance = 0.4;
-    this.controls.maxDistance = 8;
     this.controls.addEventListener("change", onView);
     this.resetView();
   }
 
   /** Takes the place of the present robot; the next call is `show`. */
   setBody(body: BodyLink[]): void {
+    this.body = body;
     this.scene.remove(this.robot.object);
     this.robot.dispose();
     this.robot = new RobotModel(body);
@@ -74,7 +84,9 @@ export class Stage {
 
   show(motion: Motion): void {
     this.motion = motion;
-    this.path = smoothPath(motion, kFollowSmoothing);
+    this.framing = motion.frames > 0 ? framingOf(this.body, motion) : kNothingFramed;
+    this.path = smoothPath(motion, this.framing.anchor, kFollowSmoothing);
+    this.fitToRobot();
     this.updateTheme();
     this.setTime(0);
     this.resetView();
@@ -89,9 +101,10 @@ export class Stage {
     if (this.follows) this.follow();
   }
 
-  /** Where the base is now: x, y, z [m]. */
-  get basePosition(): [number, number, number] {
-    return [this.poses[0] as number, this.poses[1] as number, this.poses[2] as number];
+  /** Where the link is now that is followed, mostly the base: x, y, z [m]. */
+  get place(): [number, number, number] {
+    const [x = 0, y = 0, z = 0] = this.poses.subarray(kPoseSize * this.framing.anchor);
+    return [x, y, z];
   }
 
   setFollowing(follows: boolean): void {
@@ -106,7 +119,7 @@ export class Stage {
 
   resetView(): void {
     this.follow();
-    this.camera.position.copy(this.target).add(kFirstView);
+    this.camera.position.copy(this.target).addScaledVector(kFirstView, this.framing.radius);
     this.controls.target.copy(this.target);
     this.controls.update();
   }
@@ -122,14 +135,15 @@ export class Stage {
   updateTheme(): void {
     const background = new Color(themeColor("--stage"));
     this.scene.background = background;
-    this.scene.fog = new Fog(background, 1.6, 5);
+    const { radius } = this.framing;
+    this.scene.fog = new Fog(background, kFog.near * radius, kFog.far * radius);
     this.sky.groundColor = new Color(themeColor("--stage-bounce"));
     this.robot.updateColors();
     if (this.ground) {
       this.scene.remove(this.ground.object);
       this.ground.dispose();
     }
-    this.ground = new Ground(this.path);
+    this.ground = new Ground(this.path, radius);
     this.scene.add(this.ground.object);
     this.ground.setFrame(frameAt(this.motion, this.time));
   }
@@ -163,11 +177,20 @@ export class Stage {
     this.light.castShadow = true;
     this.light.shadow.mapSize.set(1024, 1024);
     this.light.shadow.radius = 3;
-    this.light.shadow.normalBias = 0.002;
-    const frame = this.light.shadow.camera;
-    [frame.left, frame.right, frame.bottom, frame.top] = [-0.6, 0.6, -0.6, 0.6];
-    [frame.near, frame.far] = [0.5, 4];
     this.scene.add(this.sky, this.light, this.light.target);
+  }
+
+  private fitToRobot(): void {
+    const { radius } = this.framing;
+    [this.controls.minDistance, this.controls.maxDistance] = [kNearest * radius, kFarthest * radius];
+    [this.camera.near, this.camera.far] = [0.2 * radius, 4 * kFarthest * radius];
+    this.camera.updateProjectionMatrix();
+    this.light.shadow.normalBias = 0.01 * radius;
+    const frame = this.light.shadow.camera;
+    const lit = kLit * radius;
+    [frame.left, frame.right, frame.bottom, frame.top] = [-lit, lit, -lit, lit];
+    [frame.near, frame.far] = [2 * radius, 20 * radius];
+    frame.updateProjectionMatrix();
   }
 
   /** Keeps the robot's whole width in narrow pictures by a wider angle. */
@@ -183,7 +206,7 @@ export class Stage {
     const weight = Math.min(Math.max(this.time / this.motion.interval - frame, 0), 1);
     const between = (i: number): number =>
       (1 - weight) * (this.path[2 * frame + i] ?? 0) + weight * (this.path[2 * next + i] ?? 0);
-    this.moveTo(new Vector3(between(0), between(1), kTargetHeight));
+    this.moveTo(new Vector3(between(0), between(1), this.framing.height));
   }
 
   /** Moves camera and light to look at `target`, from the side that the user has chosen. */
@@ -193,6 +216,6 @@ export class Stage {
     this.target.copy(target);
     this.controls.target.copy(target);
     this.light.target.position.copy(target);
-    this.light.position.copy(target).add(kLightPlace);
+    this.light.position.copy(target).addScaledVector(kLightPlace, this.framing.radius);
   }
 }

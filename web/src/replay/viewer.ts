@@ -160,7 +160,7 @@ export class Viewer {
     }
     this.stage.setTime(this.player.time);
     this.stage.draw();
-    const [x, y, z] = this.stage.basePosition.map(formatLength);
+    const [x, y, z] = this.stage.place.map(formatLength);
     this.place.textContent = `x ${x}  y ${y}  z ${z} m`;
     this.told.textContent = toldAt(this.recording?.goals ?? [], this.player.time);
   }

@@ -59,7 +59,7 @@ TEST(Ground, ShowsTheTrail) {
 
 TEST(TrailOf, EndsAtTheFrame) {
   const Motion motion = MotionThrough({{0, 0, 1}, {1, 0, 1}, {2, 0, 1}, {3, 6, 1}, {4, 0, 1}});
-  const Trail trail = TrailOf(motion, {0, 2, 4}, 1);
+  const Trail trail = TrailOf(motion, 0, {0, 2, 4}, 1);
   ASSERT_EQ(trail.points.size(), 3u);
   EXPECT_EQ(trail.points[0], Point(0, 0));
   EXPECT_EQ(trail.points[1], Point(1, 0));
