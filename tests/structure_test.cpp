@@ -35,6 +35,7 @@ const std::map<std::string, Folders> kMayInclude = {
     {"compiler/analyze",
      {"compiler/bounds", "compiler/check", "compiler/compose", "compiler/source", "compiler/syntax",
       "plugins/robot"}},
+    {"compiler/mend", {"compiler/analyze", "compiler/compose", "compiler/source"}},
     {"compiler/language_server",
      {"base/text", "compiler/analyze", "compiler/bounds", "compiler/check", "compiler/compose",
       "compiler/format", "compiler/source", "compiler/syntax", "plugins/robot"}},
@@ -53,8 +54,8 @@ const std::map<std::string, Folders> kMayInclude = {
     {"compiler/driver",
      {"base/command_line", "base/file", "base/seal", "base/text", "base/watch", "compiler/analyze",
       "compiler/bounds", "compiler/document", "compiler/emit", "compiler/format",
-      "compiler/language_server", "compiler/report", "compiler/source", "compiler/syntax",
-      "compiler/task_tests", "compiler/toolchain", "plugins/robot"}},
+      "compiler/language_server", "compiler/mend", "compiler/report", "compiler/source",
+      "compiler/syntax", "compiler/task_tests", "compiler/toolchain", "plugins/robot"}},
 
     {"runtime/base", {"base/text"}},
     {"runtime/core/module", {"base/variant", "plugins/robot", "runtime/base"}},

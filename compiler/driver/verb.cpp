@@ -13,8 +13,9 @@ const std::vector<Verb> kVerbs = {
      "taskc build crawling.task -o crawling.so   # into a file",
      DeclareBuild},
     {"check", "Check tasks without building them",
-     "taskc check crawling.task   # reports all errors at once\n"
-     "taskc check *.task",
+     "taskc check crawling.task         # reports all errors at once\n"
+     "taskc check *.task --json         # for programs, with fixes that they can apply\n"
+     "taskc check --fix crawling.task   # applies them",
      DeclareCheck},
     {"test", "Run the tests of tasks",
      "taskc test crawling.task\n"

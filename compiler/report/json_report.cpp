@@ -11,6 +11,8 @@ void AddPlace(Json& json, const Place& place) {
   json["column"] = place.begin.column;
   json["end_line"] = place.end.line;
   json["end_column"] = place.end.column;
+  json["offset"] = place.bytes.begin;
+  json["end_offset"] = place.bytes.end;
 }
 
 Json ToJson(const RunReport::Finding& finding) {

@@ -4,7 +4,11 @@ namespace compiler {
 
 Place PlaceOf(const Sources& sources, Span span) {
   const SourceFile& source = sources.FileOf(span);
-  return {source.path(), source.PositionOf(span.begin), source.PositionOf(span.end)};
+  const uint32_t first = source.first_offset();
+  return {source.path(),
+          source.PositionOf(span.begin),
+          source.PositionOf(span.end),
+          {span.begin - first, span.end - first}};
 }
 
 void RunReport::Add(const Sources& sources, const Diagnostics& diagnostics) {

@@ -17,6 +17,7 @@ struct Place {
   std::string file;
   Position begin;
   Position end;
+  Span bytes;  // the same, counted from the file's first byte
 };
 Place PlaceOf(const Sources& sources, Span span);
 
