@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "base/text/print.h"
-#include "compiler/analyze/find_robot.h"
+#include "compiler/driver/robot_option.h"
 #include "compiler/driver/task_skeleton.h"
 #include "compiler/driver/verb.h"
 #include "compiler/syntax/parse.h"
@@ -30,15 +30,6 @@ void CheckName(const std::string& name) {
       fmt::format("a task cannot be called `{}`: a name consists of letters, digits and `_`, does "
                   "not begin with a digit, and is not a keyword",
                   name));
-}
-
-robot::RobotDescription GetRobot(const std::string& name, const std::filesystem::path& file,
-                                 const Session& session) {
-  Diagnostics diagnostics;
-  auto robot = FindRobot({name, {}}, file, session.robots, diagnostics);
-  if (robot) return std::move(*robot);
-  const Diagnostic& mistake = diagnostics.list().front();
-  throw CallError(mistake.message + (mistake.help.empty() ? "" : "; " + mistake.help.text));
 }
 
 ExitStatus New(const NewOptions& options, Session& session) {

@@ -37,6 +37,10 @@ const std::vector<Verb> kVerbs = {
      "taskc doc crawling.task -o crawling.html    # one file, with typeset equations\n"
      "taskc doc crawling.task --json              # params, terms, metrics; weights of rewards",
      DeclareDoc},
+    {"spec", "Print all that one needs to know to write a task, for people and language models",
+     "taskc spec --robot humanoid          # sensors, names, functions, units, grammar, examples\n"
+     "taskc spec --robot humanoid --json   # for programs",
+     DeclareSpec},
     {"seal", "Seal plugins that taskc did not build, so that the trainer loads them",
      "taskc seal mine.so   # written by hand against the ABI; loading it runs its code",
      DeclareSeal},

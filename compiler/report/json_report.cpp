@@ -5,7 +5,7 @@
 namespace compiler {
 namespace {
 
-void AddPlace(Json& json, const Place& place) {
+void AddPlace(Json& json, const FileRange& place) {
   json["file"] = place.file;
   json["line"] = place.begin.line;
   json["column"] = place.begin.column;

@@ -2,7 +2,7 @@
 
 namespace compiler {
 
-Place PlaceOf(const Sources& sources, Span span) {
+FileRange RangeOf(const Sources& sources, Span span) {
   const SourceFile& source = sources.FileOf(span);
   const uint32_t first = source.first_offset();
   return {source.path(),
@@ -13,12 +13,12 @@ Place PlaceOf(const Sources& sources, Span span) {
 
 void RunReport::Add(const Sources& sources, const Diagnostics& diagnostics) {
   for (const Diagnostic& diagnostic : diagnostics.list()) {
-    Finding finding{diagnostic, PlaceOf(sources, diagnostic.span), {}, {}};
+    Finding finding{diagnostic, RangeOf(sources, diagnostic.span), {}, {}};
     for (const Label& label : diagnostic.labels) {
-      finding.label_places.push_back(PlaceOf(sources, label.span));
+      finding.label_places.push_back(RangeOf(sources, label.span));
     }
     for (const Fix& fix : diagnostic.help.fixes) {
-      finding.fix_places.push_back(PlaceOf(sources, fix.span));
+      finding.fix_places.push_back(RangeOf(sources, fix.span));
     }
     findings.push_back(std::move(finding));
   }

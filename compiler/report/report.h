@@ -13,21 +13,21 @@ namespace compiler {
 using Json = nlohmann::ordered_json;
 
 // A stretch of a file; the end exclusive.
-struct Place {
+struct FileRange {
   std::string file;
   Position begin;
   Position end;
   Span bytes;  // the same, counted from the file's first byte
 };
-Place PlaceOf(const Sources& sources, Span span);
+FileRange RangeOf(const Sources& sources, Span span);
 
 struct RunReport {
   // A diagnostic whose spans have become places.
   struct Finding {
     Diagnostic diagnostic;
-    Place place;
-    std::vector<Place> label_places;  // one for each label
-    std::vector<Place> fix_places;    // one for each fix
+    FileRange place;
+    std::vector<FileRange> label_places;  // one for each label
+    std::vector<FileRange> fix_places;    // one for each fix
   };
   std::vector<Finding> findings;
   std::vector<std::string> failures;  // mistakes in the call and in taskc, about no place in a task

@@ -24,21 +24,21 @@ std::string ToUri(const std::string& path) {
   return uri;
 }
 
-Json Region(const Place& place) {
+Json Region(const FileRange& place) {
   return {{"startLine", place.begin.line},
           {"startColumn", place.begin.column},
           {"endLine", place.end.line},
           {"endColumn", place.end.column}};
 }
 
-Json Location(const Place& place) {
+Json Location(const FileRange& place) {
   Json location;
   location["physicalLocation"]["artifactLocation"]["uri"] = ToUri(place.file);
   location["physicalLocation"]["region"] = Region(place);
   return location;
 }
 
-Json FixOf(const Place& place, const Fix& fix) {
+Json FixOf(const FileRange& place, const Fix& fix) {
   Json change;
   change["artifactLocation"]["uri"] = ToUri(place.file);
   change["replacements"] =
