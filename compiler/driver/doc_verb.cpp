@@ -19,7 +19,7 @@ struct DocOptions {
   bool is_json = false;          // instead of a page
 };
 
-ExitStatus Document(const DocOptions& options, Session& session) {
+ExitStatus WritePage(const DocOptions& options, Session& session) {
   const std::filesystem::path kind = options.output.extension();
   if (!options.output.empty() && kind != ".md" && kind != ".html") {
     throw CallError(
@@ -52,7 +52,7 @@ Action DeclareDoc(Command& command, Session& session) {
   command.AddFlag("--json", options->is_json, "print params, terms and metrics as JSON instead")
       .Excludes(output);
   AddRobots(command, session);
-  return [options](Session& call) { return Document(*options, call); };
+  return [options](Session& call) { return WritePage(*options, call); };
 }
 
 }  // namespace compiler

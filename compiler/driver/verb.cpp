@@ -37,6 +37,10 @@ const std::vector<Verb> kVerbs = {
      "taskc doc crawling.task -o crawling.html    # one file, with typeset equations\n"
      "taskc doc crawling.task --json              # params, terms, metrics; weights of rewards",
      DeclareDoc},
+    {"diff", "Say what differs in meaning between two tasks",
+     "taskc diff crawling.task mine.task          # not in layout, comments, local names\n"
+     "taskc diff crawling.task mine.task --json   # status as of diff: 0 same, 1 different",
+     DeclareDiff},
     {"spec", "Print all that one needs to know to write a task, for people and language models",
      "taskc spec --robot humanoid          # sensors, names, functions, units, grammar, examples\n"
      "taskc spec --robot humanoid --json   # for programs",

@@ -34,6 +34,7 @@ extern const std::vector<Verb> kVerbs;
 Action DeclareBuild(Command& command, Session& session);
 Action DeclareCheck(Command& command, Session& session);
 Action DeclareCompletion(Command& command, Session& session);
+Action DeclareDiff(Command& command, Session& session);
 Action DeclareDoc(Command& command, Session& session);
 Action DeclareTest(Command& command, Session& session);
 Action DeclareEmit(Command& command, Session& session);
