@@ -24,7 +24,7 @@ const std::map<std::string, Folders> kMayInclude = {
     {"base/variant", {}},
 
     {"plugins/abi", {}},
-    {"plugins/host", {}},
+    {"plugins/host", {"base/file", "base/seal"}},
     {"plugins/robot", {"base/file", "base/text"}},
 
     {"compiler/source", {"base/file", "base/seal", "base/text"}},
@@ -67,8 +67,7 @@ const std::map<std::string, Folders> kMayInclude = {
     {"runtime/base", {"base/text"}},
     {"runtime/core/module", {"base/variant", "plugins/robot", "runtime/base"}},
     {"runtime/core/task",
-     {"base/file", "base/seal", "base/variant", "plugins/host", "plugins/robot", "runtime/base",
-      "runtime/core/module"}},
+     {"base/variant", "plugins/host", "plugins/robot", "runtime/base", "runtime/core/module"}},
     {"runtime/core/agent", {"base/file", "runtime/base", "runtime/core/module"}},
     {"runtime/training/learning",
      {"base/cache", "base/file", "base/seal", "plugins/robot", "runtime/base",

@@ -67,7 +67,11 @@ std::optional<CheckedTask> Check(const SyntaxTree& tree, const robot::RobotDescr
   if (tree.task) task.name = tree.task->text;
   task.doc = tree.doc;
   if (tree.robot) task.robot = tree.robot->text;
-  if (robot != nullptr) task.longest_time_step = robot->controller.time_step;
+  if (robot != nullptr) {
+    task.links = FindEnumeration(scope.enumerations, "link")->members;
+    task.joints = FindEnumeration(scope.enumerations, "joint")->members;
+    task.longest_time_step = robot->controller.time_step;
+  }
   // The names first, wherever they are declared; then what uses them.
   DeclareFunctions(tree, scope);
   CheckTables(tree, scope);

@@ -322,6 +322,7 @@ struct CheckedTable {
 };
 struct CheckedSensor {
   std::string name;
+  std::string doc{};
   Type type;
   Unit unit;
   // Bit e: event e reads it; bit TASKC_MEASURE: a metric does; bit TASKC_OBSERVE: an observation.
@@ -543,7 +544,9 @@ struct CheckedStart {
 struct CheckedTask {
   std::string name;
   std::string doc;
-  std::string robot;  // "" where the task declares its own sensors
+  std::string robot;               // "" where the task declares its own sensors
+  std::vector<std::string> links;  // of the robot, in its order
+  std::vector<std::string> joints;
   CheckedStart start{};
   // Of all events; infinite where no robot says [s].
   double longest_time_step = std::numeric_limits<double>::infinity();

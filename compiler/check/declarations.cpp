@@ -126,6 +126,7 @@ void CheckOneSensor(const SensorDeclaration& sensor, std::map<std::string, Span>
   const Range range = CheckRange(sensor, *declared, scope).value_or(Range{});
   const uint32_t size = declared->type.size();
   scope.sensors.Add({.name = name,
+                     .doc = sensor.doc,
                      .type = declared->type,
                      .unit = declared->unit,
                      .minimum = std::vector<double>(size, range.minimum),

@@ -43,6 +43,7 @@ SensorCatalog SensorCatalog::OfRobot(const robot::RobotDescription& robot,
   SensorCatalog catalog;
   for (const robot::SensorDescription& sensor : robot::Sensors()) {
     CheckedSensor checked{.name = std::string(sensor.name),
+                          .doc = std::string(sensor.doc),
                           .type = TypeOf(sensor.type, enumerations),
                           .unit = UnitOf(sensor.unit)};
     for (const robot::Range& range : robot::RangesOf(sensor, robot)) {
@@ -55,6 +56,7 @@ SensorCatalog SensorCatalog::OfRobot(const robot::RobotDescription& robot,
   }
   for (const robot::ConstantDescription& constant : robot::Constants()) {
     catalog.Add({.name = std::string(constant.name),
+                 .doc = std::string(constant.doc),
                  .type = TypeOf(constant.type, enumerations),
                  .unit = UnitOf(constant.unit),
                  .constant = robot::ValuesOf(constant, robot)});
@@ -72,6 +74,7 @@ SensorCatalog SensorCatalog::OfAnyRobot() {
     }
     const Type type = TypeOf(sensor.type, {});
     catalog.Add({.name = std::string(sensor.name),
+                 .doc = std::string(sensor.doc),
                  .type = type,
                  .unit = ParseUnit(sensor.unit)->unit,
                  .minimum = std::vector<double>(type.size(), -kInfinity),

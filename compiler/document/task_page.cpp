@@ -13,7 +13,6 @@
 #include "compiler/document/equations.h"
 #include "compiler/syntax/words.h"
 #include "compiler/weights/weights.h"
-#include "plugins/robot/sensors.h"
 
 namespace compiler {
 namespace {
@@ -527,7 +526,7 @@ class PageWriter {
     for (const CheckedSensor& sensor : task_.sensors) {
       table.rows.push_back({Code(sensor.name), Code(ToString(sensor.type)),
                             Plain(UnitText(sensor.unit)), Plain(RangeOf(sensor)),
-                            FromDoc(MeaningOf(sensor.name))});
+                            FromDoc(sensor.doc)});
     }
     AddTable(std::move(table));
   }
@@ -537,16 +536,6 @@ class PageWriter {
     if (sensor.minimum.empty() || sensor.type.scalar == Scalar::kBool) return "";
     return RangeText(std::ranges::min(sensor.minimum), std::ranges::max(sensor.maximum),
                      sensor.unit);
-  }
-
-  std::string MeaningOf(const std::string& sensor) const {
-    const robot::SensorDescription* of_robot =
-        task_.robot.empty() ? nullptr : robot::FindSensor(sensor);
-    if (of_robot != nullptr) return std::string(of_robot->doc);
-    for (const SensorDeclaration* declaration : All<SensorDeclaration>(tree_)) {
-      if (declaration->name.text == sensor) return declaration->doc;
-    }
-    return "";
   }
 
   void Tests() {

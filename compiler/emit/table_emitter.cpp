@@ -74,10 +74,10 @@ std::string TypeFields(const Type& type) {
 }
 
 std::string Row(const CheckedSensor& sensor) {
-  return fmt::format("{}, {}, {}, {}, {}, {}, {}", StringLiteral(sensor.name),
-                     StringLiteral(ToString(sensor.type)), StringLiteral(ToString(sensor.unit)),
-                     TypeFields(sensor.type), EventBits(sensor.read_by),
-                     RealLiteral(std::ranges::min(sensor.minimum)),
+  return fmt::format("{}, {}, {}, {}, {}, {}, {}, {}", StringLiteral(sensor.name),
+                     StringLiteral(sensor.doc), StringLiteral(ToString(sensor.type)),
+                     StringLiteral(ToString(sensor.unit)), TypeFields(sensor.type),
+                     EventBits(sensor.read_by), RealLiteral(std::ranges::min(sensor.minimum)),
                      RealLiteral(std::ranges::max(sensor.maximum)));
 }
 
@@ -183,6 +183,8 @@ void EmitTableFields(std::string_view field, size_t count, std::vector<std::stri
 std::vector<std::string> TableFields(const CheckedTask& task, const Sources& sources) {
   std::vector<std::string> pointers;
   std::vector<std::string> counts;
+  EmitTableFields("links", task.links.size(), pointers, counts);
+  EmitTableFields("joints", task.joints.size(), pointers, counts);
   EmitTableFields("sources", sources.files().size(), pointers, counts);
   EmitTableFields("poses", task.start.poses.size(), pointers, counts);
   EmitTableFields("start_values", task.start.values.size(), pointers, counts);
@@ -247,8 +249,10 @@ void EmitTables(const CheckedTask& task, const Sources& sources, const PluginNam
   EmitNumbers(names.terms, writer);
   EmitNumbers(names.logs, writer);
   EmitConsts(task, names, writer);
-  const auto pose_row = [](const std::string& pose) { return StringLiteral(pose); };
-  EmitTable("taskc_pose", "poses_table", task.start.poses, pose_row, writer);
+  const auto name_row = [](const std::string& name) { return StringLiteral(name); };
+  EmitTable("taskc_part", "links_table", task.links, name_row, writer);
+  EmitTable("taskc_part", "joints_table", task.joints, name_row, writer);
+  EmitTable("taskc_pose", "poses_table", task.start.poses, name_row, writer);
   const auto value_row = [&](const CheckedStartValue& value) {
     return fmt::format("{}, {}, __builtin_offsetof(Memory, {})", StringLiteral(value.name),
                        value.minimum.size(), names.memory[value.memory]);

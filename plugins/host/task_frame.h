@@ -1,9 +1,9 @@
 // The host's side of the contract in plugins/abi/taskc/plugin.h: what one instance of a compiled
 // task works on.
 //
-// A host loads the shared object, makes a TaskFrame of the table that it returns, says where the
-// sensors' data is, and calls `Initialize()`. From then on it calls an event whenever it happens
-// and reads what that did from `frame()`:
+// A host loads the shared object (plugin.h), makes a TaskFrame of the table that it returns, says
+// where the sensors' data is, and calls `Initialize()`. From then on it calls an event whenever it
+// happens and reads what that did from `frame()`:
 //
 //   host::TaskFrame task(table);
 //   task.sensor(0) = &time;

@@ -37,7 +37,7 @@
 #ifndef TASKC_PLUGIN_H
 #define TASKC_PLUGIN_H
 
-#define TASKC_ABI_VERSION 3u
+#define TASKC_ABI_VERSION 4u
 #define TASKC_PLUGIN_ENTRY "taskc_plugin_get"
 
 #ifdef __cplusplus
@@ -78,10 +78,18 @@ enum { TASKC_MEASURE = TASKC_EVENT_COUNT, TASKC_OBSERVE, TASKC_READER_COUNT };
 // How one scalar lies in memory: a bool is one byte (0 or 1), an int 8 bytes, a real a double.
 enum { TASKC_BOOL, TASKC_INT, TASKC_REAL };
 
+// A link or a joint of the robot that the task is for. Their order is that of the entries of what
+// has one for each link or joint: of a sensor "real[joint]", say.
+typedef struct taskc_part {
+  const char* name;
+} taskc_part;
+
 // A sensor that the task reads: one of the robot's, or one that the task declares itself, of which
-// the host alone knows what fills it. `rows * columns` contiguous elements.
+// the host alone knows what fills it. `rows * columns` contiguous elements: those of a matrix row
+// by row; of an array one row for each entry, so that "vec3[link]" has three columns.
 typedef struct taskc_sensor {
   const char* name;      // as the task writes it: "base.velocity"
+  const char* doc;       // what it is, of a robot's with its frame
   const char* type;      // as the task writes it: "vec3", "bool[link]"; compared when binding
   const char* unit;      // "m/s"; "" for a plain number
   taskc_int32 scalar;    // TASKC_BOOL, TASKC_INT or TASKC_REAL
@@ -292,6 +300,8 @@ typedef struct taskc_plugin {
   const char* source_hash;  // SHA-256 of the text, in hexadecimal; of several texts: the SHA-256 of
                             // their hashes, concatenated
 
+  const taskc_part* links;  // of the robot
+  const taskc_part* joints;
   const taskc_source* sources;  // the task's own text first, then those that it refers to
   const taskc_pose* poses;
   const taskc_start_value* start_values;
@@ -306,6 +316,8 @@ typedef struct taskc_plugin {
   const taskc_log* logs;
   const taskc_end* ends;
   const taskc_requirement* requirements;
+  taskc_uint32 link_count;  // 0 where the task is for no robot
+  taskc_uint32 joint_count;
   taskc_uint32 source_count;  // at least 1
   taskc_uint32 pose_count;    // 0 where the task names none: the robot's first
   taskc_uint32 start_value_count;

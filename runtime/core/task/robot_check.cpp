@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -90,6 +91,18 @@ void CheckSensor(const Plugin& plugin, const taskc_sensor& wanted,
   }
 }
 
+// Arrays have their entries in the order of these.
+template <class Part>
+void CheckParts(const Plugin& plugin, std::span<const taskc_part> wanted,
+                const std::vector<Part>& parts, std::string_view what,
+                const robot::RobotDescription& robot) {
+  const auto same = [](const taskc_part& a, const Part& b) { return a.name == b.name; };
+  if (wanted.empty() || std::ranges::equal(wanted, parts, same)) return;
+  Refuse(plugin, fmt::format("the task was built for another `{}`, with other {} or in another "
+                             "order; build it again with `taskc build`",
+                             robot.name, what));
+}
+
 void CheckPose(const Plugin& plugin, const char* pose, const robot::RobotDescription& robot) {
   if (robot.FindPose(pose) != nullptr) return;
   std::vector<std::string> names;
@@ -126,6 +139,9 @@ void CheckFitsRobot(const Plugin& plugin, const robot::RobotDescription& robot) 
     CheckStartValue(plugin, table.start_values[i], robot);
   }
   for (uint32_t i = 0; i < table.sensor_count; ++i) CheckSensor(plugin, table.sensors[i], robot);
+  // Last: another number of them has been said of the sensor that it matters to.
+  CheckParts(plugin, {table.links, table.link_count}, robot.links, "links", robot);
+  CheckParts(plugin, {table.joints, table.joint_count}, robot.joints, "joints", robot);
 }
 
 }  // namespace runtime

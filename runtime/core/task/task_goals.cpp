@@ -2,8 +2,8 @@
 
 #include <utility>
 
+#include "plugins/host/scalar_bytes.h"
 #include "runtime/core/module/episode_seed.h"
-#include "runtime/core/task/scalar_bytes.h"
 
 namespace runtime {
 namespace {
@@ -48,7 +48,7 @@ std::vector<double> TaskGoals::Value(size_t goal) const {
   const std::byte* place = std::as_const(host_).Bytes(entry).data();
   std::vector<double> value;
   for (uint32_t i = 0; i < entry.rows * entry.columns; ++i) {
-    value.push_back(LoadScalar(place + i * host::ScalarSize(entry.scalar), entry.scalar));
+    value.push_back(host::LoadScalar(place + i * host::ScalarSize(entry.scalar), entry.scalar));
   }
   return value;
 }
@@ -57,7 +57,7 @@ void TaskGoals::Hold(size_t goal, std::span<const double> value, double time) {
   const taskc_goal& entry = goals_[goal];
   std::byte* place = host_.Bytes(entry).data();
   for (size_t i = 0; i < value.size(); ++i) {
-    StoreScalar(place + i * host::ScalarSize(entry.scalar), entry.scalar, value[i]);
+    host::StoreScalar(place + i * host::ScalarSize(entry.scalar), entry.scalar, value[i]);
   }
   host_.Hold(entry, true);
   Note(goal, time);

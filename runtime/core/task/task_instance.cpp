@@ -1,7 +1,6 @@
 #include "runtime/core/task/task_instance.h"
 
 #include <fmt/format.h>
-#include <taskc/largest_reward.h>
 
 #include <algorithm>
 #include <cassert>
@@ -9,7 +8,6 @@
 #include <iterator>
 #include <string_view>
 
-#include "plugins/host/log_value.h"
 #include "runtime/core/task/saved_values.h"
 
 namespace runtime {
@@ -40,11 +38,7 @@ taskc_int32 OutcomeOf(EndKind kind) {
   return TASKC_TRUNCATED;
 }
 
-bool IsIndex(taskc_int32 index, uint32_t count) {
-  return index >= 0 && static_cast<uint32_t>(index) < count;
-}
-
-void Count(Incidents& incidents, double time) {
+void NoteIncident(Incidents& incidents, double time) {
   if (incidents.count++ == 0) incidents.first_time = time;
 }
 
@@ -90,14 +84,13 @@ ObservationLayout ObservationLayoutOf(const taskc_plugin& table) {
 TaskInstance::TaskInstance(std::shared_ptr<const Plugin> plugin, int64_t id)
     : plugin_(std::move(plugin)),
       id_(id),
-      host_(table()),
+      episode_(table()),
+      host_(episode_.frame()),
       memory_(host_),
       goals_(host_),
       phases_(host_),
       told_(table()),
       params_(table().param_count),
-      reducer_({table().metrics, table().metric_count}),
-      logged_(table().log_count),
       faults_(table().term_count),
       violations_(table().requirement_count),
       observation_faults_(table().observation_count) {
@@ -144,16 +137,14 @@ void TaskInstance::SetParam(size_t index, double value) {
 }
 
 void TaskInstance::StartEpisode(uint64_t run_seed, int64_t episode) {
-  host_.Clear();
+  episode_.Start();
   std::fill(faults_.begin(), faults_.end(), Incidents());
   fault_count_ = 0;
   std::fill(violations_.begin(), violations_.end(), Incidents());
   std::fill(observation_faults_.begin(), observation_faults_.end(), Incidents());
-  reducer_.StartEpisode();
   goals_.StartEpisode(run_seed, episode);
   phases_.StartEpisode();
   time_ = 0;
-  time_step_ = 0;
 }
 
 void TaskInstance::SetOutcome(EndKind kind) { host_.SetOutcome(OutcomeOf(kind)); }
@@ -172,62 +163,49 @@ void TaskInstance::Enter(taskc_event_function function) {
 }
 
 std::optional<TaskInstance::Outcome> TaskInstance::Call(int event, double time_step) {
-  const taskc_event_function function = table().events[event];
-  if (function == nullptr) return std::nullopt;
+  if (table().events[event] == nullptr) return std::nullopt;
   const size_t phase = phases_.present();
-  host_.Next(time_step);
-  Enter(function);
+  const host::EventOutcome outcome = Enter(event, time_step);
   goals_.NoteDraws(time_);
-  CountFault();
-  CountViolation();
-  phases_.AddReward(phase, host_.frame().reward);
-  return Outcome{host_.frame().reward, EndReached()};
+  Count(outcome);
+  phases_.AddReward(phase, outcome.reward);
+  return Outcome{outcome.reward, EndReached(outcome)};
 }
 
-std::optional<EpisodeEnd> TaskInstance::EndReached() const {
-  if (IsIndex(host_.frame().violation, table().requirement_count)) {
-    const auto requirement = static_cast<size_t>(host_.frame().violation);
+host::EventOutcome TaskInstance::Enter(int event, double time_step) {
+  const InsideOfTask watched(id_);
+  return episode_.Call(event, time_step).value();
+}
+
+std::optional<EpisodeEnd> TaskInstance::EndReached(const host::EventOutcome& outcome) const {
+  if (outcome.violation >= 0) {
+    const auto requirement = static_cast<size_t>(outcome.violation);
     return EpisodeEnd{EndKind::kTruncated, violation_reasons_[requirement].c_str()};
   }
-  if (!IsIndex(host_.frame().end, table().end_count)) return std::nullopt;
-  const taskc_end& end = table().ends[host_.frame().end];
+  if (outcome.end < 0) return std::nullopt;
+  const taskc_end& end = table().ends[outcome.end];
   return EpisodeEnd{KindOf(end), end.reason};
 }
 
-void TaskInstance::CountFault() {
-  if (IsIndex(host_.frame().fault, table().term_count)) {
-    Count(faults_[static_cast<size_t>(host_.frame().fault)], time_);
+void TaskInstance::Count(const host::EventOutcome& outcome) {
+  if (outcome.fault >= 0) {
+    NoteIncident(faults_[static_cast<size_t>(outcome.fault)], time_);
     ++fault_count_;
   }
-  const bool is_paid = std::abs(host_.frame().reward) <= TASKC_LARGEST_REWARD;
-  if (!is_paid) {
-    host_.frame().reward = 0;
-    ++fault_count_;
+  if (!outcome.is_paid) ++fault_count_;
+  if (outcome.violation >= 0) {
+    NoteIncident(violations_[static_cast<size_t>(outcome.violation)], time_);
   }
-}
-
-void TaskInstance::CountViolation() {
-  if (!IsIndex(host_.frame().violation, table().requirement_count)) return;
-  Count(violations_[static_cast<size_t>(host_.frame().violation)], time_);
-}
-
-void TaskInstance::Measure() {
-  if (table().measure == nullptr) return;
-  host_.frame().time_step = time_step_;  // of the last event it may be another
-  Enter(table().measure);
 }
 
 void TaskInstance::EndTimeStep() {
-  Measure();
-  reducer_.EndTimeStep(host_.metrics());
+  const InsideOfTask watched(id_);
+  episode_.MeasureTimeStep();
 }
 
 void TaskInstance::EndEpisode() {
-  Measure();
-  reducer_.EndEpisode(host_.metrics());
-  for (size_t i = 0; i < logged_.size(); ++i) {
-    logged_[i] = host::LogValue(table().logs[i].reduction, host_.logs()[i]);
-  }
+  const InsideOfTask watched(id_);
+  episode_.End();
 }
 
 std::span<const double> TaskInstance::Observe() {
@@ -238,7 +216,7 @@ std::span<const double> TaskInstance::Observe() {
     for (double& number : host_.observations().subspan(each.offset, each.rows * each.columns)) {
       if (std::isfinite(number)) continue;
       number = 0;
-      Count(observation_faults_[i], time_);
+      NoteIncident(observation_faults_[i], time_);
     }
   }
   return host_.observations();
@@ -278,12 +256,12 @@ void TaskInstance::TakeOverSums(const TaskInstance& old) {
               [&](size_t i, size_t j) { host_.logs()[i] = old.host_.logs()[j]; });
   ForEachSame(std::span(table().metrics, table().metric_count),
               std::span(old.table().metrics, old.table().metric_count),
-              [&](size_t i, size_t j) { reducer_.TakeOver(i, old.reducer_, j); });
+              [&](size_t i, size_t j) { episode_.TakeOverMetric(i, old.episode_, j); });
   goals_.TakeOver(old.goals_);
   phases_.TakeOver(old.phases_);
   fault_count_ = old.fault_count_;
   time_ = old.time_;
-  time_step_ = old.time_step_;
+  episode_.TakeOverTimeStep(old.episode_);
 }
 
 void TaskInstance::Save(std::ostream& stream) const {

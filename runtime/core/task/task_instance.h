@@ -11,8 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "plugins/host/metric_reducer.h"
-#include "plugins/host/task_frame.h"
+#include "plugins/host/task_episode.h"
 #include "runtime/core/module/module.h"
 #include "runtime/core/module/observations.h"
 #include "runtime/core/module/values.h"
@@ -81,11 +80,11 @@ class TaskInstance {
   // To be called at the end of each time step, before all else.
   void AdvanceTime(double time_step) {
     time_ += time_step;
-    time_step_ = time_step;
+    episode_.NoteTimeStep(time_step);
     phases_.AddTime(time_step);
   }
   // To be called at the end of each time step in which needs_measuring(), and of the episode.
-  bool needs_measuring() const { return reducer_.needs_time_steps(); }
+  bool needs_measuring() const { return episode_.needs_measuring(); }
   void EndTimeStep();
   void EndEpisode();
 
@@ -107,8 +106,8 @@ class TaskInstance {
   int64_t fault_count() const { return fault_count_; }
   std::span<const Incidents> violations() const { return violations_; }
   std::span<const Incidents> observation_faults() const { return observation_faults_; }
-  std::span<const double> metrics() const { return reducer_.values(); }
-  std::span<const double> logs() const { return logged_; }
+  std::span<const double> metrics() const { return episode_.metrics(); }
+  std::span<const double> logs() const { return episode_.logs(); }
 
   // Goes on where `old` is, as far as the two have variables of the same name, type and unit: the
   // params that differ from their initial value there and what sensors were told, where they lie in
@@ -137,30 +136,28 @@ class TaskInstance {
   void TakeOverParams(const TaskInstance& old);
   void TakeOverSums(const TaskInstance& old);
   void Enter(taskc_event_function function);
-  void Measure();
-  // How the last event function ended the episode, if it did.
-  std::optional<EpisodeEnd> EndReached() const;
-  void CountFault();
-  void CountViolation();
+  // Precondition: the task has a function for the event.
+  host::EventOutcome Enter(int event, double time_step);
+  // How an event has ended the episode, if it did.
+  std::optional<EpisodeEnd> EndReached(const host::EventOutcome& outcome) const;
+  void Count(const host::EventOutcome& outcome);
 
   std::shared_ptr<const Plugin> plugin_;
   int64_t id_;
-  host::TaskFrame host_;
+  host::TaskEpisode episode_;
+  host::TaskFrame& host_;  // that of the episode
   TaskMemory memory_;
   TaskGoals goals_;
   TaskPhases phases_;
   ToldSensors told_;
   std::vector<Param> params_;
 
-  host::MetricReducer reducer_;
-  std::vector<double> logged_;
   std::vector<Incidents> faults_;
   int64_t fault_count_ = 0;
   std::vector<Incidents> violations_;
   std::vector<Incidents> observation_faults_;
   std::vector<std::string> violation_reasons_;  // one for each requirement
-  double time_ = 0;       // [s] since the start of the episode, at the end of the last time step
-  double time_step_ = 0;  // [s] of that step; 0 before it
+  double time_ = 0;  // [s] since the start of the episode, at the end of the last time step
 };
 
 }  // namespace runtime

@@ -8,9 +8,9 @@
 #include <cstdint>
 
 #include "base/variant/overloaded.h"
+#include "plugins/host/scalar_bytes.h"
 #include "plugins/robot/sensors.h"
 #include "runtime/core/module/sensor_data.h"
-#include "runtime/core/task/scalar_bytes.h"
 
 namespace runtime {
 namespace {
@@ -98,7 +98,8 @@ void ToldSensors::Pass(size_t sensor) {
   Entry& entry = entries_[sensor];
   const taskc_int32 scalar = sensors_[sensor].scalar;
   for (size_t i = 0; i < entry.numbers.size(); ++i) {
-    StoreScalar(entry.elements.data() + i * host::ScalarSize(scalar), scalar, entry.numbers[i]);
+    host::StoreScalar(entry.elements.data() + i * host::ScalarSize(scalar), scalar,
+                      entry.numbers[i]);
   }
 }
 

@@ -26,6 +26,12 @@ TEST(CheckFitsRobot, RefusesATaskForAnotherRobot) {
             "`walker`");
 }
 
+TEST(CheckFitsRobot, RefusesATaskForOtherJointsOrInAnotherOrder) {
+  EXPECT_EQ(MessageOfCheck("other_order"),
+            "test.task: the task was built for another `walker`, with other joints or in another "
+            "order; build it again with `taskc build`");
+}
+
 // Another module may offer it: that is found out where there are modules.
 TEST(CheckFitsRobot, AcceptsASensorThatNoRobotHas) {
   EXPECT_EQ(MessageOfCheck("own_sensor"), "no error");

@@ -2,7 +2,7 @@
 #include "plugin_table.h"
 
 static const taskc_sensor sensors[] = {
-    {"ball.position", "vec3", "m", TASKC_REAL, 3, 1, 1 << TASKC_END_OF_TIME_STEP, NO_RANGE}};
+    {"ball.position", "", "vec3", "m", TASKC_REAL, 3, 1, 1 << TASKC_END_OF_TIME_STEP, NO_RANGE}};
 static const taskc_reward_term terms[] = {{.name = "far", .doc = ""}};
 
 static void EndTimeStep(taskc_frame* frame) {

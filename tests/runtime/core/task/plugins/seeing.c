@@ -10,8 +10,8 @@ static void observe(taskc_frame* frame) {
 static void end_of_time_step(taskc_frame* frame) { frame->reward = 1; }
 
 static const taskc_sensor sensors[] = {
-    {"time", "real", "s", TASKC_REAL, 1, 1, 1u << TASKC_OBSERVE, NO_RANGE},
-    {"base.velocity", "vec3", "m/s", TASKC_REAL, 3, 1, 1u << TASKC_OBSERVE, NO_RANGE}};
+    {"time", "", "real", "s", TASKC_REAL, 1, 1, 1u << TASKC_OBSERVE, NO_RANGE},
+    {"base.velocity", "", "vec3", "m/s", TASKC_REAL, 3, 1, 1u << TASKC_OBSERVE, NO_RANGE}};
 static const taskc_observation observations[] = {
     {"time", "", "real", "s", TASKC_REAL, 1, 1, 0, 0, 20},
     {"slowness", "of the base", "vec3", "s/m", TASKC_REAL, 3, 1, 1, -1e30, 1e30}};

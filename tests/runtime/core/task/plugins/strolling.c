@@ -40,9 +40,9 @@ static void measure(taskc_frame* frame) {
 }
 
 static const taskc_sensor sensors[] = {
-    {"base.up", "vec3", "", TASKC_REAL, 3, 1, 1u << TASKC_END_OF_TIME_STEP | 1u << TASKC_MEASURE,
-     NO_RANGE},
-    {"base.velocity", "vec3", "m/s", TASKC_REAL, 3, 1, 1u << TASKC_END_OF_TIME_STEP, NO_RANGE},
+    {"base.up", "", "vec3", "", TASKC_REAL, 3, 1,
+     1u << TASKC_END_OF_TIME_STEP | 1u << TASKC_MEASURE, NO_RANGE},
+    {"base.velocity", "", "vec3", "m/s", TASKC_REAL, 3, 1, 1u << TASKC_END_OF_TIME_STEP, NO_RANGE},
 };
 static const taskc_param params[] = {
     {"gain", "", "", TASKC_REAL, 0.25, 0, 50},

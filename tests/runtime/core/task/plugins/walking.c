@@ -101,11 +101,12 @@ static void measure(taskc_frame* frame) {
 }
 
 static const taskc_sensor sensors[SENSOR_COUNT] = {
-    {"time", "real", "s", TASKC_REAL, 1, 1, 1u << TASKC_MEASURE, NO_RANGE},
-    {"base.position", "vec3", "m", TASKC_REAL, 3, 1, 1u << TASKC_MEASURE, NO_RANGE},
-    {"base.velocity", "vec3", "m/s", TASKC_REAL, 3, 1, 1u << TASKC_END_OF_TIME_STEP, NO_RANGE},
-    {"contact", "bool[link]", "", TASKC_BOOL, 3, 1, 1u << TASKC_END_OF_TIME_STEP, NO_RANGE},
-    {"joint.angle", "real[joint]", "rad", TASKC_REAL, 2, 1, 1u << TASKC_START_OF_ACTION, NO_RANGE},
+    {"time", "", "real", "s", TASKC_REAL, 1, 1, 1u << TASKC_MEASURE, NO_RANGE},
+    {"base.position", "", "vec3", "m", TASKC_REAL, 3, 1, 1u << TASKC_MEASURE, NO_RANGE},
+    {"base.velocity", "", "vec3", "m/s", TASKC_REAL, 3, 1, 1u << TASKC_END_OF_TIME_STEP, NO_RANGE},
+    {"contact", "", "bool[link]", "", TASKC_BOOL, 3, 1, 1u << TASKC_END_OF_TIME_STEP, NO_RANGE},
+    {"joint.angle", "", "real[joint]", "rad", TASKC_REAL, 2, 1, 1u << TASKC_START_OF_ACTION,
+     NO_RANGE},
 };
 static const taskc_param params[PARAM_COUNT] = {
     {"gain", "of the velocity", "", TASKC_REAL, 2, 0, 1000},

@@ -5,10 +5,10 @@
 enum { WISH, FLAGS, COUNT, PLACE, SENSOR_COUNT };
 
 static const taskc_sensor sensors[SENSOR_COUNT] = {
-    {"wish", "real", "m/s", TASKC_REAL, 1, 1, 1u << TASKC_END_OF_TIME_STEP, -1, 2},
-    {"flags", "bool[2]", "", TASKC_BOOL, 2, 1, 1u << TASKC_END_OF_TIME_STEP, NO_RANGE},
-    {"count", "int", "", TASKC_INT, 1, 1, 1u << TASKC_END_OF_TIME_STEP, NO_RANGE},
-    {"ball.place", "vec3", "m", TASKC_REAL, 3, 1, 1u << TASKC_END_OF_TIME_STEP, NO_RANGE},
+    {"wish", "", "real", "m/s", TASKC_REAL, 1, 1, 1u << TASKC_END_OF_TIME_STEP, -1, 2},
+    {"flags", "", "bool[2]", "", TASKC_BOOL, 2, 1, 1u << TASKC_END_OF_TIME_STEP, NO_RANGE},
+    {"count", "", "int", "", TASKC_INT, 1, 1, 1u << TASKC_END_OF_TIME_STEP, NO_RANGE},
+    {"ball.place", "", "vec3", "m", TASKC_REAL, 3, 1, 1u << TASKC_END_OF_TIME_STEP, NO_RANGE},
 };
 
 static void end_of_time_step(taskc_frame* frame) {

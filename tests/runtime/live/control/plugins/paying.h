@@ -57,7 +57,7 @@ static void measure(taskc_frame* frame) {
 }
 
 static const taskc_sensor sensors[] = {
-    {"time", "real", "s", TASKC_REAL, 1, 1, 1u << TASKC_END_OF_TIME_STEP, NO_RANGE}};
+    {"time", "", "real", "s", TASKC_REAL, 1, 1, 1u << TASKC_END_OF_TIME_STEP, NO_RANGE}};
 static const taskc_param params[PARAM_COUNT] = {
     {"gain", "per second", "", TASKC_REAL, 1, 0, 10},
     {"limit", "of the time", "s", TASKC_REAL, 0.0999, 0.001, 10},

@@ -1,4 +1,4 @@
-#include "runtime/core/task/plugin_check.h"
+#include "plugins/host/plugin_check.h"
 
 #include <fmt/format.h>
 
@@ -10,10 +10,10 @@
 #include <string>
 #include <string_view>
 
+#include "plugins/host/plugin_error.h"
 #include "plugins/host/task_frame.h"
-#include "runtime/base/user_error.h"
 
-namespace runtime {
+namespace host {
 namespace {
 
 // Far beyond any task, and small enough that no product of two of them overflows.
@@ -34,6 +34,8 @@ class TableCheck {
          {table_.compiler, table_.name, table_.doc, table_.robot, table_.source_hash}) {
       Require(text != nullptr, "one of its strings is null");
     }
+    CheckNames(Entries(table_.links, table_.link_count, "links"), "link");
+    CheckNames(Entries(table_.joints, table_.joint_count, "joints"), "joint");
     CheckSources();
     CheckStart();
     CheckSensors();
@@ -51,15 +53,18 @@ class TableCheck {
  private:
   void Require(bool condition, const std::string& otherwise) const {
     if (condition) return;
-    throw UserError(fmt::format("{}: its table is damaged: {}; build it again with `taskc build`",
-                                file_.string(), otherwise));
+    throw PluginError(PluginDefect::kDamaged,
+                      fmt::format("{}: its table is damaged: {}; build it again with `taskc build`",
+                                  file_.string(), otherwise));
   }
 
   void CheckVersion() const {
     if (table_.abi_version != TASKC_ABI_VERSION) {
-      throw UserError(fmt::format(
-          "{}: built for ABI {}, but this trainer needs {}: build it again with `taskc build`",
-          file_.string(), table_.abi_version, TASKC_ABI_VERSION));
+      throw PluginError(
+          PluginDefect::kOtherAbi,
+          fmt::format("{}: built for ABI {}, but this program needs {}: build it again with `taskc "
+                      "build`",
+                      file_.string(), table_.abi_version, TASKC_ABI_VERSION));
     }
     Require(table_.struct_size == sizeof(taskc_plugin),
             fmt::format("it has {} bytes, and ABI {} has {}", table_.struct_size, TASKC_ABI_VERSION,
@@ -85,7 +90,7 @@ class TableCheck {
   }
 
   void CheckShape(std::string_view name, int32_t scalar, uint32_t rows, uint32_t columns) const {
-    Require(host::ScalarSize(scalar) != 0, fmt::format("`{}` has an unknown scalar type", name));
+    Require(ScalarSize(scalar) != 0, fmt::format("`{}` has an unknown scalar type", name));
     Require(rows > 0 && columns > 0 && rows <= kLargestCount && columns <= kLargestCount,
             fmt::format("`{}` has {} x {} elements", name, rows, columns));
   }
@@ -133,8 +138,8 @@ class TableCheck {
     const auto sensors = Entries(table_.sensors, table_.sensor_count, "sensors");
     CheckNames(sensors, "sensor");
     for (const taskc_sensor& sensor : sensors) {
-      Require(sensor.type != nullptr && sensor.unit != nullptr,
-              fmt::format("the sensor `{}` has no type or unit", sensor.name));
+      Require(sensor.doc != nullptr && sensor.type != nullptr && sensor.unit != nullptr,
+              fmt::format("the sensor `{}` has no text, type or unit", sensor.name));
       CheckShape(sensor.name, sensor.scalar, sensor.rows, sensor.columns);
       Require(sensor.read_by >> TASKC_READER_COUNT == 0,
               fmt::format("the sensor `{}` is read by unknown events", sensor.name));
@@ -170,8 +175,8 @@ class TableCheck {
       CheckShape(variable.name, variable.scalar, variable.rows, variable.columns);
       Require(variable.scope >= TASKC_PER_RUN && variable.scope <= TASKC_PER_ACTION,
               fmt::format("the variable `{}` has an unknown scope", variable.name));
-      const uint64_t end = variable.offset + host::SizeInBytes(variable);
-      Require(end <= table_.memory_size && variable.offset % host::ScalarSize(variable.scalar) == 0,
+      const uint64_t end = variable.offset + SizeInBytes(variable);
+      Require(end <= table_.memory_size && variable.offset % ScalarSize(variable.scalar) == 0,
               fmt::format("the variable `{}` lies outside the memory", variable.name));
     }
   }
@@ -187,7 +192,7 @@ class TableCheck {
       Require(goal.doc != nullptr && goal.type != nullptr && goal.unit != nullptr,
               fmt::format("the goal `{}` has no text, type or unit", goal.name));
       CheckShape(goal.name, goal.scalar, goal.rows, goal.columns);
-      Require(LiesInside(goal.offset, host::SizeInBytes(goal), host::ScalarSize(goal.scalar)) &&
+      Require(LiesInside(goal.offset, SizeInBytes(goal), ScalarSize(goal.scalar)) &&
                   LiesInside(goal.held_offset, 1, 1) &&
                   LiesInside(goal.draw_offset, sizeof(taskc_int64), sizeof(taskc_int64)),
               fmt::format("the goal `{}` lies outside the memory", goal.name));
@@ -279,10 +284,11 @@ class TableCheck {
 
 void CheckPlugin(const std::filesystem::path& file, const taskc_plugin* table) {
   if (table == nullptr) {
-    throw UserError(
+    throw PluginError(
+        PluginDefect::kDamaged,
         fmt::format("{}: returns no table; build it again with `taskc build`", file.string()));
   }
   TableCheck(file, *table).Run();
 }
 
-}  // namespace runtime
+}  // namespace host

@@ -1,4 +1,4 @@
-#include "runtime/core/task/elf_file.h"
+#include "plugins/host/elf_file.h"
 
 #include <elf.h>
 #include <fmt/format.h>
@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <cstring>
 
-namespace runtime {
+namespace host {
 namespace {
 
 using Header = ElfW(Ehdr);
@@ -119,4 +119,4 @@ std::optional<std::string> ElfDefect(std::span<const std::byte> content) {
   return ElfReader(content).Defect();
 }
 
-}  // namespace runtime
+}  // namespace host

@@ -4,11 +4,11 @@
 
 #include <filesystem>
 
-namespace runtime {
+namespace host {
 
-// Throws UserError, naming `file` and the remedy, unless the table is one that this program can
+// Throws PluginError, naming `file` and the remedy, unless the table is one that this program can
 // run: its ABI version first, then every count, pointer, code, offset and range. `file` is only
 // named.
 void CheckPlugin(const std::filesystem::path& file, const taskc_plugin* table);
 
-}  // namespace runtime
+}  // namespace host

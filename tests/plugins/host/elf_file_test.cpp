@@ -1,24 +1,28 @@
-#include "runtime/core/task/elf_file.h"
+#include "plugins/host/elf_file.h"
 
 #include <elf.h>
 #include <gmock/gmock.h>
 #include <link.h>
 
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <random>
 #include <vector>
 
 #include "base/seal/seal.h"
-#include "tests/runtime/core/task/test_plugins.h"
 
-namespace runtime {
+namespace host {
 namespace {
 
 using testing::HasSubstr;
 using testing::Optional;
 using testing::StartsWith;
+
+std::filesystem::path PluginFile(const std::string& name) {
+  return std::filesystem::path(PLUGIN_FOLDER) / (name + ".so");
+}
 
 // Without the seal, of which ELF knows nothing.
 std::vector<std::byte> Content(const std::string& plugin) {
@@ -104,4 +108,4 @@ TEST(ElfDefect, ReadsNothingOutsideOfGarbage) {
 }
 
 }  // namespace
-}  // namespace runtime
+}  // namespace host

@@ -1,8 +1,8 @@
-#include "runtime/core/task/scalar_bytes.h"
+#include "plugins/host/scalar_bytes.h"
 
 #include <cstring>
 
-namespace runtime {
+namespace host {
 namespace {
 
 template <class Number>
@@ -31,4 +31,4 @@ void StoreScalar(std::byte* place, taskc_int32 scalar, double value) {
   StoreAs<unsigned char>(place, value != 0 ? 1 : 0);
 }
 
-}  // namespace runtime
+}  // namespace host

@@ -1,14 +1,14 @@
-#include "runtime/base/suggestion.h"
+#include "base/text/suggestion.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "base/text/nearest_name.h"
 
-namespace runtime {
+namespace text {
 
 std::string Suggestion(std::string_view name, const std::vector<std::string>& candidates) {
-  if (const auto nearest = text::NearestName(name, candidates)) {
+  if (const auto nearest = NearestName(name, candidates)) {
     return fmt::format(": did you mean `{}`?", *nearest);
   }
   if (candidates.empty()) return ": there are none";
@@ -16,4 +16,4 @@ std::string Suggestion(std::string_view name, const std::vector<std::string>& ca
                      fmt::join(candidates, "`, `"));
 }
 
-}  // namespace runtime
+}  // namespace text

@@ -7,11 +7,11 @@
 #include <span>
 #include <string>
 
-namespace runtime {
+namespace host {
 
 // What makes `content` something other than a whole shared object for this machine, as the
 // predicate of a sentence about the file ("is cut off: ..."); nothing if it is one. Reads nothing
 // outside `content`, whatever stands there.
 std::optional<std::string> ElfDefect(std::span<const std::byte> content);
 
-}  // namespace runtime
+}  // namespace host

@@ -5,10 +5,10 @@
 
 #include <cstddef>
 
-namespace runtime {
+namespace host {
 
 // `scalar`: TASKC_BOOL, TASKC_INT or TASKC_REAL. A bool is 0 or 1.
 double LoadScalar(const std::byte* place, taskc_int32 scalar);
 void StoreScalar(std::byte* place, taskc_int32 scalar, double value);
 
-}  // namespace runtime
+}  // namespace host
