@@ -22,7 +22,8 @@ programs=(
   libmujoco-dev                                    # robots from URDF and MJCF files
   libgtest-dev libgmock-dev libbenchmark-dev
 )
-tests=(chromium procps gdb clang-format)           # a real browser, a real debugger, the format check
+# A real browser, a real debugger, the format check; for the Python package, which the programs do without.
+tests=(chromium procps gdb clang-format python3-numpy)
 
 wanted=("${programs[@]}")
 # Any Node.js that is already installed is good enough for the report's page.

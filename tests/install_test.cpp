@@ -43,11 +43,12 @@ class InstallTest : public testing::Test {
                                                  HAS_PAGES ? "-DTASKC_WEB=ON" : "-DTASKC_WEB=OFF"});
     ASSERT_EQ(configured.exit_status, 0) << configured.errors;
     for (const char* part : {"bin/taskc", "bin/trainer", "share/taskc/report", "share/taskc/study",
-                             "share/taskc/document", "share/taskc/probe"}) {
+                             "share/taskc/document", "share/taskc/probe", "lib"}) {
       if (!std::filesystem::exists(std::filesystem::path(BUILD_DIR) / part)) continue;
       std::filesystem::create_directories((build_ / part).parent_path());
       std::filesystem::copy(std::filesystem::path(BUILD_DIR) / part, build_ / part,
                             std::filesystem::copy_options::recursive |
+                                std::filesystem::copy_options::copy_symlinks |
                                 std::filesystem::copy_options::overwrite_existing);
     }
   }
@@ -74,6 +75,33 @@ class InstallTest : public testing::Test {
   void ExpectMade(const std::string& file) const {
     ASSERT_TRUE(std::filesystem::exists(work_ / file)) << file;
     ExpectKnowsNoSources(Contents(work_ / file));
+  }
+
+  // Runs any program in the user's folder, which knows where taskc was installed to.
+  std::string Run(const std::string& command) const {
+    const std::string prefix = prefix_.string();
+    const ProgramResult result = RunProgram(
+        {"/usr/bin/env", "-i", "-C", work_.string(), "PATH=" + prefix + "/bin:/usr/bin:/bin",
+         "HOME=" + work_.string(), "PREFIX=" + prefix,
+         "PKG_CONFIG_PATH=" + LibFolder() + "/pkgconfig", "LD_LIBRARY_PATH=" + LibFolder(),
+         "PYTHONPATH=" + prefix + "/share/taskc/python", "/bin/sh", "-ec", command});
+    EXPECT_EQ(result.exit_status, 0) << command << "\n" << result.output << result.errors;
+    return result.output;
+  }
+
+  // lib, or lib/x86_64-linux-gnu.
+  std::string LibFolder() const { return (prefix_ / LIB_FOLDER).string(); }
+
+  void CopyExample(const std::string& name) const {
+    std::filesystem::copy(std::filesystem::path(SOURCE_DIR) / "examples" / name, work_ / name,
+                          std::filesystem::copy_options::recursive);
+  }
+
+  // As a user builds a project of his own.
+  void BuildExample(const std::string& name) const {
+    CopyExample(name);
+    Run("cmake -S " + name + " -B " + name + "/build -G Ninja -DCMAKE_PREFIX_PATH=\"$PREFIX\"");
+    Run("cmake --build " + name + "/build");
   }
 
  private:
@@ -107,6 +135,45 @@ TEST_F(InstallTest, WhatTheQuickstartBuildsIsAllThatAUserNeeds) {
   ExpectMade("run/report.html");
   Call({"taskc", "doc", "walking.task", "-o", "walking.html"});
   ExpectMade("walking.html");
+}
+
+constexpr const char* kBalance =
+    "1: 0.477668\n2: 0.162668\n3: -0.439195\n4: -0.568821, falls over\n"
+    "upright: 1.382320\nnear: -0.750000\nheld: -1.000000\n";
+
+// Of four steps of half a second, with the pole at 0.3, 0.6, 0.9 and 1.2 rad; from the second on
+// the wish is 0.5 m away, from the third on something holds the pole.
+TEST_F(InstallTest, AProgramInCFindsItByCMakeOrPkgConfig) {
+  BuildExample("embed_c");
+  EXPECT_EQ(Run("embed_c/build/balance embed_c/build/balance.so"), kBalance);
+  Run("cd embed_c && cc -std=c11 -Wall -Wextra -pedantic -Werror balance.c -o balance "
+      "$(pkg-config --cflags --libs taskc)");
+  Run("cd embed_c && \"$(pkg-config --variable=taskc taskc)\" build balance.task -o balance.so");
+  EXPECT_EQ(Run("embed_c/balance embed_c/balance.so"), kBalance);
+}
+
+TEST_F(InstallTest, AProgramInCppIsBuiltAgainWithItsTaskWhenAnImportChanges) {
+  BuildExample("embed_cpp");
+  const std::string judged = Run("embed_cpp/build/judge embed_cpp/build/docking.so");
+  EXPECT_THAT(judged, testing::HasSubstr("episode 1: return 24.494 in 285 steps"));
+  EXPECT_THAT(judged, testing::HasSubstr("episode 2: return 15.337 in 1000 steps"));
+  EXPECT_THAT(judged, testing::HasSubstr("in 1 steps, 5.65 m from the dock: lost"));
+  EXPECT_THAT(Run("cmake --build embed_cpp/build"), testing::HasSubstr("no work to do"));
+  Write("embed_cpp/nearness.task",
+        "fn nearness(distance: real [m], reach: real [m]) -> real = 0 * distance / reach\n");
+  Run("cmake --build embed_cpp/build");
+  EXPECT_THAT(Run("embed_cpp/build/judge embed_cpp/build/docking.so"),
+              testing::HasSubstr("episode 1: return 19.86"));
+}
+
+TEST_F(InstallTest, PythonFindsWhatItWasInstalledWith) {
+  const std::string python = PYTHON;
+  if (python.empty()) GTEST_SKIP() << "there is no Python with NumPy";
+  CopyExample("embed_cpp");
+  CopyExample("python");
+  Run("mkdir examples && mv embed_cpp python examples/");
+  EXPECT_THAT(Run(python + " examples/python/judge.py picture.png"),
+              testing::HasSubstr("damping 3: return 24.494, docked after 5.7 s"));
 }
 
 }  // namespace

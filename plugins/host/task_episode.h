@@ -40,6 +40,17 @@ class TaskEpisode {
     if (!frame_.Call(event, time_step)) return std::nullopt;
     return Outcome();
   }
+  // What the last event has done.
+  EventOutcome Outcome() const {
+    const taskc_plugin& plugin = frame_.plugin();
+    const taskc_frame& frame = frame_.frame();
+    const bool is_paid = std::abs(frame.reward) <= TASKC_LARGEST_REWARD;
+    return {.reward = is_paid ? frame.reward : 0,
+            .is_paid = is_paid,
+            .fault = IndexOrNone(frame.fault, plugin.term_count),
+            .violation = IndexOrNone(frame.violation, plugin.requirement_count),
+            .end = IndexOrNone(frame.end, plugin.end_count)};
+  }
   // At the end of each time step, before its event: how long it was.
   void NoteTimeStep(double time_step) { time_step_ = time_step; }
   // After that event, where needs_measuring().
@@ -63,16 +74,6 @@ class TaskEpisode {
   // What stands for no entry of the table would be a damaged plugin's.
   static taskc_int32 IndexOrNone(taskc_int32 index, taskc_uint32 count) {
     return index >= 0 && static_cast<taskc_uint32>(index) < count ? index : -1;
-  }
-  EventOutcome Outcome() const {
-    const taskc_plugin& plugin = frame_.plugin();
-    const taskc_frame& frame = frame_.frame();
-    const bool is_paid = std::abs(frame.reward) <= TASKC_LARGEST_REWARD;
-    return {.reward = is_paid ? frame.reward : 0,
-            .is_paid = is_paid,
-            .fault = IndexOrNone(frame.fault, plugin.term_count),
-            .violation = IndexOrNone(frame.violation, plugin.requirement_count),
-            .end = IndexOrNone(frame.end, plugin.end_count)};
   }
   void Measure();
 

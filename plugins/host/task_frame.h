@@ -77,6 +77,9 @@ class TaskFrame {
   // called that reads the sensor (taskc_sensor.read_by).
   const void*& sensor(size_t index) { return sensors_[index]; }
 
+  // All of them.
+  std::span<const void*> sensors() { return sensors_; }
+
   // A double each, whatever their type. That they stay in their range is the caller's business.
   std::span<double> params() { return params_; }
   std::span<const double> params() const { return params_; }

@@ -55,6 +55,27 @@ TEST(Build, WritesThePluginWhereItIsTold) {
   EXPECT_FALSE(std::filesystem::exists(taskc.path("cache")));
 }
 
+TEST(Build, ListsTheFilesThatAPluginIsMadeFrom) {
+  TaskcProcess taskc;
+  taskc.Write("a part.task", "fn twice(x: real) -> real = 2 * x\n");
+  taskc.Write("whole.task",
+              "task whole for humanoid\nimport \"a part.task\"\n"
+              "metric high = twice(base.up.z)\n");
+  EXPECT_EQ(taskc.Run("build whole.task -o out.so --depfile out.d").status, 0);
+  const std::string rule = ReadWholeFile(taskc.path("out.d").string()).value();
+  EXPECT_TRUE(rule.starts_with("out.so: \\\n  " + taskc.path("whole.task").string())) << rule;
+  EXPECT_NE(rule.find("/a\\ part.task"), std::string::npos) << rule;
+  EXPECT_NE(rule.find("/humanoid/robot.toml"), std::string::npos) << rule;
+}
+
+TEST(Build, AnUnnamedPluginHasNoRule) {
+  TaskcProcess taskc;
+  taskc.Write("good.task", kGoodTask);
+  const Outcome outcome = taskc.Run("build good.task --depfile out.d");
+  EXPECT_EQ(outcome.status, 2);
+  EXPECT_NE(outcome.error.find("add `-o FILE.so`"), std::string::npos) << outcome.error;
+}
+
 // A cache may be any folder.
 TEST(Build, RemovesNoFileOfOthersFromItsCache) {
   namespace fs = std::filesystem;
