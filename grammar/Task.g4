@@ -22,8 +22,9 @@ tokens { LINE_END, SET_BEGIN, SET_END }
 // declarations but imports, functions, sets, tables and consts.
 file : (allow | header | declaration)* EOF ;
 
-// task crawling for humanoid, task backward_rolling extends "forward_rolling.task"
-header : TASK name (EXTENDS base=STRING)? (FOR robot=name)? LINE_END? ;
+// task crawling for humanoid, task backward_rolling extends "forward_rolling.task",
+// task kick for humanoid in "ball.toml"
+header : TASK name (EXTENDS base=STRING)? (FOR robot=name)? (IN world=STRING)? LINE_END? ;
 
 declaration
     : ( start | afterEnd | sensor | param | memory | goal | observation | metric | reward | constant

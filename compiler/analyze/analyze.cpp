@@ -2,6 +2,7 @@
 
 #include "compiler/analyze/allowances.h"
 #include "compiler/analyze/find_robot.h"
+#include "compiler/analyze/find_world.h"
 #include "compiler/bounds/bounds.h"
 #include "compiler/bounds/start_bounds.h"
 #include "compiler/bounds/warnings.h"
@@ -36,8 +37,10 @@ Analysis Analyze(const std::filesystem::path& file, const FileReader& read,
   analysis.tree = Compose(file, read, analysis.sources, analysis.diagnostics);
   if (!analysis.tree) return analysis;
   GetRobot(analysis, robots);
-  analysis.task = Check(*analysis.tree, analysis.robot ? &*analysis.robot : nullptr,
-                        analysis.diagnostics, references);
+  analysis.world = FindWorld(*analysis.tree, read, analysis.sources, analysis.diagnostics);
+  analysis.task =
+      Check(*analysis.tree, analysis.robot ? &*analysis.robot : nullptr, analysis.diagnostics,
+            references, analysis.world ? &*analysis.world : nullptr);
   if (!analysis.task) return analysis;
   CheckStops(*analysis.task, analysis.diagnostics);
   if (analysis.diagnostics.has_errors()) {

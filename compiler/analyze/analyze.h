@@ -11,6 +11,7 @@
 #include "compiler/source/sources.h"
 #include "compiler/syntax/syntax_tree.h"
 #include "plugins/robot/robot_description.h"
+#include "plugins/world/world_description.h"
 
 namespace compiler {
 
@@ -19,6 +20,7 @@ struct Analysis {
   Sources sources;
   std::optional<SyntaxTree> tree;
   std::optional<robot::RobotDescription> robot;  // nothing also where the task names none
+  std::optional<world::WorldDescription> world;  // likewise
   Diagnostics diagnostics;
   std::optional<CheckedTask> task;
 };

@@ -20,6 +20,7 @@
 #include "compiler/check/test_blocks.h"
 #include "compiler/check/time_functions.h"
 #include "compiler/check/warnings.h"
+#include "compiler/check/worlds.h"
 
 namespace compiler {
 namespace {
@@ -33,7 +34,8 @@ bool DeclaresSensors(const SyntaxTree& tree) {
 }  // namespace
 
 std::optional<CheckedTask> Check(const SyntaxTree& tree, const robot::RobotDescription* robot,
-                                 Diagnostics& diagnostics, References* references) {
+                                 Diagnostics& diagnostics, References* references,
+                                 const world::WorldDescription* world) {
   assert(robot == nullptr || tree.robot);
   const bool knows_robot =
       tree.robot ? robot != nullptr : !tree.lost.has_header && !tree.lost.has_anything;
@@ -60,6 +62,7 @@ std::optional<CheckedTask> Check(const SyntaxTree& tree, const robot::RobotDescr
   if (robot != nullptr) scope.sensors = SensorCatalog::OfRobot(*robot, scope.enumerations);
   if (!knows_robot && (tree.robot || !DeclaresSensors(tree)))
     scope.sensors = SensorCatalog::OfAnyRobot();
+  CheckWorld(tree, world, scope);
 
   CheckedTask task;
   TimeFunctionTable time_functions(task);
@@ -76,7 +79,7 @@ std::optional<CheckedTask> Check(const SyntaxTree& tree, const robot::RobotDescr
   DeclareFunctions(tree, scope);
   CheckTables(tree, scope);
   CheckConstants(tree, scope);
-  CheckSensors(tree, scope);
+  CheckSensors(tree, world, scope);
   for (const std::string& word : tree.lost.words)
     if (!scope.sensors.IsRoot(word)) scope.refused.insert(word);
   DeclarePhases(tree, scope, task);

@@ -13,6 +13,7 @@
 #include "compiler/check/report.h"
 #include "compiler/check/starts.h"
 #include "compiler/check/type.h"
+#include "compiler/check/worlds.h"
 
 namespace compiler {
 namespace {
@@ -219,10 +220,12 @@ void CheckOneMemory(const MemoryDeclaration& memory, TaskScope& scope, CheckedTa
 
 }  // namespace
 
-void CheckSensors(const SyntaxTree& tree, TaskScope& scope) {
+void CheckSensors(const SyntaxTree& tree, const world::WorldDescription* world, TaskScope& scope) {
   std::map<std::string, Span> seen;
   ForEachDeclared<SensorDeclaration>(tree, [&](const SensorDeclaration& sensor) {
-    if (!tree.robot || !IsOfRobot(sensor, *tree.robot, scope)) CheckOneSensor(sensor, seen, scope);
+    if (tree.robot && IsOfRobot(sensor, *tree.robot, scope)) return;
+    if (world != nullptr && IsOfWorld(sensor, tree, *world, scope)) return;
+    CheckOneSensor(sensor, seen, scope);
   });
 }
 

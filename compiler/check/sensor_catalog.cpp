@@ -9,6 +9,7 @@
 #include "compiler/check/type.h"
 #include "compiler/check/unit.h"
 #include "plugins/robot/sensors.h"
+#include "plugins/world/thing_sensors.h"
 
 namespace compiler {
 namespace {
@@ -81,6 +82,23 @@ SensorCatalog SensorCatalog::OfAnyRobot() {
                  .maximum = std::vector<double>(type.size(), kInfinity)});
   }
   return catalog;
+}
+
+void SensorCatalog::AddThings(const world::WorldDescription& world,
+                              const std::vector<Enumeration>& enumerations) {
+  for (const world::ThingSensor& sensor : world::SensorsOf(world)) {
+    const Type type = TypeOf(sensor.type, enumerations);
+    const bool is_flag = type.scalar == Scalar::kBool;
+    Add({.name = sensor.name,
+         .type = type,
+         .unit = UnitOf(sensor.unit),
+         .minimum = std::vector<double>(type.size(), is_flag ? 0 : -sensor.most),
+         .maximum = std::vector<double>(type.size(), is_flag ? 1 : sensor.most),
+         .is_nominal = !is_flag,
+         .is_onboard = false,
+         .at_rest = sensor.at_rest,
+         .doc = std::string(sensor.doc)});
+  }
 }
 
 std::vector<std::string> SensorCatalog::Names() const {

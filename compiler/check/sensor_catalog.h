@@ -10,6 +10,7 @@
 #include "compiler/check/checked_task.h"
 #include "compiler/check/enumeration.h"
 #include "plugins/robot/robot_description.h"
+#include "plugins/world/world_description.h"
 
 namespace compiler {
 
@@ -23,6 +24,10 @@ class SensorCatalog {
   // Those that every robot has. One with an element for each link or joint counts as wrongly
   // declared: how many these are is not known.
   static SensorCatalog OfAnyRobot();
+
+  // Those of a world's things.
+  void AddThings(const world::WorldDescription& world,
+                 const std::vector<Enumeration>& enumerations);
 
   void Add(CheckedSensor sensor) { sensors_.push_back(std::move(sensor)); }
   // A sensor whose declaration is wrong: what reads it is not to be reported.

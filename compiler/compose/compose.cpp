@@ -23,6 +23,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::string_view kWorldEnding = ".toml";
+
 // One name for each file, however it is reached.
 fs::path KeyOf(const fs::path& file) {
   std::error_code error;
@@ -34,14 +36,15 @@ fs::path KeyOf(const fs::path& file) {
 struct Reference {
   fs::path file;  // relative to the folder where the compiler runs, or absolute
   std::string written;
-  Span span;               // of the path
-  std::string_view reads;  // "imports", "extends" or "reads"
-  fs::path beside{};       // of the name of a library: the file that it might be instead
+  Span span;                          // of the path
+  std::string_view reads;             // "imports", "extends" or "reads"
+  fs::path beside{};                  // of the name of a library: the file that it might be instead
+  std::string_view ending = ".task";  // of files of its kind
 };
 
 Reference ReferenceIn(const fs::path& file, const std::string& written, Span span,
-                      std::string_view reads) {
-  return {(file.parent_path() / written).lexically_normal(), written, span, reads};
+                      std::string_view reads, std::string_view ending = ".task") {
+  return {(file.parent_path() / written).lexically_normal(), written, span, reads, {}, ending};
 }
 
 Reference ImportIn(const fs::path& file, const ImportDeclaration& import) {
@@ -71,6 +74,7 @@ class Composer {
     tree = Complete(std::move(*tree), file);
     for (Declaration& declaration : tree->declarations)
       if (auto* table = std::get_if<TableDeclaration>(&declaration.node)) AddTable(table->source);
+    if (tree->world && !AddWorld(*tree->world)) tree->lost.has_anything = true;
     return tree;
   }
 
@@ -156,11 +160,41 @@ class Composer {
     return library;
   }
 
+  static bool IsNameOfWorld(const std::string& path) {
+    return fs::path(path).extension() == kWorldEnding;
+  }
+
+  // What the file says is read later. Returns whether it is there.
+  bool AddWorld(WorldFile& world) {
+    if (world.path.empty()) return false;
+    if (!IsNameOfWorld(world.path)) {
+      Report(code::kBadWorld, world.path_span,
+             fmt::format("`{}` is not the name of a world", world.path),
+             fmt::format("the file of a world ends with `{}`", kWorldEnding));
+      return false;
+    }
+    const fs::path folder = sources_.FileOf(world.path_span).path();
+    const Reference reference =
+        ReferenceIn(folder, world.path, world.path_span, "reads", kWorldEnding);
+    const SourceFile* source = AddSource(reference);
+    if (source == nullptr) return false;
+    world.file = sources_.files().size() - 1;
+    if (source->text().size() <= SourceFile::kMaxSize) return true;
+    Report(code::kFileTooLarge, world.path_span,
+           fmt::format("the file of the world is larger than {} bytes", SourceFile::kMaxSize),
+           "heights of the ground have a file of their own");
+    return false;
+  }
+
   // Several tables may be of one file.
   void AddTable(TableSource& table) {
     if (table.path.empty()) return;
+    if (IsNameOfWorld(table.path))
+      return Report(code::kNotATable, table.path_span,
+                    fmt::format("`{}` is the name of a world", table.path),
+                    "the file of a table is CSV: call it `.csv`");
     const fs::path folder = sources_.FileOf(table.path_span).path();
-    const Reference reference = ReferenceIn(folder, table.path, table.path_span, "reads");
+    const Reference reference = ReferenceIn(folder, table.path, table.path_span, "reads", ".csv");
     const auto [known, is_new] = tables_.try_emplace(KeyOf(reference.file));
     if (is_new) {
       const SourceFile* source = AddSource(reference);
@@ -287,13 +321,12 @@ class Composer {
   // "did you mean `shaping.task`?", of the files of its kind in the folder where it should be.
   static Help NearestFile(const Reference& reference) {
     std::vector<std::string> names;
-    const std::string_view ending = reference.reads == "reads" ? ".csv" : ".task";
     std::error_code error;
     fs::path folder = reference.file.parent_path();
     if (folder.empty()) folder = ".";
     for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
          entry.increment(error))
-      if (entry->path().extension() == ending) names.push_back(entry->path().filename());
+      if (entry->path().extension() == reference.ending) names.push_back(entry->path().filename());
     std::ranges::sort(names);
     const auto nearest = text::NearestName(reference.file.filename().string(), names);
     if (!nearest) return "a path is relative to the folder of the file that contains it";

@@ -162,6 +162,7 @@ class Extension {
     merged.doc = std::move(own_.doc);
     merged.task = std::move(own_.task);
     if (own_.robot) merged.robot = std::move(own_.robot);
+    if (own_.world) merged.world = std::move(own_.world);
     merged.base.reset();
     std::erase_if(merged.allowances, [&](const Allowance& allowance) {
       return std::ranges::any_of(removed_, [&](Span span) {

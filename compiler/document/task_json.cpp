@@ -102,12 +102,14 @@ Json ToJson(const CheckedTable& table) {
 
 Json ToJson(const Analysis& analysis) {
   const CheckedTask& task = *analysis.task;
+  const SyntaxTree& tree = *analysis.tree;
   const Weights weights = FindWeights(task);
   Json json = {{"task", task.name},
                {"doc", task.doc},
                {"file", analysis.sources.main().path()},
                {"hash", analysis.sources.Hash()},
                {"robot", task.robot.empty() ? Json() : Json(task.robot)},
+               {"world", tree.world ? Json(tree.world->path) : Json()},
                {"params", Json::array()},
                {"goals", Json::array()},
                {"tables", Json::array()},

@@ -146,6 +146,10 @@ class PageWriter {
         facts.push_back({Piece::kPlain, i == 0 ? ", which starts in the pose " : " or "});
         facts.push_back({Piece::kCode, poses[i]});
       }
+      if (tree_.world) {
+        facts.push_back({Piece::kPlain, ", in the world "});
+        facts.push_back({Piece::kCode, tree_.world->path});
+      }
       facts.push_back({Piece::kPlain, "."});
     }
     page_.blocks.push_back(Paragraph{facts});

@@ -161,6 +161,8 @@ class Completer {
         return OfferFiles(".task");
       case Expected::kTableFile:
         return OfferFiles(".csv");
+      case Expected::kWorldFile:
+        return OfferFiles(".toml");
     }
   }
 

@@ -224,8 +224,10 @@ class PlaceFinder {
     const bool is_of_table = IsFileOfTable(tokens_, text);
     const bool is_of_task =
         text > 0 && (tokens_.Is(text - 1, "import") || tokens_.Is(text - 1, "extends"));
-    if (!is_of_table && !is_of_task) return Expected::kAnyText;
+    const bool is_of_world = text > 0 && tokens_.Is(text - 1, "in");
+    if (!is_of_table && !is_of_task && !is_of_world) return Expected::kAnyText;
     place_.word.begin = tokens_[text].span.begin + 1;
+    if (is_of_world) return Expected::kWorldFile;
     return is_of_table ? Expected::kTableFile : Expected::kFile;
   }
 

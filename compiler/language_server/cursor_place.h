@@ -48,7 +48,8 @@ enum class Expected {
   kExpectation,  // after `expect`
   kWarningCode,
   kFile,  // the name of a task file
-  kTableFile
+  kTableFile,
+  kWorldFile
 };
 
 struct CursorPlace {

@@ -6,17 +6,22 @@
 #include <set>
 
 #include "plugins/robot/sensors.h"
+#include "plugins/world/thing_sensors.h"
 
 namespace compiler {
 namespace {
 
 // The numbers in Sources::files() of those that are no tasks.
-std::set<size_t> TableFiles(const Analysis& analysis) {
+std::set<size_t> NoTaskFiles(const Analysis& analysis) {
   std::set<size_t> files;
   for (const Declaration& declaration : analysis.tree->declarations) {
     const auto* table = std::get_if<TableDeclaration>(&declaration.node);
     if (table != nullptr && table->source.file)
       files.insert(analysis.sources.IndexOf(table->source.file->columns.front().span));
+  }
+  if (const auto& world = analysis.tree->world) {
+    for (const std::optional<size_t>& file : {world->file, world->map_file})
+      if (file) files.insert(*file);
   }
   return files;
 }
@@ -41,12 +46,22 @@ KnownValues::KnownValues(const Document& document, Workspace& workspace)
     for (const robot::SensorDescription& sensor : robot::Sensors()) add(sensor, false);
     for (const robot::ConstantDescription& constant : robot::Constants()) add(constant, true);
   }
-  if (good_ != nullptr) AddInherited(*good_);
+  if (good_ == nullptr) return;
+  if (good_->analysis.world) AddThings(*good_->analysis.world);
+  AddInherited(*good_);
+}
+
+void KnownValues::AddThings(const world::WorldDescription& world) {
+  for (const world::ThingSensor& sensor : world::SensorsOf(world)) {
+    const std::string unit = sensor.unit.empty() ? "" : fmt::format(" [{}]", sensor.unit);
+    robot_sensors_.push_back({sensor.name, NameKind::kSensor, std::string(sensor.type) + unit,
+                              std::string(sensor.doc), false});
+  }
 }
 
 void KnownValues::AddInherited(const Findings& findings) {
   const auto& files = findings.analysis.sources.files();
-  const std::set<size_t> tables = TableFiles(findings.analysis);
+  const std::set<size_t> tables = NoTaskFiles(findings.analysis);
   for (size_t i = 1; i < files.size(); ++i) {
     if (tables.contains(i)) continue;
     const TextTokens tokens(files[i].text());

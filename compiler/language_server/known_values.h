@@ -42,6 +42,7 @@ class KnownValues {
   const Enumeration* IndexOf(std::string_view name, uint32_t offset) const;
 
  private:
+  void AddThings(const world::WorldDescription& world);
   void AddInherited(const Findings& findings);
   std::string TypeOf(const DeclaredName& name) const;
 

@@ -86,7 +86,9 @@ constexpr auto kOperators = std::to_array<ExplainedWord>({
     {"within",
      "How far the sides may differ, in a test: `expect total(TERM) == 1 within 1e-9`; how long a "
      "phase may last: `phase NAME within 3 s else OTHER { ... }`."},
-    {"in", "The range of a param or a sensor: `in LOW .. HIGH`; or the set of a loop."},
+    {"in",
+     "The range of a param or a sensor: `in LOW .. HIGH`; or the set of a loop; "
+     "or the world of a task: `task NAME for ROBOT in \"FILE.toml\"`."},
     {"per",
      "When a memory is reset to its initial value: `per action`; when a goal is drawn: `per 3 s .. "
      "8 s`."},

@@ -40,6 +40,8 @@ std::string ListOfOverridable(std::string_view conjunction) {
 constexpr const char* kHeaderHelp =
     "a file begins with the task's name and its robot: `task crawling for humanoid`";
 
+constexpr const char* kWorldHelp = "the world is named by its file: `in \"FILE.toml\"`";
+
 Help HelpForDeclaration(const antlr4::Token& word) {
   Help help = HelpForForeign(ForeignPlace::kDeclaration, word.getText(), SpanOf(word));
   const std::vector<std::string> keywords = DeclarationKeywords();
@@ -127,12 +129,21 @@ Description BadHeader(const Failure& failure) {
                                    "expected `for` or the end of the line, found `on`"),
                     RobotIs(failure.last->getText(), on));
   }
+  if (failure.rule == TaskParser::RuleHeader && failure.last_type() == TaskParser::IN)
+    return WithHelp(Expected(failure, "the file of a world"), std::string(kWorldHelp));
   if (failure.rule != TaskParser::RuleFile || failure.is_at_line_start()) return std::nullopt;
   if (failure.type() == TaskParser::EXTENDS) {
     return WithHelp(Expected(failure, "the end of the line"), "`extends` comes before `for`");
   }
+  if (failure.before_last->getType() == TaskParser::IN || failure.last_type() == TaskParser::STRING)
+    return Expected(failure, "the end of the line");
   const bool has_robot = failure.before_last->getType() == TaskParser::FOR;
-  if (has_robot) return Expected(failure, "the end of the line");
+  if (has_robot) {
+    Diagnostic diagnostic = Expected(failure, "`in` or the end of the line");
+    const bool is_world = failure.next_type() == TaskParser::STRING;
+    if (is_world) diagnostic.help = {std::string(kWorldHelp), {{SpanOf(failure.found), "in"}}};
+    return diagnostic;
+  }
   Diagnostic diagnostic = Expected(failure, "`for`, `extends` or the end of the line");
   if (failure.next_type() == TaskParser::STRING) {
     diagnostic.help = {fmt::format("did you mean `extends {}`?", failure.next->getText()),

@@ -473,6 +473,14 @@ struct BaseTask {  // `extends "forward_rolling.task"`
   Span path_span;
 };
 
+struct WorldFile {  // `in "ball.toml"`
+  std::string path;
+  Span path_span;
+  // Its number in Sources::files(), and that of its height map.
+  std::optional<size_t> file{};
+  std::optional<size_t> map_file{};
+};
+
 // What is not in a tree with errors, so that nothing is said about what may depend on it.
 struct LostText {
   // Names that may have been declared, and texts of ends.
@@ -491,6 +499,7 @@ struct SyntaxTree {
   std::string doc;                  // the `///` lines before `task`
   std::optional<Identifier> task;   // nothing: a library, which has no rewards, memory and the like
   std::optional<Identifier> robot;  // `for humanoid`
+  std::optional<WorldFile> world;
   std::optional<BaseTask> base;
   std::vector<Declaration> declarations;
   std::vector<Allowance> allowances;

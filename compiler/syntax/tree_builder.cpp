@@ -92,6 +92,8 @@ class TreeBuilder {
       tree_.base = BaseTask{BuildPath(*context.base), SpanOf(*context.base)};
     }
     if (context.robot != nullptr) tree_.robot = BuildName(*context.robot);
+    if (context.world != nullptr)
+      tree_.world = WorldFile{BuildPath(*context.world), SpanOf(*context.world)};
   }
 
   // The file has no header: is it a library?

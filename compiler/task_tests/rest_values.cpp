@@ -8,6 +8,7 @@ namespace compiler {
 Value RestValue(const CheckedSensor& sensor) {
   const robot::SensorDescription* known = robot::FindSensor(sensor.name);
   const Type& type = sensor.type;
+  if (sensor.at_rest.size() == type.size()) return sensor.at_rest;
   const size_t length = type.shape == Shape::kArray ? type.columns : type.size();
   if (known == nullptr || type.scalar != Scalar::kReal || known->at_rest.size() != length)
     return Filled(type.scalar, type.size(), 0);

@@ -19,4 +19,18 @@ inline const char* NameOf(JointKind kind) {
   std::abort();
 }
 
+inline const char* NameOf(ShapeKind kind) {
+  switch (kind) {
+    case ShapeKind::kBox:
+      return "box";
+    case ShapeKind::kCapsule:
+      return "capsule";
+    case ShapeKind::kCylinder:
+      return "cylinder";
+    case ShapeKind::kSphere:
+      return "sphere";
+  }
+  std::abort();
+}
+
 }  // namespace robot

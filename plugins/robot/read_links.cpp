@@ -1,6 +1,7 @@
 #include <array>
 #include <utility>
 
+#include "plugins/robot/kind_names.h"
 #include "plugins/robot/read_parts.h"
 
 namespace robot {
@@ -37,26 +38,14 @@ void ReadSphere(const TomlValue& link, LinkShape& shape) {
   shape.radius = link.At("radius").PositiveNumber();
 }
 
-struct ShapeType {
-  const char* name;
-  ShapeKind kind;
-  void (*read)(const TomlValue&, LinkShape&);
-};
-constexpr std::array kShapeTypes = {
-    ShapeType{"box", ShapeKind::kBox, ReadBox},
-    ShapeType{"capsule", ShapeKind::kCapsule, ReadCapsule},
-    ShapeType{"cylinder", ShapeKind::kCylinder, ReadCylinder},
-    ShapeType{"sphere", ShapeKind::kSphere, ReadSphere},
-};
+constexpr std::array kShapeKinds = {ShapeKind::kBox, ShapeKind::kCapsule, ShapeKind::kCylinder,
+                                    ShapeKind::kSphere};
 
 LinkShape ReadShape(const TomlValue& link, const Vector3& center) {
-  std::vector<std::string> names;
-  for (const ShapeType& type : kShapeTypes) names.emplace_back(type.name);
-  const ShapeType& type = kShapeTypes[link.At("shape").IndexIn(names, "shape")];
-  link.AllowKeys(KeysOf(type.name));
   LinkShape shape;
-  shape.kind = type.kind;
-  type.read(link, shape);
+  shape.kind = ReadShapeKind(link);
+  link.AllowKeys(KeysOf(NameOf(shape.kind)));
+  ReadSize(link, shape);
   if (const auto position = link.Find("shape_position")) {
     shape.position = position->ToVector3();
     for (int i = 0; i < 3; ++i) shape.position[i] -= center[i];
@@ -117,6 +106,25 @@ Link ReadLink(const TomlValue& named, std::string name) {
 }
 
 }  // namespace
+
+ShapeKind ReadShapeKind(const TomlValue& part) {
+  std::vector<std::string> names;
+  for (const ShapeKind kind : kShapeKinds) names.emplace_back(NameOf(kind));
+  return kShapeKinds[part.At("shape").IndexIn(names, "shape")];
+}
+
+void ReadSize(const TomlValue& part, LinkShape& shape) {
+  switch (shape.kind) {
+    case ShapeKind::kBox:
+      return ReadBox(part, shape);
+    case ShapeKind::kCapsule:
+      return ReadCapsule(part, shape);
+    case ShapeKind::kCylinder:
+      return ReadCylinder(part, shape);
+    case ShapeKind::kSphere:
+      return ReadSphere(part, shape);
+  }
+}
 
 std::vector<Link> ReadLinks(const TomlValue& root) {
   std::vector<Link> links;

@@ -14,6 +14,10 @@
 namespace robot {
 
 std::vector<Link> ReadLinks(const TomlValue& root);
+// What `shape` of a link, or of another solid part, says.
+ShapeKind ReadShapeKind(const TomlValue& part);
+// Sets the lengths of a shape of this kind.
+void ReadSize(const TomlValue& part, LinkShape& shape);
 std::vector<std::array<int, 2>> ReadContactExclusions(const TomlValue& root,
                                                       const RobotDescription& robot);
 // A unit quaternion, w, x, y, z.

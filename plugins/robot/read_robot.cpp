@@ -12,14 +12,7 @@ toml::table Parse(const std::string& file) {
                     "file is there and may be read",
                     file, reading.problem));
   }
-  try {
-    return toml::parse(reading.bytes, file);
-  } catch (const toml::parse_error& error) {
-    const toml::source_position& place = error.source().begin;
-    throw DescriptionError(fmt::format(
-        "{}:{}:{}: error: {}\n  help: the file is written in TOML 1.0, see https://toml.io", file,
-        place.line, place.column, error.description()));
-  }
+  return ParseToml(reading.bytes, file);
 }
 
 Controller ReadController(const TomlValue& root) {

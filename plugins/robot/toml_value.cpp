@@ -20,6 +20,16 @@ bool IsName(std::string_view text) {
 
 }  // namespace
 
+toml::table ParseToml(std::string_view text, const std::string& file) {
+  try {
+    return toml::parse(text, file);
+  } catch (const toml::parse_error& error) {
+    const toml::source_position& place = error.source().begin;
+    throw PlacedError(file, place.line, place.column, error.description(),
+                      "the file is written in TOML 1.0, see https://toml.io");
+  }
+}
+
 std::string ListNames(const std::vector<std::string>& names) {
   std::string text;
   for (size_t i = 0; i < names.size(); ++i) {
@@ -169,8 +179,7 @@ TomlValue TomlValue::Called(std::string what) const {
 }
 
 void TomlValue::Fail(std::string_view message, std::string_view help) const {
-  throw DescriptionError(fmt::format("{}:{}:{}: error: {}\n  help: {}", *file_, position_.line,
-                                     position_.column, message, help));
+  throw PlacedError(*file_, position_.line, position_.column, message, help);
 }
 
 void TomlValue::FailType(std::string_view expected) const {

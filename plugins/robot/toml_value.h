@@ -11,9 +11,13 @@
 #include <utility>
 #include <vector>
 
+#include "plugins/robot/placed_error.h"
 #include "plugins/robot/robot_description.h"
 
 namespace robot {
+
+// Throws PlacedError where the text, the contents of `file`, is no TOML.
+toml::table ParseToml(std::string_view text, const std::string& file);
 
 class TomlValue {
  public:

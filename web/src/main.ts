@@ -96,7 +96,7 @@ function makeViewer(report: Report): Viewer | undefined {
         "The curves are complete without it.",
     );
   }
-  return new Viewer(report.body);
+  return new Viewer(report);
 }
 
 function main(): void {

@@ -17,4 +17,15 @@ Motion ReadMotion(const Recording& recording, int link_count) {
   return motion;
 }
 
+Motion OfLinks(const Motion& motion, size_t count) {
+  Motion links{motion.frame_interval, static_cast<int>(count), {}, {}};
+  for (int frame = 0; frame < motion.frame_count(); ++frame) {
+    for (int link = 0; link < links.link_count; ++link) {
+      links.positions.push_back(motion.position(frame, link));
+      links.orientations.push_back(motion.orientation(frame, link));
+    }
+  }
+  return links;
+}
+
 }  // namespace runtime

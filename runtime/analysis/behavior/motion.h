@@ -26,6 +26,10 @@ struct Motion {
 };
 
 // The motion of a robot with `link_count` links. Throws UserError where the recording is damaged.
+// Things of its world count as links.
 Motion ReadMotion(const Recording& recording, int link_count);
+
+// The motion of the first links alone.
+Motion OfLinks(const Motion& motion, size_t count);
 
 }  // namespace runtime

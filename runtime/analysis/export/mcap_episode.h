@@ -15,7 +15,7 @@ namespace runtime {
 //   /tf            foxglove.FrameTransforms: each link's frame in `world`, in each recorded frame
 //   /goal/NAME     taskc.Goal: what the robot was told, with its unit, whenever it was
 //   /episode       taskc.Episode: at the end, its return, how it ended, its terms, metrics and logs
-// `links` are those of ParseBody().
+// `links` are the parts of ParseBody(), things of the world among them.
 std::string McapOf(const RunRecord& run, const EpisodeRecord& episode, const Motion& motion,
                    const std::vector<robot::Link>& links);
 

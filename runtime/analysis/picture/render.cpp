@@ -1,9 +1,8 @@
 #include "runtime/analysis/picture/render.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
-
-#include "runtime/analysis/picture/surface.h"
 
 namespace runtime {
 namespace {
@@ -18,7 +17,7 @@ constexpr double kLampLeft = 0.75, kLampFront = 0.62, kLampAbove = 1.6;
 constexpr double kLampRadius = 0.075;  // as seen from there, in radians: softens shadows
 constexpr int kParts = 4 * kSamples;   // of the lamp, each seen or not
 constexpr uint32_t kShadowColor = 0x10161c;
-constexpr double kShadowCover = 0.3, kContactCover = 0.5;
+constexpr double kShadowCover = 0.3, kContactCover = 0.5, kSlopeCover = 0.35;
 
 // The directions to the parts of a lamp, evenly over its disc, from the middle outwards: each a
 // golden angle from the one before.
@@ -56,7 +55,7 @@ struct FloorPatch {
 
 class Renderer {
  public:
-  explicit Renderer(const Scene& scene) : scene_(scene), paints_(PaintsOf(scene.links)) {
+  explicit Renderer(const Scene& scene) : scene_(scene) {
     const Camera& camera = scene.camera;
     const Vector3d front = camera.right.cross(Vector3d::UnitZ());  // level, to the camera
     lamp_ = (-kLampLeft * camera.right + kLampFront * front + kLampAbove * Vector3d::UnitZ())
@@ -86,19 +85,27 @@ class Renderer {
  private:
   const Vector3d& PartOfLamp(int i) const { return parts_[static_cast<size_t>(i)]; }
 
-  static bool MeetsFloor(const Ray& ray) { return ray.origin.z() > 0 && ray.direction.z() < 0; }
-  static Vector3d OnFloor(const Ray& ray) { return ray.At(-ray.origin.z() / ray.direction.z()); }
-
   Layer Floor(const Ray& ray, double x, double y, double step) {
     const Ray right = scene_.camera.RayThrough(x + step, y);
     const Ray up = scene_.camera.RayThrough(x, y + step);
-    if (!MeetsFloor(ray) || !MeetsFloor(right) || !MeetsFloor(up)) return {};
-    const Vector3d middle = OnFloor(ray);
-    const FloorPatch patch = {middle, OnFloor(right) - middle, OnFloor(up) - middle};
-    const double open = scene_.robot.Openness(middle, Vector3d::UnitZ(), PosedRobot::kNone);
-    const double cover = 1 - (1 - kContactCover * (1 - open)) * (1 - kShadowCover * Shadow(patch));
+    const std::optional<Hit> hit = scene_.terrain.FirstHit(ray);
+    const std::optional<Hit> beside = scene_.terrain.FirstHit(right);
+    const std::optional<Hit> above = scene_.terrain.FirstHit(up);
+    if (!hit || !beside || !above) return {};
+    const Vector3d middle = ray.At(hit->distance);
+    const FloorPatch patch = {middle, right.At(beside->distance) - middle,
+                              up.At(above->distance) - middle};
+    const double open = scene_.robot.Openness(middle, hit->normal, PosedRobot::kNone);
+    const double cover = 1 - (1 - kContactCover * (1 - open)) * (1 - kShadowCover * Shadow(patch)) *
+                                 (1 - Shade(hit->normal, middle));
     return Layer::Of(LightOf(kShadowColor), cover)
         .Over(scene_.ground.Look(middle.head<2>(), patch.du.head<2>(), patch.dv.head<2>()));
+  }
+
+  // How much darker ground is that does not face up.
+  double Shade(const Vector3d& normal, const Vector3d& place) const {
+    const double part = std::max(0., normal.dot(lamp_)) / lamp_.z();
+    return kSlopeCover * std::max(0., 1 - part) * scene_.ground.Presence(place.head<2>());
   }
 
   // How much of the lamp the robot hides from a piece of the floor.
@@ -122,7 +129,7 @@ class Renderer {
 
   Layer Sample(const Ray& ray, const Vector3d& lamp, const Layer& floor) {
     const std::optional<RobotHit> hit = scene_.robot.FirstHitOf(near_, ray);
-    const bool is_under_floor = hit && MeetsFloor(ray) && ray.At(hit->hit.distance).z() < 0;
+    const bool is_under_floor = hit && scene_.terrain.Hides(ray, hit->hit.distance);
     return hit && !is_under_floor ? Robot(*hit, ray, lamp) : floor;
   }
 
@@ -135,8 +142,8 @@ class Renderer {
     light.to_fill = scene_.camera.right;
     light.is_lit = normal.dot(lamp) > 0 && !scene_.robot.IsBlocked(all_, {place, lamp}, hit.link);
     light.openness = Openness(hit.link, place, normal);
-    const Light color = ColorAt(paints_[hit.link], scene_.links[hit.link].shape, hit.place);
-    return Layer::Of(Shade(color, normal, light), 1);
+    const Light color = ColorAt(scene_.paints[hit.link], scene_.links[hit.link].shape, hit.place);
+    return Layer::Of(runtime::Shade(color, normal, light), 1);
   }
 
   // One for all samples of a pixel that show the same link: it changes little.
@@ -149,7 +156,6 @@ class Renderer {
   }
 
   const Scene& scene_;
-  const std::vector<Paint> paints_;
   Vector3d lamp_;  // direction to its middle
   std::array<Vector3d, kParts> parts_;
   std::vector<size_t> all_;      // links

@@ -6,14 +6,18 @@
 #include "runtime/analysis/picture/ground.h"
 #include "runtime/analysis/picture/image.h"
 #include "runtime/analysis/picture/posed_robot.h"
+#include "runtime/analysis/picture/surface.h"
+#include "runtime/analysis/picture/terrain.h"
 
 namespace runtime {
 
 // What is to be seen in a picture.
 struct Scene {
   const std::vector<robot::Link>& links;
+  const std::vector<Paint>& paints;  // of the links
   const PosedRobot& robot;
-  const Ground& ground;
+  const Terrain& terrain;
+  const Ground& ground;  // what can be seen on it
   const Camera& camera;
 };
 

@@ -41,14 +41,18 @@ std::vector<double> SnapshotTimes(const Motion& motion, const StripOptions& opti
 std::string SnapshotStrip(const Motion& motion, const std::vector<robot::Link>& links,
                           const StripOptions& options) {
   const std::vector<int> frames = SnapshotFrames(motion, options);
-  const std::vector<Camera> cameras = PlaceCameras(motion, links, frames);
-  const int followed = SubjectOf(motion, links).front();
+  const std::vector<robot::Link> robot_links(links.begin(),
+                                             links.end() - static_cast<ptrdiff_t>(options.things));
+  const std::vector<Camera> cameras = PlaceCameras(motion, robot_links, frames);
+  const int followed = SubjectOf(motion, robot_links).front();
+  const Terrain terrain(options.ground);
+  const std::vector<Paint> paints = PaintsOf(links, options.things);
   Image image(options.count * options.height, options.height);
   const auto draw = [&](size_t i) {
     const PosedRobot robot(links, motion, frames[i]);
     const Ground ground(cameras[i], TrailOf(motion, followed, frames, i));
-    Render({links, robot, ground, cameras[i]}, static_cast<int>(i) * options.height, options.height,
-           image);
+    Render({links, paints, robot, terrain, ground, cameras[i]},
+           static_cast<int>(i) * options.height, options.height, image);
   };
   std::vector<std::future<void>> pictures;  // at the same time: each has columns of its own
   for (size_t i = 0; i < frames.size(); ++i) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "plugins/robot/robot_description.h"
+#include "plugins/world/world_description.h"
 #include "runtime/analysis/behavior/motion.h"
 
 namespace runtime {
@@ -16,6 +17,9 @@ struct StripOptions {
   // The part of the motion that is shown [s]; what lies outside of the motion is left out.
   double from = 0;
   double to = std::numeric_limits<double>::infinity();
+  // So many of the links, at the end, are things of the world: none of the robot's.
+  size_t things = 0;
+  world::Ground ground{};  // what all stand on
 };
 
 // The times of the pictures [s], equally spaced, the first and the last frame included: those of

@@ -8,8 +8,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-// As --left, --right, --trunk and --plate of the pages (web/src/style/theme.css).
-constexpr uint32_t kLeft = 0x3b82c8, kRight = 0xe8832e, kTrunk = 0xaeb6bd, kPlate = 0x2a3138;
+// As --left, --right, --trunk, --plate and --thing of the pages (web/src/style/theme.css).
+constexpr uint32_t kLeft = 0x3b82c8, kRight = 0xe8832e, kTrunk = 0xaeb6bd, kPlate = 0x2a3138,
+                   kThing = 0xc9a227;
 constexpr double kJointDarkness = 0.55;
 
 constexpr double kLamp = 0.66, kFill = 0.1, kSky = 0.62, kBounce = 0.3;  // strengths
@@ -42,9 +43,13 @@ Side SideOf(std::string_view link) {
   return Side::kTrunk;
 }
 
-std::vector<Paint> PaintsOf(const std::vector<robot::Link>& links) {
+std::vector<Paint> PaintsOf(const std::vector<robot::Link>& links, size_t things) {
   std::vector<Paint> paints;
   for (size_t i = 0; i < links.size(); ++i) {
+    if (i + things >= links.size()) {
+      paints.push_back({LightOf(kThing), false});
+      continue;
+    }
     const bool is_box = links[i].shape.kind == robot::ShapeKind::kBox && !links[i].shape.IsMoved();
     const bool is_ball = links[i].shape.kind == robot::ShapeKind::kSphere;
     const Side side = SideOf(links[i].name);

@@ -22,7 +22,8 @@ struct Paint {
   bool has_plate = false;
 };
 
-std::vector<Paint> PaintsOf(const std::vector<robot::Link>& links);
+// The last `things` of them are no links and have a color of their own.
+std::vector<Paint> PaintsOf(const std::vector<robot::Link>& links, size_t things = 0);
 
 // The color at a place of the link's surface, in the link's frame.
 Light ColorAt(const Paint& paint, const robot::LinkShape& shape, const Eigen::Vector3d& place);

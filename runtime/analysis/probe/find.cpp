@@ -106,13 +106,15 @@ class ProbeReader {
  private:
   void ReadRobot(const std::filesystem::path& run, const RunRecord& record) {
     results_.record = record;
-    links_ = ParseBody(record.body).value();
+    const RecordedBody body = ParseBody(record.body).value();
+    part_count_ = static_cast<int>(body.parts.size());
+    links_ = body.links();
     limits_.emplace(ReadKeptRobot(run, record.robot_description));
   }
 
   void AddCandidate(Find find) {
     try {
-      const Motion motion = ReadMotion(find.recording, static_cast<int>(links_.size()));
+      const Motion motion = OfLinks(ReadMotion(find.recording, part_count_), links_.size());
       find.extremes = ExtremesOf(motion);
       find.beyond = Beyond(*limits_, find.extremes);
       candidates_.push_back({std::move(find), DescribeBehavior(motion, links_)});
@@ -150,6 +152,7 @@ class ProbeReader {
   }
 
   ProbeResults results_;
+  int part_count_ = 0;  // of the recordings
   std::vector<robot::Link> links_;
   std::optional<BaseLimits> limits_;
   std::vector<Candidate> candidates_;

@@ -13,6 +13,7 @@
 #include "runtime/training/learning/parametric_motion.h"
 #include "runtime/training/run/body_json.h"
 #include "runtime/training/run/iso_time.h"
+#include "runtime/training/run/recorded_ground.h"
 
 namespace runtime {
 namespace {
@@ -21,9 +22,16 @@ using nlohmann::json;
 
 constexpr int kStripHeight = 208;  // [px]: sharp where the page shows it half as large
 
-json Strip(const Motion& motion, const std::vector<robot::Link>& links,
-           const StripOptions& options) {
-  const std::string png = SnapshotStrip(motion, links, options);
+// What all pictures of a run have in common.
+struct Scenery {
+  RecordedBody body;
+  world::Ground ground;
+};
+
+json Strip(const Motion& motion, const Scenery& scenery, StripOptions options) {
+  options.things = scenery.body.things;
+  options.ground = scenery.ground;
+  const std::string png = SnapshotStrip(motion, scenery.body.parts, options);
   return {{"times", SnapshotTimes(motion, options)},
           {"png", EncodeBase64(std::as_bytes(std::span(png)))}};
 }
@@ -44,13 +52,14 @@ std::optional<StripOptions> OneRepetition(const Find& find, const json& modules)
 }
 
 // Sets the pictures and the replay of a find.
-void AddMotion(const Find& find, const std::vector<robot::Link>& links, json& data) {
-  const Motion motion = ReadMotion(find.recording, static_cast<int>(links.size()));
+void AddMotion(const Find& find, const Scenery& scenery, json& data) {
+  const size_t parts = scenery.body.parts.size();
+  const Motion motion = ReadMotion(find.recording, static_cast<int>(parts));
   data["modules"] = AgentModules(find.agent);
-  data["strip"] = Strip(motion, links, {.height = kStripHeight});
+  data["strip"] = Strip(motion, scenery, {.height = kStripHeight});
   const auto repetition = OneRepetition(find, data["modules"]);
-  data["repetition"] = repetition ? Strip(motion, links, *repetition) : json();
-  data["recording"] = EncodeRecording(find.recording, links.size());
+  data["repetition"] = repetition ? Strip(motion, scenery, *repetition) : json();
+  data["recording"] = EncodeRecording(find.recording, parts);
   data["recording"]["episode"] = find.episode.number;
 }
 
@@ -63,9 +72,10 @@ void WriteProbePage(const ProbeResults& results, const std::filesystem::path& fi
   data["madeAt"] = IsoTimeNow();
   data["source"] = task.sources.front().text;
   data["body"] = json::parse(results.record.body);
-  const std::vector<robot::Link> links = ParseBody(results.record.body).value();
+  data["ground"] = GroundJson(GroundOf(results.record));
+  const Scenery scenery{ParseBody(results.record.body).value(), GroundOf(results.record)};
   for (size_t i = 0; i < results.finds.size(); ++i) {
-    AddMotion(results.finds[i], links, data["finds"][i]);
+    AddMotion(results.finds[i], scenery, data["finds"][i]);
   }
   WritePage(file, MakePage(data, PageFolder("probe")));
 }

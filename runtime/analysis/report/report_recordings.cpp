@@ -8,6 +8,7 @@
 #include "runtime/analysis/report/choose_recordings.h"
 #include "runtime/analysis/report/goals_told.h"
 #include "runtime/base/user_error.h"
+#include "runtime/training/run/recorded_ground.h"
 #include "runtime/training/run/recorded_poses.h"
 #include "runtime/training/run/recorder.h"
 
@@ -54,6 +55,7 @@ json EncodeRecording(const Recording& recording, size_t link_count) {
 void AddRecordings(const RunDatabase& database, const RunRecord& run,
                    const std::vector<EpisodeRecord>& episodes, json& data) {
   data["body"] = json::parse(run.body);
+  data["ground"] = GroundJson(GroundOf(run));
   json& notes = data["notes"] = json::array();
   json& recordings = data["recordings"] = json::array();
   const size_t frame_size = data["body"].size() * Recorder::kFloatsPerLink;

@@ -18,7 +18,8 @@ struct RunBehavior {
 std::vector<RunBehavior> FinalBehaviors(const StudyExperiment& experiment,
                                         std::vector<std::string>& notes) {
   std::vector<RunBehavior> behaviors;
-  const std::vector<robot::Link> links = ParseBody(experiment.record().body).value();
+  const RecordedBody body = ParseBody(experiment.record().body).value();
+  const std::vector<robot::Link> links = body.links();
   if (links.empty()) return behaviors;
   for (size_t i = 0; i < experiment.runs.size(); ++i) {
     const StudyRun& run = experiment.runs[i];
@@ -26,8 +27,8 @@ std::vector<RunBehavior> FinalBehaviors(const StudyExperiment& experiment,
     try {
       const std::optional<FinalRecording> final = ReadFinalRecording(run);
       if (!final) continue;
-      const Motion motion = ReadMotion(final->recording, static_cast<int>(links.size()));
-      behaviors.push_back({i, DescribeBehavior(motion, links)});
+      const Motion motion = ReadMotion(final->recording, static_cast<int>(body.parts.size()));
+      behaviors.push_back({i, DescribeBehavior(OfLinks(motion, links.size()), links)});
     } catch (const UserError& error) {
       notes.push_back(
           fmt::format("The last recording of {} is left out: {}.", run.name, error.what()));

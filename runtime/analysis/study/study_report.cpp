@@ -7,6 +7,7 @@
 #include "runtime/analysis/study/group_recordings.h"
 #include "runtime/analysis/study/stated_preferences.h"
 #include "runtime/training/run/iso_time.h"
+#include "runtime/training/run/recorded_ground.h"
 
 namespace runtime {
 namespace {
@@ -44,6 +45,7 @@ json PageExperiment(const ExperimentResult& result, const Sentences& sentences) 
   experiment["agentText"] = runs.record().agent;
   experiment["source"] = runs.task().sources.front().text;
   experiment["body"] = json::parse(runs.record().body);
+  experiment["ground"] = GroundJson(GroundOf(runs.record()));
   return experiment;
 }
 

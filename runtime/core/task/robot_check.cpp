@@ -14,6 +14,7 @@
 #include "runtime/base/suggestion.h"
 #include "runtime/base/user_error.h"
 #include "runtime/core/module/sensor_data.h"
+#include "runtime/core/task/task_world.h"
 
 namespace runtime {
 namespace {
@@ -142,6 +143,17 @@ void CheckFitsRobot(const Plugin& plugin, const robot::RobotDescription& robot) 
   // Last: another number of them has been said of the sensor that it matters to.
   CheckParts(plugin, {table.links, table.link_count}, robot.links, "links", robot);
   CheckParts(plugin, {table.joints, table.joint_count}, robot.joints, "joints", robot);
+}
+
+void CheckFitsWorld(const Plugin& plugin, const Plugin& first) {
+  const std::unique_ptr<const world::WorldDescription> wanted = WorldOf(plugin.table());
+  if (wanted == nullptr) return;
+  const std::unique_ptr<const world::WorldDescription> present = WorldOf(first.table());
+  if (present != nullptr && *wanted == *present) return;
+  Refuse(plugin,
+         fmt::format("the task `{}` is in a world, and this run is {}: start another run "
+                     "with it",
+                     plugin.table().name, present == nullptr ? "in none" : "in another one"));
 }
 
 }  // namespace runtime

@@ -9,4 +9,8 @@ namespace runtime {
 // task is for and has every sensor that the task reads, with its type, unit and number of elements.
 void CheckFitsRobot(const Plugin& plugin, const robot::RobotDescription& robot);
 
+// Throws UserError likewise if the task names a world, and it is not that of the task with which
+// the run began.
+void CheckFitsWorld(const Plugin& plugin, const Plugin& first);
+
 }  // namespace runtime

@@ -6,6 +6,7 @@
 
 #include "runtime/base/suggestion.h"
 #include "runtime/core/module/connections.h"
+#include "runtime/core/task/robot_check.h"
 
 namespace runtime {
 namespace {
@@ -50,6 +51,7 @@ UniversalTask& LiveGraph::active_task() const { return *FindTaskModules(graph_, 
 void LiveGraph::CheckLoad(const std::string& name, const Plugin& plugin) const {
   graph_.CheckNewName(name);
   UniversalTask::CheckCanLoad(plugin, active_task(), graph_);
+  CheckFitsWorld(plugin, *context_.task);
 }
 
 UniversalTask& LiveGraph::Load(const std::string& name, std::unique_ptr<TaskInstance> instance) {
@@ -89,6 +91,7 @@ void LiveGraph::CheckIsSeenInstead(const Port& present, const Port& next) {
 void LiveGraph::CheckSwap(const std::string& name, const Plugin& plugin) const {
   const UniversalTask& task = FindTask(name);
   task.CheckCanSwap(plugin, graph_);
+  CheckFitsWorld(plugin, *context_.task);
   CheckIsSeen(task, ObservationLayoutOf(plugin.table()), plugin.table().name);
 }
 

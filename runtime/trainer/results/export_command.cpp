@@ -84,9 +84,9 @@ std::string ReadMcap(const std::filesystem::path& folder, int64_t wanted) {
   const int64_t number = ChooseRecordedEpisode(folder, database, wanted);
   const std::vector<EpisodeRecord> episodes = database.ReadEpisodes();
   const RunRecord run = database.ReadRun();
-  const std::vector<robot::Link> links = ReadBody(folder, run);
-  const Motion motion = ReadRecordedMotion(folder, database, number, links.size());
-  return McapOf(run, episodes.at(static_cast<size_t>(number - 1)), motion, links);
+  const RecordedBody body = ReadBody(folder, run);
+  const Motion motion = ReadRecordedMotion(folder, database, number, body.parts.size());
+  return McapOf(run, episodes.at(static_cast<size_t>(number - 1)), motion, body.parts);
 }
 
 void Print(const Files& files, bool is_json) {

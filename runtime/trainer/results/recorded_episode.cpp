@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "runtime/base/user_error.h"
-#include "runtime/training/run/body_json.h"
 
 namespace runtime {
 namespace {
@@ -32,13 +31,13 @@ std::string WhatIsRecorded(const std::vector<int64_t>& recorded, int64_t episode
 
 }  // namespace
 
-std::vector<robot::Link> ReadBody(const std::filesystem::path& folder, const RunRecord& run) {
-  std::vector<robot::Link> links = ParseBody(run.body).value();
-  if (links.empty()) {
+RecordedBody ReadBody(const std::filesystem::path& folder, const RunRecord& run) {
+  RecordedBody body = ParseBody(run.body).value();
+  if (body.parts.empty()) {
     throw UserError(
         fmt::format("{}: the run does not say which shapes the robot has", folder.string()));
   }
-  return links;
+  return body;
 }
 
 int64_t ChooseRecordedEpisode(const std::filesystem::path& folder, const RunDatabase& database,
@@ -60,9 +59,9 @@ int64_t ChooseRecordedEpisode(const std::filesystem::path& folder, const RunData
 }
 
 Motion ReadRecordedMotion(const std::filesystem::path& folder, const RunDatabase& database,
-                          int64_t episode, size_t link_count) {
+                          int64_t episode, size_t part_count) {
   try {
-    return ReadMotion(*database.ReadRecording(episode), static_cast<int>(link_count));
+    return ReadMotion(*database.ReadRecording(episode), static_cast<int>(part_count));
   } catch (const UserError& error) {
     throw UserError(fmt::format(
         "{}: the recording of episode {} is damaged: {}; choose another one with --episode",

@@ -8,6 +8,7 @@
 #include "runtime/analysis/picture/snapshot_strip.h"
 #include "runtime/trainer/commands.h"
 #include "runtime/trainer/results/recorded_episode.h"
+#include "runtime/training/run/recorded_ground.h"
 #include "runtime/training/run/run_database.h"
 #include "runtime/training/run/run_files.h"
 
@@ -48,11 +49,15 @@ void PrintTimes(const SnapshotsOptions& options, int64_t episode,
 
 void Snapshots(const SnapshotsOptions& options) {
   const RunDatabase database = RunDatabase::OpenToRead(options.folder);
-  const std::vector<robot::Link> links = ReadBody(options.folder, database.ReadRun());
+  const RunRecord run = database.ReadRun();
+  const RecordedBody body = ReadBody(options.folder, run);
   const int64_t episode = ChooseRecordedEpisode(options.folder, database, options.episode);
-  const Motion motion = ReadRecordedMotion(options.folder, database, episode, links.size());
+  const Motion motion = ReadRecordedMotion(options.folder, database, episode, body.parts.size());
   CheckSpan(options.strip, motion);
-  WriteOutput(options.output, "the pictures", SnapshotStrip(motion, links, options.strip));
+  StripOptions strip = options.strip;
+  strip.things = body.things;
+  strip.ground = GroundOf(run);
+  WriteOutput(options.output, "the pictures", SnapshotStrip(motion, body.parts, strip));
   PrintTimes(options, episode, SnapshotTimes(motion, options.strip));
 }
 

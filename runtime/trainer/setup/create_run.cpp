@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "runtime/core/task/task_world.h"
 #include "runtime/core/task/universal_task.h"
 #include "runtime/training/run/body_json.h"
 #include "runtime/training/run/run_files.h"
@@ -77,7 +78,7 @@ RunRecord RecordOf(const TaskSetup& setup, const RunPlan& plan) {
   FindTaskModules(setup.graph, setup.graph.FindOnly<Learner>());  // throws where none pays it
   run.robot = setup.robot.name;
   run.robot_description = ReadText(setup.robot_file);
-  run.body = BodyJson(setup.robot);
+  run.body = BodyJson(setup.robot, WorldOf(setup.plugin->table()).get());
   run.agent = ToToml(KeptAgent(setup.agent));
   run.settings = SettingsText(setup.settings);
   run.call = CallText(CallOf(setup.options, plan));

@@ -2,31 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <utility>
+
+#include "plugins/robot/kind_names.h"
 
 namespace runtime {
 namespace {
 
-const char* ShapeName(robot::ShapeKind kind) {
-  switch (kind) {
-    case robot::ShapeKind::kBox:
-      return "box";
-    case robot::ShapeKind::kCapsule:
-      return "capsule";
-    case robot::ShapeKind::kCylinder:
-      return "cylinder";
-    case robot::ShapeKind::kSphere:
-      return "sphere";
-  }
-  std::abort();
-}
-
 std::optional<robot::ShapeKind> ShapeKindOf(const std::string& name) {
   using enum robot::ShapeKind;
   for (const auto kind : {kBox, kCapsule, kCylinder, kSphere}) {
-    if (name == ShapeName(kind)) return kind;
+    if (name == NameOf(kind)) return kind;
   }
   return std::nullopt;
 }
@@ -58,38 +45,47 @@ std::optional<robot::Link> ParseLink(const nlohmann::json& json) {
   return is_sound ? std::optional(std::move(link)) : std::nullopt;
 }
 
-}  // namespace
-
-std::string BodyJson(const robot::RobotDescription& robot) {
-  nlohmann::ordered_json links = nlohmann::ordered_json::array();
-  for (const robot::Link& link : robot.links) {
-    nlohmann::ordered_json json = {
-        {"name", link.name},           {"shape", ShapeName(link.shape.kind)},
-        {"size", link.shape.size},     {"radius", link.shape.radius},
-        {"length", link.shape.length}, {"axis", link.shape.axis}};
-    if (link.shape.IsMoved()) {
-      json["position"] = link.shape.position;
-      json["orientation"] = link.shape.orientation;
-    }
-    links.push_back(std::move(json));
+nlohmann::ordered_json PartJson(const std::string& name, const robot::LinkShape& shape) {
+  nlohmann::ordered_json json = {{"name", name},           {"shape", NameOf(shape.kind)},
+                                 {"size", shape.size},     {"radius", shape.radius},
+                                 {"length", shape.length}, {"axis", shape.axis}};
+  if (shape.IsMoved()) {
+    json["position"] = shape.position;
+    json["orientation"] = shape.orientation;
   }
-  return links.dump();
+  return json;
 }
 
-std::optional<std::vector<robot::Link>> ParseBody(const std::string& json) {
+}  // namespace
+
+std::string BodyJson(const robot::RobotDescription& robot, const world::WorldDescription* world) {
+  nlohmann::ordered_json parts = nlohmann::ordered_json::array();
+  for (const robot::Link& link : robot.links) parts.push_back(PartJson(link.name, link.shape));
+  if (world != nullptr) {
+    for (const world::Thing& thing : world->things) {
+      parts.push_back(PartJson(thing.name, thing.shape));
+      parts.back()["thing"] = true;
+    }
+  }
+  return parts.dump();
+}
+
+std::optional<RecordedBody> ParseBody(const std::string& json) {
   const nlohmann::json list = nlohmann::json::parse(json, nullptr, false);
   if (!list.is_array()) return std::nullopt;
-  std::vector<robot::Link> links;
+  RecordedBody body;
   try {
     for (const nlohmann::json& each : list) {
-      std::optional<robot::Link> link = ParseLink(each);
-      if (!link) return std::nullopt;
-      links.push_back(*std::move(link));
+      std::optional<robot::Link> part = ParseLink(each);
+      const bool is_thing = each.value("thing", false);
+      if (!part || (!is_thing && body.things > 0)) return std::nullopt;
+      body.parts.push_back(*std::move(part));
+      if (is_thing) ++body.things;
     }
   } catch (const nlohmann::json::exception&) {
     return std::nullopt;
   }
-  return links;
+  return body;
 }
 
 }  // namespace runtime

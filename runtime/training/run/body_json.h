@@ -5,18 +5,29 @@
 #include <vector>
 
 #include "plugins/robot/robot_description.h"
+#include "plugins/world/world_description.h"
 
 namespace runtime {
 
-// The shapes of the robot's links, for who draws the recordings: a JSON list with one object per
-// link,
+// The shapes of the robot's links and of the things in its world (null: none), for who draws the
+// recordings, in the order of their poses there: a JSON list with one object for each,
 // {"name", "shape": "box"|"capsule"|"cylinder"|"sphere", "size": [x, y, z], "radius", "length",
 // "axis": 0|1|2} and, where the shape is not around the link's center or turned, "position":
-// [x, y, z], "orientation": [w, x, y, z].
-std::string BodyJson(const robot::RobotDescription& robot);
+// [x, y, z], "orientation": [w, x, y, z]; of a thing "thing": true.
+std::string BodyJson(const robot::RobotDescription& robot, const world::WorldDescription* world);
 
-// The links of BodyJson(), with their names and shapes and nothing else; nothing where the text is
-// not such a list, or has a shape that no link can have.
-std::optional<std::vector<robot::Link>> ParseBody(const std::string& json);
+// What moves in the recordings.
+struct RecordedBody {
+  std::vector<robot::Link> parts;  // with names and shapes and nothing else
+  size_t things = 0;               // how many of them, at the end, are none of the robot's links
+
+  std::vector<robot::Link> links() const {
+    return {parts.begin(), parts.end() - static_cast<ptrdiff_t>(things)};
+  }
+};
+
+// What BodyJson() has written; nothing where the text is not such a list, or has a shape that no
+// link can have.
+std::optional<RecordedBody> ParseBody(const std::string& json);
 
 }  // namespace runtime

@@ -17,7 +17,7 @@ Collector::Collector(ModuleGraph graph)
       environment_(graph_.FindOnly<RobotEnvironment>()),
       learner_(graph_.FindOnly<Learner>()),
       tasks_(FindTaskModules(graph_, learner_)),
-      recorder_(environment_.link_count(), environment_.time_step()) {}
+      recorder_(environment_.pose_count(), environment_.time_step()) {}
 
 void Collector::Prepare(int64_t episode, const ModuleGraph& graph, const Learner& leader) {
   episode_ = episode;

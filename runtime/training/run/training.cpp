@@ -32,7 +32,7 @@ Training::Training(ModuleGraph& graph, const RunRecord& run, RunDatabase& databa
       environment_(graph.FindOnly<RobotEnvironment>()),
       learner_(graph.FindOnly<Learner>()),
       tasks_(FindTaskModules(graph, learner_)),
-      recorder_(environment_.link_count(), environment_.time_step()),
+      recorder_(environment_.pose_count(), environment_.time_step()),
       warnings_([&progress, &hooks](const std::string& text) {
         progress.Warn(text);
         hooks.OnWarning(text);

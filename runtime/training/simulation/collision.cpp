@@ -1,27 +1,14 @@
 #include "runtime/training/simulation/collision.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <set>
 #include <utility>
 
+#include "plugins/robot/shape_radius.h"
+
 namespace runtime {
 namespace {
-
-double BoundingRadius(const robot::LinkShape& shape) {
-  switch (shape.kind) {
-    case robot::ShapeKind::kBox:
-      return std::hypot(shape.size[0], shape.size[1], shape.size[2]) / 2;
-    case robot::ShapeKind::kCapsule:
-      return shape.length / 2;
-    case robot::ShapeKind::kCylinder:
-      return std::hypot(shape.radius, shape.length / 2);
-    case robot::ShapeKind::kSphere:
-      break;
-  }
-  return shape.radius;
-}
 
 // Which links do not collide. Links that are welded together count as one.
 class Joined {
@@ -57,41 +44,77 @@ class Joined {
 
 }  // namespace
 
-Collision::Collision(const robot::RobotDescription& robot, const RobotBody& body)
-    : body_(body),
-      plane_(dCreatePlane(nullptr, 0, 0, 1, 0)),
-      first_movable_(robot.has_fixed_base ? 1 : 0),
-      centers_(robot.links.size()),
-      ground_(robot.links.size(), 0) {
-  for (const robot::Link& link : robot.links) {
-    radii_.push_back(BoundingRadius(link.shape));
-    frictions_.push_back(link.friction);
+Collision::Collision(const robot::RobotDescription& robot, const RobotBody& body,
+                     const Surroundings& around)
+    : links_(robot.links.size()), first_movable_(robot.has_fixed_base ? 1 : 0) {
+  AddSolids(robot, body, around);
+  AddPairs(Joined(robot));
+  centers_.resize(solids_.size());
+  ground_.resize(solids_.size(), 0);
+  contacts_.reserve(kMaxContacts * solids_.size());
+}
+
+void Collision::AddSolids(const robot::RobotDescription& robot, const RobotBody& body,
+                          const Surroundings& around) {
+  for (const GroundPart& part : around.ground()) {
+    parts_.push_back({&part, {part.geom.get(), Contact::kGround, 0, around.friction()}});
   }
-  const Joined are_joined(robot);
-  for (int i = 0; i < body.link_count(); ++i) {
-    for (int j = i + 1; j < body.link_count(); ++j) {
-      if (!are_joined(i, j)) pairs_.push_back({i, j, radii_[i] + radii_[j]});
+  for (size_t i = 0; i < links_; ++i) {
+    const robot::Link& link = robot.links[i];
+    const int index = static_cast<int>(i);
+    solids_.push_back({body.geom(index), index, robot::RadiusAround(link.shape), link.friction});
+  }
+  const std::span<const world::Thing> things = around.things();
+  for (size_t i = 0; i < things.size(); ++i) {
+    solids_.push_back({around.GeomOf(i, body), around.BodyOf(i),
+                       robot::RadiusAround(things[i].shape), things[i].friction});
+  }
+  touches_.resize(things.size() * links_, 0);
+}
+
+template <class AreJoined>
+void Collision::AddPairs(const AreJoined& are_joined) {
+  const auto moves = [&](size_t i) {
+    return i < links_ ? static_cast<int>(i) >= first_movable_ : solids_[i].body >= 0;
+  };
+  for (size_t i = 0; i < solids_.size(); ++i) {
+    for (size_t j = i + 1; j < solids_.size(); ++j) {
+      const bool are_links = j < links_;
+      if (are_links ? are_joined(static_cast<int>(i), static_cast<int>(j)) : !moves(i) && !moves(j))
+        continue;
+      Pair& pair = pairs_.emplace_back();
+      pair = {i, j, solids_[i].radius + solids_[j].radius};
+      if (i < links_ && !are_links) pair.touch = static_cast<int>((j - links_) * links_ + i);
     }
   }
-  contacts_.reserve(kMaxContacts * robot.links.size());
 }
 
 void Collision::Update() {
   contacts_.clear();
-  FindCenters();
-  for (int i = 0; i < body_.link_count(); ++i) {
-    const bool near = i >= first_movable_ && centers_[i][2] <= radii_[i];
-    ground_[i] = near && AddContacts(Contact::kGround, i) ? 1 : 0;
+  for (size_t i = 0; i < solids_.size(); ++i) {
+    std::copy_n(dGeomGetPosition(solids_[i].geom), 3, centers_[i].begin());
+  }
+  for (size_t i = 0; i < solids_.size(); ++i) {
+    const bool moves = solids_[i].body >= (i < links_ ? first_movable_ : 0);
+    ground_[i] = moves && TouchesGround(i) ? 1 : 0;
   }
   for (const Pair& pair : pairs_) {
-    if (MayTouch(pair)) AddContacts(pair.first, pair.second);
+    const bool touch = MayTouch(pair) && AddContacts(solids_[pair.first], solids_[pair.second]);
+    if (pair.touch >= 0) touches_[static_cast<size_t>(pair.touch)] = touch ? 1 : 0;
   }
 }
 
-void Collision::FindCenters() {
-  for (int i = 0; i < body_.link_count(); ++i) {
-    std::copy_n(dGeomGetPosition(body_.geom(i)), 3, centers_[i].begin());
+bool Collision::TouchesGround(size_t solid) {
+  const robot::Vector3& center = centers_[solid];
+  const double radius = solids_[solid].radius;
+  bool touches = false;
+  for (const Part& part : parts_) {
+    const GroundPart& ground = *part.ground;
+    const bool near = ToEigen(center.data()).dot(ground.normal) - ground.offset <= radius &&
+                      center[0] + radius >= ground.low_x && center[0] - radius <= ground.high_x;
+    if (near && AddContacts(part.solid, solids_[solid])) touches = true;
   }
+  return touches;
 }
 
 bool Collision::MayTouch(const Pair& pair) const {
@@ -103,19 +126,14 @@ bool Collision::MayTouch(const Pair& pair) const {
   return x * x + y * y + z * z <= pair.reach * pair.reach;
 }
 
-dGeomID Collision::GeomOf(int link) const {
-  return link == Contact::kGround ? plane_.get() : body_.geom(link);
-}
-
-bool Collision::AddContacts(int first, int second) {
+bool Collision::AddContacts(const Solid& first, const Solid& second) {
   dContactGeom found[kMaxContacts];
-  const double friction = first == Contact::kGround
-                              ? frictions_[second]
-                              : std::min(frictions_[first], frictions_[second]);
-  const int count = dCollide(GeomOf(first), GeomOf(second), kMaxContacts, found, sizeof *found);
+  const double friction = std::min(first.friction, second.friction);
+  const int count = dCollide(first.geom, second.geom, kMaxContacts, found, sizeof *found);
   for (int i = 0; i < count; ++i) {
-    const bool swapped = found[i].g1 != GeomOf(first);
-    contacts_.push_back({swapped ? second : first, swapped ? first : second, found[i], friction});
+    const bool swapped = found[i].g1 != first.geom;
+    contacts_.push_back({swapped ? second.body : first.body, swapped ? first.body : second.body,
+                         found[i], friction});
   }
   return count > 0;
 }

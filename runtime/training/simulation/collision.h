@@ -1,4 +1,4 @@
-// Finds where a robot touches the ground and itself.
+// Finds where a robot touches the ground, itself and the things around it.
 #pragma once
 
 #include <span>
@@ -6,15 +6,16 @@
 
 #include "plugins/robot/robot_description.h"
 #include "runtime/training/simulation/robot_body.h"
+#include "runtime/training/simulation/surroundings.h"
 
 namespace runtime {
 
-// A point at which two links, or a link and the ground, touch.
+// A point at which two bodies, or a body and what does not move, touch.
 struct Contact {
-  static constexpr int kGround = -1;
+  static constexpr int kGround = -1;  // and things that are fixed
 
-  int first;   // link, or kGround; the geometry's normal points into it
-  int second;  // link, or kGround
+  int first;   // body: a link or a thing, or kGround; the geometry's normal points into it
+  int second;  // body, or kGround
   dContactGeom geometry;
   double friction;  // coefficient; infinity where nothing slides
 };
@@ -23,8 +24,9 @@ struct Contact {
 // spaces, and gives the same bits in every run. Links connected by a joint do not collide.
 class Collision {
  public:
-  // `body` outlives the object. The ground is the plane z = 0.
-  Collision(const robot::RobotDescription& robot, const RobotBody& body);
+  // `body` and `around` outlive the object.
+  Collision(const robot::RobotDescription& robot, const RobotBody& body,
+            const Surroundings& around);
 
   Collision(const Collision&) = delete;
   Collision& operator=(const Collision&) = delete;
@@ -36,31 +38,50 @@ class Collision {
   std::span<const Contact> contacts() const { return contacts_; }
 
   // For each link 1 if it touches the ground. From the last update.
-  std::span<const unsigned char> ground() const { return ground_; }
+  std::span<const unsigned char> ground() const { return {ground_.data(), links_}; }
+  // For each link 1 if it touches the thing. From the last update.
+  std::span<const unsigned char> touches(size_t thing) const {
+    return {&touches_[thing * links_], links_};
+  }
 
  private:
+  struct Solid {
+    dGeomID geom;
+    int body;       // or kGround
+    double radius;  // of its bounding sphere
+    double friction;
+  };
+  struct Part {
+    const GroundPart* ground;
+    Solid solid;
+  };
   struct Pair {
-    int first;
-    int second;
-    double reach;  // sum of the two bounding spheres' radii
+    size_t first;
+    size_t second;
+    double reach;    // sum of the two bounding spheres' radii
+    int touch = -1;  // of a link and a thing: which of touches_
   };
 
-  void FindCenters();  // of the links' shapes
+  void AddSolids(const robot::RobotDescription& robot, const RobotBody& body,
+                 const Surroundings& around);
+  // `are_joined`: whether two links do not collide.
+  template <class AreJoined>
+  void AddPairs(const AreJoined& are_joined);
+  bool TouchesGround(size_t solid);
   bool MayTouch(const Pair& pair) const;
-  // Returns whether there is any contact between the two links, of which one may be the ground.
-  bool AddContacts(int first, int second);
-  dGeomID GeomOf(int link) const;
+  // Returns whether there is any contact between the two.
+  bool AddContacts(const Solid& first, const Solid& second);
 
   static constexpr int kMaxContacts = 10;  // of one pair
 
-  const RobotBody& body_;
-  OdeGeom plane_;
-  int first_movable_;          // link: a fixed base touches no ground
-  std::vector<double> radii_;  // of the links' bounding spheres
-  std::vector<double> frictions_;
+  size_t links_;
+  int first_movable_;  // link: a fixed base touches no ground
+  std::vector<Part> parts_;
+  std::vector<Solid> solids_;  // the links, then the things
   std::vector<robot::Vector3> centers_;
   std::vector<Pair> pairs_;
   std::vector<unsigned char> ground_;
+  std::vector<unsigned char> touches_;  // [thing][link]
   std::vector<Contact> contacts_;
 };
 

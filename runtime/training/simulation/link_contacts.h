@@ -1,4 +1,5 @@
-// Contacts between two links of a robot, which close loops in the tree of its joints.
+// Contacts between two links of a robot, which close loops in the tree of its joints, or between
+// things and links.
 #pragma once
 
 #include <span>

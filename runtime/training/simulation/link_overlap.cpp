@@ -9,10 +9,11 @@ namespace {
 constexpr double kRounding = 1e-6;  // of a depth, when the whole robot is moved [m]
 
 // Of each pair of links that overlap, the deepest point.
-std::vector<LinkOverlap> OverlapsIn(const Collision& collision) {
+std::vector<LinkOverlap> OverlapsIn(const World& world) {
+  const auto is_link = [&](int body) { return 0 <= body && body < world.body().link_count(); };
   std::vector<LinkOverlap> overlaps;
-  for (const Contact& contact : collision.contacts()) {
-    if (contact.first == Contact::kGround || contact.second == Contact::kGround) continue;
+  for (const Contact& contact : world.collision().contacts()) {
+    if (!is_link(contact.first) || !is_link(contact.second)) continue;
     const int first = std::min(contact.first, contact.second);
     const int second = std::max(contact.first, contact.second);
     const auto same = std::ranges::find_if(overlaps, [&](const LinkOverlap& overlap) {
@@ -38,10 +39,10 @@ double DepthOf(const LinkOverlap& pair, const std::vector<LinkOverlap>& overlaps
 
 std::optional<LinkOverlap> FindOverlap(const robot::RobotDescription& robot, const Profile& profile,
                                        const robot::StartState& start, const World& world) {
-  const std::vector<LinkOverlap> overlaps = OverlapsIn(world.collision());
+  const std::vector<LinkOverlap> overlaps = OverlapsIn(world);
   if (overlaps.empty()) return std::nullopt;
   const World pose(robot, profile, start.from);
-  const std::vector<LinkOverlap> usual = OverlapsIn(pose.collision());
+  const std::vector<LinkOverlap> usual = OverlapsIn(pose);
   std::optional<LinkOverlap> deepest;
   for (const LinkOverlap& overlap : overlaps) {
     const bool is_usual = overlap.depth <= DepthOf(overlap, usual) + kRounding;

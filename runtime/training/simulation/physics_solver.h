@@ -19,7 +19,7 @@ class PhysicsSolver {
   virtual ~PhysicsSolver() = default;
 
   // One step, from the bodies' present state with what the controller drives the joints by. Adds to
-  // `impulses` what the contacts do to each link [N s, in the world frame], unless it is empty:
+  // `impulses` what the contacts do to each body [N s, in the world frame], unless it is empty:
   // that changes nothing in the step. Throws OdeFailure if it cannot be computed.
   virtual void Step(std::span<const Contact> contacts, const JointController& controller,
                     std::span<Vector3> impulses) = 0;

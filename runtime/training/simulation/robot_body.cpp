@@ -5,36 +5,10 @@
 
 #include "runtime/training/simulation/ground_height.h"
 #include "runtime/training/simulation/link_frames.h"
+#include "runtime/training/simulation/solid_shape.h"
 
 namespace runtime {
 namespace {
-
-// Along the axes of the shape.
-dMass MassOfShape(const robot::Link& link) {
-  const robot::LinkShape& shape = link.shape;
-  dMass mass;
-  switch (shape.kind) {
-    case robot::ShapeKind::kBox:
-      dMassSetBoxTotal(&mass, link.mass, shape.size[0], shape.size[1], shape.size[2]);
-      break;
-    case robot::ShapeKind::kCapsule:
-      dMassSetCapsuleTotal(&mass, link.mass, shape.axis + 1, shape.radius,
-                           shape.length - 2 * shape.radius);
-      break;
-    case robot::ShapeKind::kCylinder:
-      dMassSetCylinderTotal(&mass, link.mass, shape.axis + 1, shape.radius, shape.length);
-      break;
-    case robot::ShapeKind::kSphere:
-      dMassSetSphereTotal(&mass, link.mass, shape.radius);
-      break;
-  }
-  return mass;
-}
-
-void ToRotation(const robot::Quaternion& quaternion, dMatrix3 rotation) {
-  const dQuaternion q = {quaternion[0], quaternion[1], quaternion[2], quaternion[3]};
-  dQtoR(q, rotation);
-}
 
 dMass MassOf(const robot::Link& link) {
   if (link.inertia) {
@@ -43,50 +17,12 @@ dMass MassOf(const robot::Link& link) {
     dMassSetParameters(&mass, link.mass, 0, 0, 0, m.xx, m.yy, m.zz, m.xy, m.xz, m.yz);
     return mass;
   }
-  dMass mass = MassOfShape(link);
+  dMass mass = MassOfShape(link.shape, link.mass);
   if (!link.shape.IsMoved()) return mass;
   dMatrix3 rotation;
   ToRotation(link.shape.orientation, rotation);
   dMassRotate(&mass, rotation);
   return mass;
-}
-
-OdeGeom GeomOf(const robot::LinkShape& shape) {
-  switch (shape.kind) {
-    case robot::ShapeKind::kBox:
-      return OdeGeom(dCreateBox(nullptr, shape.size[0], shape.size[1], shape.size[2]));
-    case robot::ShapeKind::kCapsule:
-      return OdeGeom(dCreateCapsule(nullptr, shape.radius, shape.length - 2 * shape.radius));
-    case robot::ShapeKind::kCylinder:
-      return OdeGeom(dCreateCylinder(nullptr, shape.radius, shape.length));
-    case robot::ShapeKind::kSphere:
-      break;
-  }
-  return OdeGeom(dCreateSphere(nullptr, shape.radius));
-}
-
-// ODE's capsules and cylinders lie along z: the turn that lays one along its axis.
-void RotationOfAxis(const robot::LinkShape& shape, dMatrix3 rotation) {
-  const bool has_axis =
-      shape.kind == robot::ShapeKind::kCapsule || shape.kind == robot::ShapeKind::kCylinder;
-  dRSetIdentity(rotation);
-  if (has_axis && shape.axis == 0) dRFromAxisAndAngle(rotation, 0, 1, 0, std::numbers::pi / 2);
-  if (has_axis && shape.axis == 1) dRFromAxisAndAngle(rotation, 1, 0, 0, std::numbers::pi / 2);
-}
-
-// Puts a shape to its place in its link.
-void PlaceShape(const robot::LinkShape& shape, dGeomID geom) {
-  dMatrix3 along;
-  RotationOfAxis(shape, along);
-  const bool is_along_z = along[0] == 1 && along[5] == 1;
-  if (is_along_z && !shape.IsMoved()) return;
-  if (!shape.IsMoved()) return dGeomSetOffsetRotation(geom, along);
-  dMatrix3 turn;
-  dMatrix3 rotation;
-  ToRotation(shape.orientation, turn);
-  dMultiply0(rotation, turn, along, 3, 3, 3);
-  dGeomSetOffsetPosition(geom, shape.position[0], shape.position[1], shape.position[2]);
-  dGeomSetOffsetRotation(geom, rotation);
 }
 
 // Where the stops leave no more than what a hinge of ODE's can measure.
@@ -105,6 +41,7 @@ bool Within(const dReal* vector, double limit) {
 RobotBody::RobotBody(const robot::RobotDescription& robot, const robot::StartState& start,
                      dWorldID world) {
   for (const robot::Link& link : robot.links) AddLink(link, world);
+  link_count_ = body_count();
   if (robot.has_fixed_base) dBodySetKinematic(body(0));
   for (const robot::Joint& joint : robot.joints) {
     joints_.push_back(MakeBodyJoint(joint, body(joint.parent), body(joint.child), world));
@@ -128,6 +65,18 @@ void RobotBody::AddLink(const robot::Link& link, dWorldID world) {
   PlaceShape(link.shape, geom.get());
   bodies_.push_back(std::move(body));
   geoms_.push_back(std::move(geom));
+}
+
+void RobotBody::AddThing(OdeBody body, OdeGeom geom) {
+  bodies_.push_back(std::move(body));
+  geoms_.push_back(std::move(geom));
+}
+
+void RobotBody::Lift(double height) {
+  for (int i = 0; i < link_count(); ++i) {
+    const dReal* p = dBodyGetPosition(body(i));
+    dBodySetPosition(body(i), p[0], p[1], p[2] + height);
+  }
 }
 
 void RobotBody::SetReferences(const robot::RobotDescription& robot, const robot::Pose& pose) {

@@ -1,4 +1,4 @@
-// A robot's links and joints in an ODE world.
+// A robot's links and joints in an ODE world, and what else moves there.
 #pragma once
 
 #include <Eigen/Core>
@@ -20,11 +20,18 @@ class RobotBody {
   // `world` outlives the body.
   RobotBody(const robot::RobotDescription& robot, const robot::StartState& start, dWorldID world);
 
-  int link_count() const { return static_cast<int>(bodies_.size()); }
+  int link_count() const { return link_count_; }
+  // Of the links, and after them of all things that can move.
+  int body_count() const { return static_cast<int>(bodies_.size()); }
   int joint_count() const { return static_cast<int>(joints_.size()); }
-  dBodyID body(int link) const { return bodies_[link].get(); }
-  dGeomID geom(int link) const { return geoms_[link].get(); }
+  dBodyID body(int index) const { return bodies_[index].get(); }
+  dGeomID geom(int index) const { return geoms_[index].get(); }
   BodyJoint& joint(int joint) const { return *joints_[joint]; }
+
+  // A thing of the world that moves by the same physics, in the place where it is.
+  void AddThing(OdeBody body, OdeGeom geom);
+  // Moves all links up.
+  void Lift(double height);
 
   // [rad]. A hinge with a stop near half a turn may give way beyond that; its angle then goes on,
   // and is not that of the other side as ODE has it. So does that of a joint that can turn further.
@@ -32,7 +39,8 @@ class RobotBody {
   // Remembers how far joints have turned. To be called after every step.
   void CountTurns();
 
-  // False if a link is too fast to be the work of the robot's motors, or its speed is not a number.
+  // False if a link or a thing is too fast to be the work of the robot's motors, or its speed is
+  // not a number.
   bool IsPlausible() const;
 
  private:
@@ -42,6 +50,7 @@ class RobotBody {
   void SetReferences(const robot::RobotDescription& robot, const robot::Pose& pose);
   void SetVelocities(const robot::RobotDescription& robot, const robot::StartState& start);
 
+  int link_count_ = 0;
   std::vector<OdeBody> bodies_;
   std::vector<OdeGeom> geoms_;
   std::vector<std::unique_ptr<BodyJoint>> joints_;

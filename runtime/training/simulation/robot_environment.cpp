@@ -6,6 +6,9 @@
 #include <cassert>
 #include <utility>
 
+#include "runtime/core/task/plugin.h"
+#include "runtime/core/task/task_world.h"
+
 namespace runtime {
 namespace {
 
@@ -24,7 +27,10 @@ std::vector<std::string> PoseNames(const robot::RobotDescription& robot) {
 }  // namespace
 
 RobotEnvironment::RobotEnvironment(std::string name, const Context& context)
-    : Module(std::move(name)), robot_(*context.robot), sensors_(robot_) {
+    : Module(std::move(name)),
+      robot_(*context.robot),
+      around_(context.task == nullptr ? nullptr : WorldOf(context.task->table())),
+      sensors_(robot_, around_.get()) {
   AddParameter({.name = "profile",
                 .doc = "how the robot is simulated: as in the paper or with longer steps, by ODE "
                        "or along its tree",
@@ -37,15 +43,27 @@ RobotEnvironment::RobotEnvironment(std::string name, const Context& context)
                 &start_pose_, PoseNames(robot_)});
   for (RobotSensor& sensor : sensors_.sensors()) {
     const robot::SensorDescription& description = sensor.description();
-    sensor_ports_.emplace_back(this, std::string(description.name), &sensor,
-                               Bind<&RobotSensor::Read>{},
-                               SensorTypeText(description.type, description.unit));
+    AddSensorPort(sensor, description.name, description.type, description.unit);
   }
+  for (ThingSensor& sensor : sensors_.thing_sensors()) {
+    const world::ThingSensor& description = sensor.description();
+    AddSensorPort(sensor, description.name, description.type, description.unit);
+  }
+}
+
+void RobotEnvironment::AddSensorPort(LazySensor& sensor, std::string_view name,
+                                     std::string_view type, std::string_view unit) {
+  sensor_ports_.emplace_back(this, std::string(name), &sensor, Bind<&LazySensor::Read>{},
+                             SensorTypeText(type, unit));
+}
+
+int RobotEnvironment::pose_count() const {
+  return static_cast<int>(robot_.links.size() + (around_ == nullptr ? 0 : around_->things.size()));
 }
 
 void RobotEnvironment::Start() {
   targets_.assign(robot_.joints.size(), 0.0);
-  last_pose_.assign(7 * robot_.links.size(), 0.0f);
+  last_pose_.assign(7 * static_cast<size_t>(pose_count()), 0.0f);
 }
 
 void RobotEnvironment::StartEpisode(const std::optional<robot::StartState>& start) {
@@ -86,12 +104,12 @@ std::optional<LinkOverlap> RobotEnvironment::PlaceDrawn(const StartDraw& draw) {
 void RobotEnvironment::Place(const std::optional<robot::StartState>& start) {
   const Profile& profile = FindProfile(profile_);
   if (start && start_pose_.empty()) {
-    world_ = std::make_unique<World>(robot_, profile, *start);
+    world_ = std::make_unique<World>(robot_, profile, *start, around_.get());
   } else {
     const robot::Pose* pose =
         start_pose_.empty() ? &robot_.poses.front() : robot_.FindPose(start_pose_);
     assert(pose != nullptr);
-    world_ = std::make_unique<World>(robot_, profile, *pose);
+    world_ = std::make_unique<World>(robot_, profile, *pose, around_.get());
   }
 }
 
@@ -162,16 +180,27 @@ void RobotEnvironment::Diverge(std::string why) {
 }
 
 void RobotEnvironment::CapturePose(std::span<float> out) const {
-  assert(out.size() == 7 * robot_.links.size());
+  assert(out.size() == 7 * static_cast<size_t>(pose_count()));
   if (!running_) {
     std::copy(last_pose_.begin(), last_pose_.end(), out.begin());
     return;
   }
-  for (int i = 0; i < link_count(); ++i) {
-    const dReal* position = dBodyGetPosition(world_->body().body(i));
-    const dReal* orientation = dBodyGetQuaternion(world_->body().body(i));
-    std::copy_n(position, 3, out.begin() + 7 * i);
-    std::copy_n(orientation, 4, out.begin() + 7 * i + 3);
+  auto next = out.begin();
+  const auto add = [&](const double* position, const double* orientation) {
+    next = std::copy_n(position, 3, next);
+    next = std::copy_n(orientation, 4, next);
+  };
+  const RobotBody& body = world_->body();
+  for (int i = 0; i < body.link_count(); ++i)
+    add(dBodyGetPosition(body.body(i)), dBodyGetQuaternion(body.body(i)));
+  const std::span<const world::Thing> things = world_->surroundings().things();
+  for (size_t i = 0; i < things.size(); ++i) {
+    const int index = world_->surroundings().BodyOf(i);
+    if (index < 0) {
+      add(things[i].position.data(), things[i].orientation.data());
+    } else {
+      add(dBodyGetPosition(body.body(index)), dBodyGetQuaternion(body.body(index)));
+    }
   }
 }
 

@@ -23,7 +23,7 @@ namespace runtime {
 // Parameters: `profile` (runtime/training/simulation/profile.h) and `start_pose` ("": as the task
 // says, or else the robot's first pose).
 //
-// Out ports: one for each of the robot's sensors, with its name.
+// Out ports: one for each of the robot's sensors, and of the things in its world, with its name.
 // What some of them tell is measured only while something is connected to them, from the next time
 // step on (runtime/training/simulation/step_means.h).
 // In port: `joint_targets`, one angle for each joint [rad], read at the start of every time
@@ -41,7 +41,8 @@ class RobotEnvironment : public Module {
   static constexpr const char* kRole = "environment";       // for ModuleGraph::FindOnly()
   static constexpr const char* kType = "RobotEnvironment";  // in agent files
 
-  // `context.robot` describes the robot.
+  // `context.robot` describes the robot; where there is a `context.task`, it is in that one's
+  // world.
   RobotEnvironment(std::string name, const Context& context);
 
   void Start() override;
@@ -62,15 +63,19 @@ class RobotEnvironment : public Module {
 
   const std::string& profile() const { return profile_; }
   const std::string& start_pose() const { return start_pose_; }
-  int link_count() const { return static_cast<int>(robot_.links.size()); }
+  // What CapturePose() tells the poses of: the links, and after them the things of the world.
+  int pose_count() const;
   double time_step() const { return robot_.controller.time_step; }  // [s]
   double time() const { return time_; }  // since the start of the episode [s]
 
-  // x, y, z, qw, qx, qy, qz of each link's frame in the world frame; in a diverged episode that of
-  // the last time step's start. Precondition: 7 elements for each link; an episode was started.
+  // x, y, z, qw, qx, qy, qz of the frame of each link and each thing, in the world frame; in a
+  // diverged episode that of the last time step's start. Precondition: 7 elements for each; an
+  // episode was started.
   void CapturePose(std::span<float> out) const;
 
  private:
+  void AddSensorPort(LazySensor& sensor, std::string_view name, std::string_view type,
+                     std::string_view unit);
   void Place(const std::optional<robot::StartState>& start);
   // Places the robot. Returns an overlap that all draws have.
   std::optional<LinkOverlap> PlaceDrawn(const StartDraw& draw);
@@ -82,6 +87,7 @@ class RobotEnvironment : public Module {
   void Diverge(std::string why);
 
   const robot::RobotDescription& robot_;
+  std::unique_ptr<const world::WorldDescription> around_;  // or null
   std::string profile_ = "paper";
   std::string start_pose_;
 

@@ -19,26 +19,19 @@ void CopyFromLinks(const RobotBody& body, const dReal* (*read)(dBodyID), size_t 
 
 }  // namespace
 
-RobotSensor::RobotSensor(RobotSensors* all, const robot::SensorDescription& description,
-                         int element_count)
-    : all_(all), description_(&description) {
-  if (description.type.starts_with("bool")) {
-    flags_ = std::make_unique<bool[]>(element_count);
-    data_.data = flags_.get();
-  } else {
-    reals_.resize(element_count);
-    data_.data = reals_.data();
-  }
-}
+RobotSensor::RobotSensor(const SensorMoment& moment, const robot::SensorDescription& description,
+                         const robot::RobotDescription& robot)
+    : LazySensor(moment, description.type,
+                 static_cast<size_t>(robot::ElementCount(description, robot))),
+      description_(&description) {}
 
 void RobotSensor::Compute() {
-  const World& world = *all_->world_;
-  const RobotBody& body = world.body();
+  const RobotBody& body = world().body();
   const dBodyID base = body.body(0);
-  double* const out = reals_.data();
+  double* const out = reals();
   switch (description_->id) {
     case robot::SensorId::kTime:
-      *out = all_->time_;
+      *out = time();
       break;
     case robot::SensorId::kBasePosition:
       Copy(dBodyGetPosition(base), 3, out);
@@ -65,7 +58,7 @@ void RobotSensor::Compute() {
       Copy(dBodyGetAngularVel(base), 3, out);
       break;
     case robot::SensorId::kBaseAcceleration: {
-      const Vector3 felt = world.means().BaseAcceleration() + Vector3(0, 0, robot::kGravity);
+      const Vector3 felt = world().means().BaseAcceleration() + Vector3(0, 0, robot::kGravity);
       dVector3 in_body;
       dBodyVectorFromWorld(base, felt[0], felt[1], felt[2], in_body);
       Copy(in_body, 3, out);
@@ -78,13 +71,13 @@ void RobotSensor::Compute() {
       for (int j = 0; j < body.joint_count(); ++j) out[j] = body.joint(j).Rate();
       break;
     case robot::SensorId::kJointAcceleration:
-      for (int j = 0; j < body.joint_count(); ++j) out[j] = world.means().JointAcceleration(j);
+      for (int j = 0; j < body.joint_count(); ++j) out[j] = world().means().JointAcceleration(j);
       break;
     case robot::SensorId::kJointTorque:
-      std::copy_n(world.controller().torques().begin(), body.joint_count(), out);
+      std::copy_n(world().controller().torques().begin(), body.joint_count(), out);
       break;
     case robot::SensorId::kJointTarget:
-      std::copy_n(world.controller().targets().begin(), body.joint_count(), out);
+      std::copy_n(world().controller().targets().begin(), body.joint_count(), out);
       break;
     case robot::SensorId::kLinkPosition:
       CopyFromLinks(body, dBodyGetPosition, 3, out);
@@ -99,11 +92,11 @@ void RobotSensor::Compute() {
       CopyFromLinks(body, dBodyGetAngularVel, 3, out);
       break;
     case robot::SensorId::kContact:
-      for (int i = 0; i < body.link_count(); ++i) flags_[i] = world.contacts().flag(i);
+      for (int i = 0; i < body.link_count(); ++i) flags()[i] = world().contacts().flag(i);
       break;
     case robot::SensorId::kContactForce:
       for (int i = 0; i < body.link_count(); ++i) {
-        Vector3::Map(out + 3 * i) = world.means().ContactForce(i);
+        Vector3::Map(out + 3 * i) = world().means().ContactForce(i);
       }
       break;
     case robot::SensorId::kCount:
@@ -111,20 +104,24 @@ void RobotSensor::Compute() {
   }
 }
 
-RobotSensors::RobotSensors(const robot::RobotDescription& robot) {
+RobotSensors::RobotSensors(const robot::RobotDescription& robot,
+                           const world::WorldDescription* around) {
   for (const robot::SensorDescription& description : robot::Sensors()) {
-    sensors_.emplace_back(this, description, robot::ElementCount(description, robot));
+    sensors_.emplace_back(moment_, description, robot);
+  }
+  if (around == nullptr) return;
+  for (world::ThingSensor& description : world::SensorsOf(*around)) {
+    thing_sensors_.emplace_back(moment_, std::move(description), robot);
   }
 }
 
 void RobotSensors::Refresh(const World& world, double time) {
-  world_ = &world;
-  time_ = time;
-  ++moment_;
+  moment_ = {&world, time, moment_.number + 1};
 }
 
 void RobotSensors::Freeze() {
-  for (RobotSensor& sensor : sensors_) sensor.moment_ = moment_;
+  for (RobotSensor& sensor : sensors_) sensor.Freeze();
+  for (ThingSensor& sensor : thing_sensors_) sensor.Freeze();
 }
 
 }  // namespace runtime

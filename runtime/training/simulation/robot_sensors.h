@@ -1,46 +1,54 @@
-// What a task, or a state, can sense of a robot in a world.
+// What a task, or a state, can sense of a robot in a world, and of the things there.
 #pragma once
 
-#include <cstdint>
 #include <deque>
-#include <memory>
-#include <vector>
 
 #include "plugins/robot/robot_description.h"
 #include "plugins/robot/sensors.h"
-#include "runtime/core/module/sensor_data.h"
-#include "runtime/training/simulation/world.h"
+#include "plugins/world/thing_sensors.h"
+#include "runtime/training/simulation/lazy_sensor.h"
 
 namespace runtime {
 
-class RobotSensors;
-
-// One sensor's elements, brought up to date when they are read: at most once after each Refresh().
-class RobotSensor {
+// One of the list of the robot's sensors.
+class RobotSensor : public LazySensor {
  public:
-  RobotSensor(RobotSensors* all, const robot::SensorDescription& description, int element_count);
+  RobotSensor(const SensorMoment& moment, const robot::SensorDescription& description,
+              const robot::RobotDescription& robot);
 
   const robot::SensorDescription& description() const { return *description_; }
-  inline const SensorData& Read();
 
  private:
-  friend class RobotSensors;
-  void Compute();
+  void Compute() override;
 
-  RobotSensors* all_;
   const robot::SensorDescription* description_;
-  std::vector<double> reals_;
-  std::unique_ptr<bool[]> flags_;
-  SensorData data_;
-  uint64_t moment_ = 0;  // of the last computation
+};
+
+// One of a thing of the world.
+class ThingSensor : public LazySensor {
+ public:
+  ThingSensor(const SensorMoment& moment, world::ThingSensor description,
+              const robot::RobotDescription& robot);
+
+  const world::ThingSensor& description() const { return description_; }
+
+ private:
+  void Compute() override;
+  void ComputeFixed(const world::Thing& thing);
+
+  world::ThingSensor description_;
 };
 
 // The memory of all sensors stays where it is as long as this object lives.
 class RobotSensors {
  public:
-  explicit RobotSensors(const robot::RobotDescription& robot);
+  // `around`: the robot's world, or null.
+  RobotSensors(const robot::RobotDescription& robot, const world::WorldDescription* around);
+  RobotSensors(const RobotSensors&) = delete;
+  RobotSensors& operator=(const RobotSensors&) = delete;
 
   std::deque<RobotSensor>& sensors() { return sensors_; }
+  std::deque<ThingSensor>& thing_sensors() { return thing_sensors_; }
 
   // From now on the sensors show `world`, `time` seconds after the start of the episode. To be
   // called whenever the world has changed; `world` must stay until the next call.
@@ -49,21 +57,9 @@ class RobotSensors {
   void Freeze();
 
  private:
-  friend class RobotSensor;
-
-  const World* world_ = nullptr;
-  double time_ = 0;
-  uint64_t moment_ = 0;
+  SensorMoment moment_;
   std::deque<RobotSensor> sensors_;
+  std::deque<ThingSensor> thing_sensors_;
 };
-
-// Here, since each task reads each of its sensors in each event: mostly there is nothing to do.
-const SensorData& RobotSensor::Read() {
-  if (moment_ != all_->moment_) {
-    moment_ = all_->moment_;
-    Compute();
-  }
-  return data_;
-}
 
 }  // namespace runtime

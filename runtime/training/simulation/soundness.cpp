@@ -14,9 +14,9 @@ Soundness::Soundness(const robot::RobotDescription& robot, const RobotBody& body
     largest_impulses_.push_back(time_step * robot.GainsOf(joint).max_torque);
   }
   double total = 0;
-  for (int i = 0; i < body.link_count(); ++i) {
+  for (int i = 0; i < body.body_count(); ++i) {
     masses_.push_back(InertiaOf(body.body(i)));
-    total += masses_.back().mass;
+    if (i < body.link_count()) total += masses_.back().mass;
   }
   limit_ = kMostLift * gravity * total;
 }
@@ -33,7 +33,7 @@ void Soundness::Check(const JointController& controller) {
 
 double Soundness::Energy(const JointController& controller) const {
   double energy = 0;
-  for (int i = 0; i < body_.link_count(); ++i) {
+  for (int i = 0; i < body_.body_count(); ++i) {
     const dBodyID body = body_.body(i);
     const LinkInertia& link = masses_[i];
     const dReal* v = dBodyGetLinearVel(body);

@@ -8,7 +8,7 @@ void StepMeans::Start(const Wanted& wanted) {
   elapsed_ = 0;
   base_velocity_.resize(wanted.base_acceleration ? 1 : 0);
   joint_velocities_.resize(wanted.joint_accelerations ? body_.joint_count() : 0);
-  impulses_.assign(wanted.contact_forces ? body_.link_count() : 0, Vector3::Zero());
+  impulses_.assign(wanted.contact_forces ? body_.body_count() : 0, Vector3::Zero());
   for (Vector3& velocity : base_velocity_) velocity = ToEigen(dBodyGetLinearVel(body_.body(0)));
   for (size_t j = 0; j < joint_velocities_.size(); ++j) {
     joint_velocities_[j] = body_.joint(static_cast<int>(j)).Rate();

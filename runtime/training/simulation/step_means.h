@@ -27,7 +27,7 @@ class StepMeans {
   void Start(const Wanted& wanted);
   // A physics step of this length [s] is over.
   void Add(double length) { elapsed_ += length; }
-  // To which a physics step adds the impulses of the contacts on each link [N s]; empty where they
+  // To which a physics step adds the impulses of the contacts on each body [N s]; empty where they
   // are not wanted.
   std::span<Vector3> impulses() { return impulses_; }
 

@@ -5,8 +5,11 @@
 
 namespace runtime {
 
-TreeFactor::TreeFactor(std::vector<TreeJoint> joints, bool has_fixed_root)
-    : joints_(std::move(joints)), eliminations_(joints_.size()), has_fixed_root_(has_fixed_root) {}
+TreeFactor::TreeFactor(std::vector<TreeJoint> joints, bool has_fixed_root, int free_bodies)
+    : joints_(std::move(joints)),
+      eliminations_(joints_.size()),
+      has_fixed_root_(has_fixed_root),
+      free_(free_bodies) {}
 
 void TreeFactor::Factorize(std::span<Matrix6> inertias) {
   for (size_t j = joints_.size(); j-- > 0;) {
@@ -16,6 +19,7 @@ void TreeFactor::Factorize(std::span<Matrix6> inertias) {
     inertias[joint.parent] += InertiaAt(-joint.parent_arm, felt);
   }
   if (!has_fixed_root_) root_ = Factor6(inertias[0]);
+  for (size_t k = 0; k < free_.size(); ++k) free_[k] = Factor6(inertias[BodyOf(k)]);
 }
 
 Matrix6 TreeFactor::Elimination::Eliminate(TreeJoint& joint, const Matrix6& inertia) {
@@ -44,16 +48,22 @@ void TreeFactor::Solve(std::span<Vector6> momenta, std::span<Vector6> velocities
   if (has_fixed_root_) {
     velocities[0].setZero();
   } else {
-    root_.SolveLower(momenta[0]);
-    velocities[0] = momenta[0].cwiseProduct(root_.inverse_diagonal());
-    root_.SolveUpper(velocities[0]);
+    SolveFree(0, root_, momenta, velocities);
   }
+  for (size_t k = 0; k < free_.size(); ++k) SolveFree(BodyOf(k), free_[k], momenta, velocities);
   for (size_t j = 0; j < joints_.size(); ++j) {
     const TreeJoint& joint = joints_[j];
     const Vector6 parent = VelocityAt(joint.parent_arm, velocities[joint.parent]);
     velocities[joint.child] =
         VelocityAt(-joint.child_arm, eliminations_[j].Velocity(joint, parent));
   }
+}
+
+void TreeFactor::SolveFree(size_t body, const Factor6& factor, std::span<Vector6> momenta,
+                           std::span<Vector6> velocities) const {
+  factor.SolveLower(momenta[body]);
+  velocities[body] = momenta[body].cwiseProduct(factor.inverse_diagonal());
+  factor.SolveUpper(velocities[body]);
 }
 
 Vector6 TreeFactor::Elimination::PassOn(TreeJoint& joint, const Vector6& impulse,
@@ -97,9 +107,16 @@ void TreeFactor::Decompose(std::span<Vector6> impulses, std::span<Part> parts) {
     std::visit([&](const auto& free) { free.AddTo(part); }, joint.free);
   }
   parts[0].setZero();
-  if (has_fixed_root_) return;
-  root_.SolveLower(impulses[0]);
-  parts[0].head<6>() = impulses[0].cwiseProduct(root_.inverse_diagonal().cwiseSqrt());
+  if (!has_fixed_root_) DecomposeFree(0, root_, impulses, parts);
+  for (size_t k = 0; k < free_.size(); ++k) DecomposeFree(BodyOf(k), free_[k], impulses, parts);
+}
+
+void TreeFactor::DecomposeFree(size_t body, const Factor6& factor, std::span<Vector6> impulses,
+                               std::span<Part> parts) {
+  parts[body].setZero();
+  if (impulses[body].isZero(0)) return;
+  factor.SolveLower(impulses[body]);
+  parts[body].head<6>() = impulses[body].cwiseProduct(factor.inverse_diagonal().cwiseSqrt());
 }
 
 }  // namespace runtime

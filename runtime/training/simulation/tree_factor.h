@@ -1,5 +1,5 @@
-// Linear equations of motion of bodies that joints connect to a tree, solved in a time proportional
-// to the number of bodies.
+// Linear equations of motion of bodies that joints connect to a tree, and of single ones, solved in
+// a time proportional to the number of bodies.
 #pragma once
 
 #include <span>
@@ -38,7 +38,9 @@ class TreeFactor {
   // Each body but body 0 is the child of one joint. A joint comes before those whose parent is its
   // child. The parents, the children and what is free stay. Where `has_fixed_root` body 0 does not
   // move, whatever its inertia.
-  explicit TreeFactor(std::vector<TreeJoint> joints, bool has_fixed_root = false);
+  // Behind the tree's bodies there are `free_bodies` more, which no joint holds.
+  explicit TreeFactor(std::vector<TreeJoint> joints, bool has_fixed_root = false,
+                      int free_bodies = 0);
 
   std::span<TreeJoint> joints() { return joints_; }
   std::span<const TreeJoint> joints() const { return joints_; }
@@ -74,8 +76,16 @@ class TreeFactor {
 
   std::vector<TreeJoint> joints_;
   std::vector<Elimination> eliminations_;  // of the joints' children
+  void SolveFree(size_t body, const Factor6& factor, std::span<Vector6> momenta,
+                 std::span<Vector6> velocities) const;
+  static void DecomposeFree(size_t body, const Factor6& factor, std::span<Vector6> impulses,
+                            std::span<Part> parts);
+  // The number of a free body.
+  size_t BodyOf(size_t free) const { return joints_.size() + 1 + free; }
+
   bool has_fixed_root_;
   Factor6 root_;
+  std::vector<Factor6> free_;
 };
 
 }  // namespace runtime

@@ -50,17 +50,18 @@ TreeSolver::TreeSolver(const robot::RobotDescription& robot, const SolverSetting
       hold_(settings.time_step / settings.cfm),
       body_(body),
       branches_(robot.Branches()),
-      tree_(TreeJoints(robot, branches_, settings, hold_), robot.has_fixed_base),
+      tree_(TreeJoints(robot, branches_, settings, hold_), robot.has_fixed_base,
+            body.body_count() - body.link_count()),
       loads_(branches_.size()),
-      links_(robot.links.size()),
+      links_(body.body_count()),
       forces_(robot.joints.size()),
-      link_contacts_(body.link_count()),
-      velocities_(robot.links.size()),
-      inertias_(robot.links.size()),
-      momenta_(robot.links.size()),
-      scratch_(robot.links.size()) {
-  ground_contacts_.reserve(kUsualGroundContacts * robot.links.size());
-  for (int i = 0; i < body.link_count(); ++i) link_inertias_.push_back(InertiaOf(body.body(i)));
+      link_contacts_(body.body_count()),
+      velocities_(links_.size()),
+      inertias_(links_.size()),
+      momenta_(links_.size()),
+      scratch_(links_.size()) {
+  ground_contacts_.reserve(kUsualGroundContacts * links_.size());
+  for (int i = 0; i < body.body_count(); ++i) link_inertias_.push_back(InertiaOf(body.body(i)));
   for (size_t b = 0; b < branches_.size(); ++b) {
     geometries_.push_back(MakeGeometry(robot, branches_[b]));
     const int index = branches_[b].joint;
@@ -82,13 +83,13 @@ void TreeSolver::Step(std::span<const Contact> contacts, const JointController& 
   ReadContacts(contacts);
   SolveForVelocities();
   if (!impulses.empty()) AddImpulses(contacts, impulses);
-  for (int i = 0; i < body_.link_count(); ++i) {
+  for (int i = 0; i < body_.body_count(); ++i) {
     MoveLink(body_.body(i), links_[i], velocities_[i], settings_.time_step);
   }
 }
 
 void TreeSolver::ReadLinks() {
-  for (int i = 0; i < body_.link_count(); ++i) {
+  for (int i = 0; i < body_.body_count(); ++i) {
     links_[i] = ReadLink(body_.body(i), link_inertias_[i], settings_.time_step, settings_.gravity);
     velocities_[i] = links_[i].velocity;
   }

@@ -9,7 +9,8 @@
 // velocities and is left with a dense matrix of all impulses. Here the impulses are eliminated:
 // what touches the ground becomes part of its body's inertia, and the joints are eliminated from
 // the leaves to the base (runtime/training/simulation/tree_factor.h), in a time proportional to the
-// number of links. Only contacts between two links remain, as a small dense system.
+// number of links. A thing that moves is a tree of its own. Only contacts between two links, or of
+// things, remain, as a small dense system.
 //
 // Which impulses are at their limits is found by assuming it and correcting the assumption (block
 // principal pivoting: Judice and Pires, 1994), which takes one or two rounds as a rule. The
@@ -98,8 +99,10 @@ class TreeSolver : public PhysicsSolver {
   std::vector<std::unique_ptr<JointGeometry>> geometries_;  // of the branches
 
   TreeFactor tree_;
-  std::vector<Vector6> loads_;    // of the branches: of the constraints that have no limits
-  std::vector<LinkState> links_;  // their inertias with what keeps them from sliding on the ground
+  std::vector<Vector6> loads_;  // of the branches: of the constraints that have no limits
+  // Of the links, and of the things as more roots; their inertias with what keeps them from sliding
+  // on the ground.
+  std::vector<LinkState> links_;
   std::vector<JointForces> forces_;
   std::vector<GroundContact> ground_contacts_;
   std::vector<GroundFriction> ground_frictions_;

@@ -1,5 +1,10 @@
 #include "runtime/training/simulation/world.h"
 
+#include <algorithm>
+#include <cmath>
+
+#include "runtime/training/simulation/ground_height.h"
+
 namespace runtime {
 namespace {
 
@@ -26,20 +31,56 @@ OdeWorld MakeWorld(dThreadingImplementationID threading, const SolverSettings& s
 }  // namespace
 
 World::World(const robot::RobotDescription& robot, const Profile& profile,
-             const robot::StartState& start)
+             const robot::StartState& start, const world::WorldDescription* around)
     : physics_steps_per_time_step_(profile.PhysicsStepsPerTimeStep(robot.controller.time_step)),
       settings_(Settings(profile, robot.controller.time_step / physics_steps_per_time_step_)),
       threading_(MakeThreading()),
       world_(MakeWorld(threading_.get(), settings_)),
       body_(robot, start, world_.get()),
-      collision_(robot, body_),
+      surroundings_(around, world_.get(), body_),
+      collision_(robot, body_, surroundings_),
       controller_(robot, body_, profile, physics_time_step(), settings_.cfm),
       soundness_(robot, body_, settings_.gravity, physics_time_step()),
       contact_filter_(body_.link_count(), physics_time_step()),
       means_(body_),
       solver_(MakeSolver(robot, profile, settings_, controller_, body_, world_.get())) {
+  if (!surroundings_.IsFlat() && !robot.has_fixed_base) PutOnGround(robot, start);
   collision_.Update();
   contact_filter_.Start(collision_.ground());
+  for (size_t i = 0; i < surroundings_.things().size(); ++i) {
+    thing_contacts_.emplace_back(body_.link_count(), physics_time_step());
+    thing_contacts_.back().Start(collision_.touches(i));
+  }
+}
+
+// As high above the ground below the base as on flat ground, and higher where a link would then be
+// deeper in the ground than there.
+void World::PutOnGround(const robot::RobotDescription& robot, const robot::StartState& start) {
+  constexpr int kMostTries = 50;
+  constexpr double kRounding = 1e-6;  // [m]
+  const dReal* base = dBodyGetPosition(body_.body(0));
+  body_.Lift(surroundings_.HeightAt(base[0], base[1]));
+  const double usual = std::max(0.0, -LowestPoint(robot, OnGround(robot, start)));
+  for (int i = 0; i < kMostTries; ++i) {
+    collision_.Update();
+    const double deeper = DepthInGround() - usual;
+    if (deeper <= kRounding) return;
+    body_.Lift(deeper);
+  }
+}
+
+// How far the links would have to be lifted out of the ground.
+double World::DepthInGround() const {
+  constexpr double kSteepest = 0.1;  // walls do not let go of what is lifted
+  double deepest = 0;
+  for (const Contact& contact : collision_.contacts()) {
+    const bool is_ground = std::min(contact.first, contact.second) == Contact::kGround;
+    const bool is_link = std::max(contact.first, contact.second) < body_.link_count();
+    const double up = std::abs(contact.geometry.normal[2]);
+    if (is_ground && is_link && up > kSteepest)
+      deepest = std::max(deepest, contact.geometry.depth / up);
+  }
+  return deepest;
 }
 
 void World::Step(std::span<const double> targets) {
@@ -54,6 +95,9 @@ void World::Step(std::span<const double> targets) {
   }
   body_.CountTurns();
   contact_filter_.Update(collision_.ground());
+  for (size_t i = 0; i < thing_contacts_.size(); ++i) {
+    thing_contacts_[i].Update(collision_.touches(i));
+  }
   means_.Add(physics_time_step());
   if (!body_.IsPlausible()) throw OdeFailure("a link moves faster than anything can");
 }

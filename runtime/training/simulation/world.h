@@ -1,4 +1,4 @@
-// One episode's physics: a robot on flat ground.
+// One episode's physics: a robot in its surroundings.
 #pragma once
 
 #include <memory>
@@ -15,6 +15,7 @@
 #include "runtime/training/simulation/robot_body.h"
 #include "runtime/training/simulation/soundness.h"
 #include "runtime/training/simulation/step_means.h"
+#include "runtime/training/simulation/surroundings.h"
 
 namespace runtime {
 
@@ -22,11 +23,13 @@ namespace runtime {
 // in ODE's caches and orders, so every episode gets a new one.
 class World {
  public:
-  // The robot rests in the pose, or is in this state. `robot` outlives the world.
-  World(const robot::RobotDescription& robot, const Profile& profile, const robot::Pose& pose)
-      : World(robot, profile, robot::RestIn(pose)) {}
+  // The robot rests in the pose, or is in this state. `around`: null where there is nothing but
+  // flat ground. `robot` and `around` outlive the world.
+  World(const robot::RobotDescription& robot, const Profile& profile, const robot::Pose& pose,
+        const world::WorldDescription* around = nullptr)
+      : World(robot, profile, robot::RestIn(pose), around) {}
   World(const robot::RobotDescription& robot, const Profile& profile,
-        const robot::StartState& start);
+        const robot::StartState& start, const world::WorldDescription* around = nullptr);
 
   World(const World&) = delete;
   World& operator=(const World&) = delete;
@@ -44,18 +47,26 @@ class World {
   const Collision& collision() const { return collision_; }
   const JointController& controller() const { return controller_; }
   const ContactFilter& contacts() const { return contact_filter_; }
+  const Surroundings& surroundings() const { return surroundings_; }
+  // Which links touch a thing, filtered like contacts with the ground.
+  const ContactFilter& contacts_with(size_t thing) const { return thing_contacts_[thing]; }
   const StepMeans& means() const { return means_; }
 
  private:
+  void PutOnGround(const robot::RobotDescription& robot, const robot::StartState& start);
+  double DepthInGround() const;
+
   int physics_steps_per_time_step_;
   SolverSettings settings_;
   OdeThreading threading_;
   OdeWorld world_;
   RobotBody body_;
+  Surroundings surroundings_;
   Collision collision_;
   JointController controller_;
   Soundness soundness_;
   ContactFilter contact_filter_;
+  std::vector<ContactFilter> thing_contacts_;
   StepMeans means_;
   std::unique_ptr<PhysicsSolver> solver_;
 };

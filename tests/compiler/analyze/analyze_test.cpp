@@ -6,6 +6,8 @@
 #include <optional>
 #include <string>
 
+#include "tests/compiler/compose/file_set.h"
+
 namespace compiler {
 namespace {
 
@@ -112,6 +114,52 @@ TEST(Analyze, SaysWhyAFileCannotBeRead) {
   } catch (const CallError& error) {
     EXPECT_STREQ(error.what(), "cannot read `/absent/t.task`: No such file or directory");
   }
+}
+
+const char* const kHills = "[ground]\nkind = \"heightmap\"\nfile = \"hills.csv\"\nsize = [4, 4]\n";
+const char* const kBall =
+    "[[things]]\nname = \"ball\"\nshape = \"sphere\"\nradius = 0.05\nmass = 0.05\nposition = [2, "
+    "1]\n";
+
+TEST(Analyze, KnowsWhatIsInTheWorldThatATaskNames) {
+  const Analysis analysis =
+      Analyze("main.task",
+              ReaderOf({{"main.task",
+                         "task kick for humanoid in \"worlds/yard.toml\"\n"
+                         "observe ball.velocity\n"
+                         "on end_of_time_step {\n"
+                         "  if any(contact_with.ball[feet]) { reward a = ball.position.x / 1 m }\n"
+                         "  if time > 1 s { truncate_episode }\n}\n"},
+                        {"worlds/yard.toml", std::string(kHills) + kBall},
+                        {"worlds/hills.csv", "0,0\n0,1\n"}}),
+              kRobots);
+  ASSERT_TRUE(analysis.task) << Render(analysis.sources, analysis.diagnostics, false);
+  ASSERT_TRUE(analysis.world);
+  EXPECT_EQ(analysis.world->things.at(0).name, "ball");
+  // All that the world is made of is part of the task, for its hash and for whoever runs it.
+  ASSERT_EQ(analysis.sources.files().size(), 3u);
+  EXPECT_EQ(analysis.sources.files()[1].path(), "worlds/yard.toml");
+  EXPECT_EQ(analysis.sources.files()[2].path(), "worlds/hills.csv");
+  for (const CheckedSensor& sensor : analysis.task->sensors) {
+    if (sensor.name == "ball.position") EXPECT_EQ(sensor.at_rest.size(), 3u);
+    if (sensor.name.starts_with("ball")) EXPECT_FALSE(sensor.is_onboard);
+  }
+}
+
+TEST(Analyze, PutsATaskIntoTheWorldOfItsBaseUnlessItNamesItsOwn) {
+  const auto things = [](const std::string& header) {
+    const Analysis analysis =
+        Analyze("main.task",
+                ReaderOf({{"main.task", header + "\nmetric a = base.position.x\n"},
+                          {"lib/base.task", "task base for humanoid in \"yard.toml\"\n"},
+                          {"lib/yard.toml", kBall},
+                          {"empty.toml", ""}}),
+                kRobots);
+    EXPECT_TRUE(analysis.task) << Render(analysis.sources, analysis.diagnostics, false);
+    return analysis.world ? analysis.world->things.size() : 99;
+  };
+  EXPECT_EQ(things("task t extends \"lib/base.task\""), 1u);
+  EXPECT_EQ(things("task t extends \"lib/base.task\" in \"empty.toml\""), 0u);
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 import { decodeFloats } from "./base64.ts";
 import type { Estimate } from "./estimate.ts";
 
-/** A link of the robot; lengths in meters, `axis` 0, 1, 2 = x, y, z of the link's own frame. */
+/** A link of the robot, or a thing of its world; lengths in meters, `axis` 0, 1, 2 = x, y, z of the link's own frame. */
 export interface BodyLink {
   name: string;
   shape: "box" | "capsule" | "cylinder" | "sphere";
@@ -14,6 +14,26 @@ export interface BodyLink {
   // Of the shape in the link's frame, where it is not around the center and along the axes.
   position?: [number, number, number];
   orientation?: [number, number, number, number]; // w, x, y, z
+  thing?: true;
+}
+
+/** What the robot stands on. */
+export interface GroundShape {
+  normal: [number, number, number]; // of the plane through the origin
+  blocks: { low_x: number; high_x: number; height: number }[]; // of stairs
+  hills?: {
+    columns: number;
+    rows: number;
+    size: [number, number]; // along x and y [m]
+    center: [number, number];
+    heights: number[]; // row by row, the one with the least y first [m]
+  };
+}
+
+/** What a replay shows besides the motion. */
+export interface Scenery {
+  body: BodyLink[];
+  ground: GroundShape;
 }
 
 export interface EpisodeEnd {
@@ -118,7 +138,7 @@ export interface Setting {
   origin: string; // "--set", or the place in a file
 }
 
-export interface Report {
+export interface Report extends Scenery {
   run: Record<string, string>;
   settings: Setting[];
   command: string; // that makes the run again; empty where it was not written down
@@ -129,7 +149,6 @@ export interface Report {
   evaluations: Evaluation[];
   agentText: string;
   modules: Record<string, AgentModule>;
-  body: BodyLink[];
   madeAt: string;
   episode: Float32Array; // the episodes' numbers
   returns: Float32Array;

@@ -1,7 +1,7 @@
 // What the page of a probe shows: the JSON that runtime/analysis/probe/probe_page.cpp writes, decoded.
 
 import { decodeFloats } from "../data/base64.ts";
-import type { AgentModule, BodyLink } from "../data/report_data.ts";
+import type { AgentModule, BodyLink, GroundShape } from "../data/report_data.ts";
 import type { Strip } from "../page/snapshots.ts";
 import type { Replay } from "../replay/motion.ts";
 
@@ -41,6 +41,7 @@ export interface Probe {
   left_out: number; // that would follow
   notes: string[];
   body: BodyLink[];
+  ground: GroundShape;
   madeAt: string;
 }
 

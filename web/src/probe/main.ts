@@ -44,7 +44,7 @@ function main(): void {
   const dialog = new ReplayDialog();
   for (const find of probe.finds) {
     const title = `${find.name}: seed ${find.seed}, episode ${find.episode}`;
-    const replay = (): void => dialog.show(find.recording, probe.body, title);
+    const replay = (): void => dialog.show(find.recording, probe, title);
     byId("finds", HTMLElement).append(findCard(find, probe.searches, replay));
   }
   const list = byId("notes", HTMLElement);

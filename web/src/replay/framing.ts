@@ -10,7 +10,7 @@ const kStraight = 1e-3; // less is no turn: of the elements of a quaternion
 
 export interface Framing {
   anchor: number; // index of the link that is followed
-  height: number; // of the point that the camera looks at [m]
+  height: number; // of the point that the camera looks at, above the ground [m]
   radius: number; // around that point, of what is to be seen [m]
 }
 
@@ -79,20 +79,30 @@ export function subjectOf(body: BodyLink[], motion: Motion): number[] {
 const median = (values: number[]): number =>
   values.sort((a, b) => a - b)[Math.floor(values.length / 2)] ?? 0;
 
-/** Of a motion with at least one frame. */
-export function framingOf(body: BodyLink[], motion: Motion): Framing {
+/** Of a motion with at least one frame. `groundAt`: how high the ground is [m]. */
+export function framingOf(
+  body: BodyLink[],
+  motion: Motion,
+  groundAt: (x: number, y: number) => number = () => 0,
+): Framing {
   const subject = subjectOf(body, motion);
   const anchor = subject[0] ?? 0;
   const radius = body.map(radiusOf);
   const frames = someFrames(motion);
+  const groundBelow = (frame: number): number => {
+    const [x, y] = placeOf(motion, frame, anchor);
+    return groundAt(x, y);
+  };
   const middle = (frame: number): number =>
-    subject.reduce((sum, link) => sum + valueAt(motion, frame, link, 2), 0) / subject.length;
+    subject.reduce((sum, link) => sum + valueAt(motion, frame, link, 2), 0) / subject.length -
+    groundBelow(frame);
   const height = Math.max(0, median(frames.map(middle)));
   const reach = (frame: number): number => {
     const [x, y] = placeOf(motion, frame, anchor);
+    const middleNow: Vector = [x, y, height + groundBelow(frame)];
     return Math.max(
       ...subject.map(
-        (link) => distance(placeOf(motion, frame, link), [x, y, height]) + (radius[link] as number),
+        (link) => distance(placeOf(motion, frame, link), middleNow) + (radius[link] as number),
       ),
     );
   };

@@ -14,9 +14,11 @@ import {
   PlaneGeometry,
   ShadowMaterial,
   SRGBColorSpace,
+  Vector3,
 } from "three";
 
 import { themeColor } from "../page/dom.ts";
+import type { Terrain } from "./terrain.ts";
 
 const kFineLines = 5; // between two strong lines
 const kMargin = 6; // of the grid around the path, in strong lines
@@ -107,14 +109,19 @@ export class Ground {
   private readonly pathLine: Line;
   private readonly spacing: number; // of strong lines [m]
 
+  /** What lies in the plane: drawn level, and turned with it as a whole. */
+  private readonly plane = new Group();
+
   /** `path`: the robot's way over the ground, [frame][x, y]; `radius`: how large it is [m]. */
-  constructor(path: Float32Array, radius: number) {
+  constructor(path: Float32Array, radius: number, terrain: Terrain) {
     this.spacing = spacingFor(radius);
     const extent = extentOf(path, this.spacing);
     this.addGrid(extent);
     this.addLabels(extent);
     this.addShadowPlane(extent);
-    this.pathLine = this.addPath(path);
+    this.plane.quaternion.setFromUnitVectors(new Vector3(0, 0, 1), new Vector3(...terrain.normal));
+    this.object.add(this.plane, terrain.objects());
+    this.pathLine = this.addPath(path, terrain);
   }
 
   /** Shows the path up to this frame. */
@@ -136,7 +143,7 @@ export class Ground {
     const { spacing } = this;
     const fine = new LineBasicMaterial({ color: new Color(themeColor("--floor-fine")) });
     const coarse = new LineBasicMaterial({ color: new Color(themeColor("--floor-coarse")) });
-    this.object.add(
+    this.plane.add(
       new LineSegments(gridLines(extent, spacing / kFineLines, spacing, spacing), fine),
       new LineSegments(gridLines(extent, spacing, 0, spacing), coarse),
     );
@@ -150,7 +157,7 @@ export class Ground {
     const place = (value: number, x: number, y: number): void => {
       const mark = label(`${Number(value.toFixed(1))} m`.replace("-", "\u2212"), color, height);
       mark.position.set(x + 1.1 * height, y + 0.5 * height, 0.0012 * spacing);
-      this.object.add(mark);
+      this.plane.add(mark);
     };
     for (let x = extent.low[0]; x <= extent.high[0]; x += spacing) place(x, x, 0);
     for (let y = extent.low[1]; y <= extent.high[1]; y += spacing) {
@@ -165,13 +172,14 @@ export class Ground {
     const plane = new Mesh(new PlaneGeometry(x1 - x0, y1 - y0), new ShadowMaterial({ opacity }));
     plane.position.set((x0 + x1) / 2, (y0 + y1) / 2, 0.0006 * this.spacing);
     plane.receiveShadow = true;
-    this.object.add(plane);
+    this.plane.add(plane);
   }
 
-  private addPath(path: Float32Array): Line {
+  private addPath(path: Float32Array, terrain: Terrain): Line {
     const points = new Float32Array((path.length / 2) * 3);
     for (let i = 0; i < path.length / 2; ++i) {
-      points.set([path[2 * i] as number, path[2 * i + 1] as number, 0.002 * this.spacing], 3 * i);
+      const [x, y] = [path[2 * i] as number, path[2 * i + 1] as number];
+      points.set([x, y, terrain.heightAt(x, y) + 0.002 * this.spacing], 3 * i);
     }
     const geometry = new BufferGeometry().setAttribute("position", new BufferAttribute(points, 3));
     const line = new Line(

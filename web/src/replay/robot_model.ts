@@ -1,4 +1,4 @@
-// The robot's links as three.js objects, moved by poses in the world frame (z up).
+// The robot's links and the things around it as three.js objects, moved by poses in the world frame (z up).
 
 import {
   CapsuleGeometry,
@@ -66,7 +66,7 @@ export class RobotModel {
   readonly object = new Group();
   private readonly links: Mesh[];
   private readonly materials: Record<
-    Side | "joint_left" | "joint_right" | "plate",
+    Side | "joint_left" | "joint_right" | "plate" | "thing",
     MeshStandardMaterial
   >;
 
@@ -80,6 +80,7 @@ export class RobotModel {
       joint_left: matte(),
       joint_right: matte(),
       plate: matte(),
+      thing: matte(),
     };
     this.links = body.map((link, index) => this.makeLink(link, index));
     this.object.add(...this.links);
@@ -94,6 +95,7 @@ export class RobotModel {
     this.materials.joint_left.color = new Color(themeColor("--left")).multiplyScalar(0.55);
     this.materials.joint_right.color = new Color(themeColor("--right")).multiplyScalar(0.55);
     this.materials.plate.color = new Color(themeColor("--plate"));
+    this.materials.thing.color = new Color(themeColor("--thing"));
   }
 
   /** `poses`: [link][x, y, z, qw, qx, qy, qz]. */
@@ -118,8 +120,8 @@ export class RobotModel {
   private makeLink(link: BodyLink, index: number): Mesh {
     const side = sideOf(link.name);
     const isJoint = link.shape === "sphere" && side !== "trunk";
-    const material = this.materials[isJoint ? (`joint_${side}` as const) : side];
-    const mesh = new Mesh(placedGeometryOf(link), material);
+    const paint = isJoint ? (`joint_${side}` as const) : side;
+    const mesh = new Mesh(placedGeometryOf(link), this.materials[link.thing ? "thing" : paint]);
     const hasFront =
       link.shape === "box" && link.position === undefined && (index === 0 || link.name === "head");
     if (hasFront) mesh.add(frontPlate(link, this.materials.plate));

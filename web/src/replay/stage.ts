@@ -13,12 +13,13 @@ import {
 } from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 
-import type { BodyLink } from "../data/report_data.ts";
+import type { Scenery } from "../data/report_data.ts";
 import { themeColor } from "../page/dom.ts";
 import { framingOf, type Framing } from "./framing.ts";
 import { Ground } from "./ground.ts";
 import { durationOf, frameAt, kPoseSize, sampleMotion, smoothPath, type Motion } from "./motion.ts";
 import { RobotModel } from "./robot_model.ts";
+import { Terrain } from "./terrain.ts";
 
 const kFollowSmoothing = 0.3; // half the time over which the followed path is averaged [s]
 const kNothing: Motion = { frames: 0, interval: 1, poses: new Float32Array() };
@@ -40,6 +41,7 @@ export class Stage {
   private readonly controls: OrbitControls;
   private readonly sky = new HemisphereLight(0xffffff, 0xffffff, 2.3);
   private readonly light = new DirectionalLight(0xffffff, 1.9);
+  private terrain: Terrain;
   private robot: RobotModel;
   private poses: Float32Array;
   private readonly target = new Vector3();
@@ -54,7 +56,7 @@ export class Stage {
 
   /** `onView` is called when the user moves the camera. */
   constructor(
-    private body: BodyLink[],
+    private scenery: Scenery,
     onView: () => void,
   ) {
     this.renderer = new WebGLRenderer({ antialias: true });
@@ -62,8 +64,9 @@ export class Stage {
     this.renderer.shadowMap.enabled = true;
     this.renderer.shadowMap.type = PCFShadowMap;
     this.camera.up.set(0, 0, 1);
-    this.robot = new RobotModel(body);
-    this.poses = new Float32Array(body.length * kPoseSize);
+    this.terrain = new Terrain(scenery.ground);
+    this.robot = new RobotModel(scenery.body);
+    this.poses = new Float32Array(scenery.body.length * kPoseSize);
     this.addLight();
     this.scene.add(this.robot.object);
     this.controls = new OrbitControls(this.camera, this.canvas);
@@ -73,18 +76,19 @@ export class Stage {
   }
 
   /** Takes the place of the present robot; the next call is `show`. */
-  setBody(body: BodyLink[]): void {
-    this.body = body;
+  setScenery(scenery: Scenery): void {
+    this.scenery = scenery;
     this.scene.remove(this.robot.object);
     this.robot.dispose();
-    this.robot = new RobotModel(body);
-    this.poses = new Float32Array(body.length * kPoseSize);
+    this.terrain = new Terrain(scenery.ground);
+    this.robot = new RobotModel(scenery.body);
+    this.poses = new Float32Array(scenery.body.length * kPoseSize);
     this.scene.add(this.robot.object);
   }
 
   show(motion: Motion): void {
     this.motion = motion;
-    this.framing = motion.frames > 0 ? framingOf(this.body, motion) : kNothingFramed;
+    this.framing = motion.frames > 0 ? this.frame(motion) : kNothingFramed;
     this.path = smoothPath(motion, this.framing.anchor, kFollowSmoothing);
     this.fitToRobot();
     this.updateTheme();
@@ -143,7 +147,7 @@ export class Stage {
       this.scene.remove(this.ground.object);
       this.ground.dispose();
     }
-    this.ground = new Ground(this.path, radius);
+    this.ground = new Ground(this.path, radius, this.terrain);
     this.scene.add(this.ground.object);
     this.ground.setFrame(frameAt(this.motion, this.time));
   }
@@ -200,13 +204,20 @@ export class Stage {
     this.camera.updateProjectionMatrix();
   }
 
+  /** What there is to see of the robot: not what is around it. */
+  private frame(motion: Motion): Framing {
+    const links = this.scenery.body.filter((part) => !part.thing);
+    return framingOf(links, motion, (x, y) => this.terrain.heightAt(x, y));
+  }
+
   private follow(): void {
     const frame = this.motion.frames > 0 ? frameAt(this.motion, this.time) : 0;
     const next = Math.min(frame + 1, this.motion.frames - 1);
     const weight = Math.min(Math.max(this.time / this.motion.interval - frame, 0), 1);
     const between = (i: number): number =>
       (1 - weight) * (this.path[2 * frame + i] ?? 0) + weight * (this.path[2 * next + i] ?? 0);
-    this.moveTo(new Vector3(between(0), between(1), this.framing.height));
+    const [x, y] = [between(0), between(1)];
+    this.moveTo(new Vector3(x, y, this.framing.height + this.terrain.heightAt(x, y)));
   }
 
   /** Moves camera and light to look at `target`, from the side that the user has chosen. */

@@ -1,6 +1,6 @@
 // The replay with its controls: buttons, slider, keys, and the loop that draws while it plays.
 
-import type { BodyLink } from "../data/report_data.ts";
+import type { Scenery } from "../data/report_data.ts";
 import { formatLength, formatTime } from "../data/words.ts";
 import { byId, onThemeChange } from "../page/dom.ts";
 import { durationOf, type Replay } from "./motion.ts";
@@ -26,8 +26,8 @@ export class Viewer {
   private isDrawPlanned = false;
   private settleTimer = 0;
 
-  constructor(body: BodyLink[]) {
-    this.stage = new Stage(body, () => this.onView());
+  constructor(scenery: Scenery) {
+    this.stage = new Stage(scenery, () => this.onView());
     this.stage.canvas.tabIndex = 0;
     this.stage.canvas.setAttribute("role", "img");
     this.frame.prepend(this.stage.canvas);
@@ -58,8 +58,8 @@ export class Viewer {
   }
 
   /** For recordings of another robot. */
-  setBody(body: BodyLink[]): void {
-    this.stage.setBody(body);
+  setScenery(scenery: Scenery): void {
+    this.stage.setScenery(scenery);
   }
 
   pause(): void {

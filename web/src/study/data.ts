@@ -2,7 +2,7 @@
 
 import { decodeFloats } from "../data/base64.ts";
 import type { Estimate } from "../data/estimate.ts";
-import type { AgentModule, BodyLink, Setting } from "../data/report_data.ts";
+import type { AgentModule, BodyLink, GroundShape, Setting } from "../data/report_data.ts";
 import type { Strip } from "../page/snapshots.ts";
 import type { Replay } from "../replay/motion.ts";
 
@@ -121,6 +121,7 @@ export interface Experiment {
   agentText: string;
   source: string; // the task's own text
   body: BodyLink[];
+  ground: GroundShape;
 }
 
 export interface Study {

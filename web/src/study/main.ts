@@ -83,7 +83,7 @@ function main(): void {
   study.experiments.forEach((experiment, i) => {
     byId("experiments", HTMLElement).append(
       showExperiment(experiment, i, study.path, (group, title) => {
-        if (group.recording) dialog.show(group.recording, experiment.body, title);
+        if (group.recording) dialog.show(group.recording, experiment, title);
       }),
     );
   });

@@ -1,6 +1,6 @@
 // The replay of one recording, above the page.
 
-import type { BodyLink } from "../data/report_data.ts";
+import type { Scenery } from "../data/report_data.ts";
 import { byId, hasWebGl, prefersReducedMotion } from "../page/dom.ts";
 import type { Replay } from "../replay/motion.ts";
 import { Viewer } from "../replay/viewer.ts";
@@ -8,7 +8,7 @@ import { Viewer } from "../replay/viewer.ts";
 export class ReplayDialog {
   private readonly dialog = byId("replay", HTMLDialogElement);
   private viewer: Viewer | undefined;
-  private body: BodyLink[] = [];
+  private scenery: Scenery | undefined;
 
   constructor() {
     byId("close", HTMLButtonElement).addEventListener("click", () => this.dialog.close());
@@ -18,7 +18,7 @@ export class ReplayDialog {
     });
   }
 
-  show(recording: Replay, body: BodyLink[], title: string): void {
+  show(recording: Replay, scenery: Scenery, title: string): void {
     byId("replay-heading", HTMLElement).textContent = title;
     this.dialog.showModal();
     if (!hasWebGl()) {
@@ -26,9 +26,9 @@ export class ReplayDialog {
         "This browser offers no WebGL, so the replay cannot be drawn here.";
       return;
     }
-    this.viewer ??= new Viewer(body);
-    if (this.body !== body) this.viewer.setBody(body);
-    this.body = body;
+    this.viewer ??= new Viewer(scenery);
+    if (this.scenery !== scenery) this.viewer.setScenery(scenery);
+    this.scenery = scenery;
     this.viewer.show(recording);
     if (!prefersReducedMotion()) this.viewer.play();
   }

@@ -41,7 +41,7 @@ TEST_P(RobotEnvironmentTest, AllocatesNothingWhileAnEpisodeRuns) {
   environment.Start();
   environment.StartEpisode();
   environment.RunTimeStep();
-  std::vector<float> pose(7 * environment.link_count());
+  std::vector<float> pose(7 * environment.pose_count());
   allocations = 0;
   counting = true;
   for (int step = 0; step < 40; ++step) {

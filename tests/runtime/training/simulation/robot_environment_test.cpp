@@ -120,7 +120,7 @@ TEST(RobotEnvironment, AnotherRobotHasItsOwnTimeStep) {
   stage.listener.events.clear();
   stage.environment.RunTimeStep();
   EXPECT_EQ(stage.environment.time_step(), 0.01);
-  EXPECT_EQ(stage.environment.link_count(), 3);
+  EXPECT_EQ(stage.environment.pose_count(), 3);
   EXPECT_EQ(stage.listener.events, TimeStep(50));
 }
 

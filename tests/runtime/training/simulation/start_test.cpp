@@ -40,7 +40,7 @@ class StartTest : public testing::TestWithParam<const char*> {
     return {reals, reals + count};
   }
   double LowestInSimulation() {
-    std::vector<float> pose(7 * static_cast<size_t>(environment_.link_count()));
+    std::vector<float> pose(7 * static_cast<size_t>(environment_.pose_count()));
     environment_.CapturePose(pose);
     robot::Pose base;
     base.joint_angles = Read("joint.angle", Humanoid().joints.size());

@@ -14,7 +14,7 @@ namespace {
 
 // Makes all links of a world lie and move as those of another.
 void CopyState(const World& from, const World& to) {
-  for (int i = 0; i < from.body().link_count(); ++i) {
+  for (int i = 0; i < from.body().body_count(); ++i) {
     const dBodyID source = from.body().body(i);
     const dBodyID target = to.body().body(i);
     const dReal* p = dBodyGetPosition(source);
@@ -37,7 +37,7 @@ double Difference(const World& a, const World& b) {
       largest = std::max(largest, std::abs(first[k]));
     }
   };
-  for (int i = 0; i < a.body().link_count(); ++i) {
+  for (int i = 0; i < a.body().body_count(); ++i) {
     const dBodyID first = a.body().body(i);
     const dBodyID second = b.body().body(i);
     compare(dBodyGetLinearVel(first), dBodyGetLinearVel(second), 3);
@@ -80,9 +80,10 @@ class TreeSolverTest : public testing::TestWithParam<Pair> {
  protected:
   // Every step of ODE's from where ODE has got to, with a new random posture every 0.2 s, as long
   // as that is a robot's motion.
-  Seen Compare(const robot::RobotDescription& robot, const robot::Pose& pose, double seconds) {
-    World ode(robot, FindProfile(GetParam().by_ode), pose);
-    World tree(robot, FindProfile(GetParam().by_tree), pose);
+  Seen Compare(const robot::RobotDescription& robot, const robot::Pose& pose, double seconds,
+               const world::WorldDescription* around = nullptr) {
+    World ode(robot, FindProfile(GetParam().by_ode), pose, around);
+    World tree(robot, FindProfile(GetParam().by_tree), pose, around);
     std::mt19937 random(1);
     std::vector<double> targets = Zeros(robot);
     const int steps_in_a_posture = static_cast<int>(0.2 / ode.physics_time_step());
@@ -167,6 +168,28 @@ TEST_P(TreeSolverTest, EveryKindOfLinkMovesAsByOdeToo) {
     all.ground_contacts += seen.ground_contacts;
   }
   EXPECT_GT(all.ground_contacts, 300);
+}
+
+// Things that are pushed about, on stairs and on a slope, with friction that gives way and without.
+TEST_P(TreeSolverTest, ThingsMoveAsByOdeToo) {
+  const robot::LinkShape ball{.kind = robot::ShapeKind::kSphere, .radius = 0.04};
+  const robot::LinkShape box{.kind = robot::ShapeKind::kBox, .size = {0.1, 0.2, 0.06}};
+  world::WorldDescription around;
+  around.things = {{.name = "ball", .shape = ball, .mass = 0.05, .friction = 0.5},
+                   {.name = "box", .shape = box, .mass = 0.3},
+                   {.name = "post", .shape = box, .is_fixed = true}};
+  around.things[0].position = {0.12, 0.02, 0.05};
+  around.things[1].position = {-0.15, 0, 0.03};
+  around.things[2].position = {0.02, 0.2, 0.03};
+  for (const world::Ground& ground :
+       {world::Ground{world::Steps{0.2, 0.1, 0.02, 3}}, world::Ground{world::Slope{0.1, 1}, 0.9}}) {
+    around.ground = ground;
+    const Seen seen = Compare(Humanoid(), Humanoid().poses[0], 2, &around);
+    EXPECT_LT(seen.difference, kRounding);
+    EXPECT_EQ(seen.failure, "");
+    EXPECT_GT(seen.link_contacts, 100);
+    EXPECT_GT(seen.ground_contacts, 1000);
+  }
 }
 
 TEST_P(TreeSolverTest, ACrumpledRobotMovesAsByOdeToo) {

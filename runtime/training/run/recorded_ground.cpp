@@ -1,0 +1,44 @@
+#include "runtime/training/run/recorded_ground.h"
+
+#include <nlohmann/json.hpp>
+
+#include "plugins/world/ground.h"
+
+namespace runtime {
+
+world::Ground GroundOf(const RunRecord& run) {
+  if (run.tasks.empty()) return {};
+  const std::vector<SourceRecord>& sources = run.tasks.front().sources;
+  const auto read = [&](const std::filesystem::path& path) -> std::optional<std::string> {
+    for (const SourceRecord& source : sources)
+      if (path == source.file) return source.text;
+    return std::nullopt;
+  };
+  for (const SourceRecord& source : sources) {
+    if (!source.file.ends_with(world::kWorldEnding)) continue;
+    try {
+      return world::ReadWorld(source.text, source.file, read).ground;
+    } catch (const robot::DescriptionError&) {
+      return {};
+    }
+  }
+  return {};
+}
+
+nlohmann::json GroundJson(const world::Ground& ground) {
+  nlohmann::json json = {{"normal", world::NormalOf(ground)}, {"blocks", nlohmann::json::array()}};
+  for (const world::Block& block : world::BlocksOf(ground)) {
+    json["blocks"].push_back(
+        {{"low_x", block.low_x}, {"high_x", block.high_x}, {"height", block.height}});
+  }
+  if (const auto* map = std::get_if<world::HeightMap>(&ground.shape)) {
+    json["hills"] = {{"columns", map->columns},
+                     {"rows", map->rows},
+                     {"size", {map->size_x, map->size_y}},
+                     {"center", {map->center_x, map->center_y}},
+                     {"heights", map->heights}};
+  }
+  return json;
+}
+
+}  // namespace runtime

@@ -1,0 +1,68 @@
+// A sensor that is computed when it is read.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "runtime/core/module/sensor_data.h"
+#include "runtime/training/simulation/world.h"
+
+namespace runtime {
+
+// What all sensors of an episode show.
+struct SensorMoment {
+  const World* world = nullptr;
+  double time = 0;      // since the start of the episode [s]
+  uint64_t number = 0;  // another one whenever the world has changed
+};
+
+// Its elements are brought up to date at most once in each moment.
+class LazySensor {
+ public:
+  virtual ~LazySensor() = default;
+  LazySensor(const LazySensor&) = delete;
+  LazySensor& operator=(const LazySensor&) = delete;
+
+  // Here, since each task reads each of its sensors in each event: mostly there is nothing to do.
+  const SensorData& Read() {
+    if (number_ != moment_.number) {
+      number_ = moment_.number;
+      Compute();
+    }
+    return data_;
+  }
+
+  // From now on it shows what it showed when it was last read, until the moment is another.
+  void Freeze() { number_ = moment_.number; }
+
+ protected:
+  // `moment` outlives the sensor. `type`: in the task language, "bool[link]".
+  LazySensor(const SensorMoment& moment, std::string_view type, size_t element_count)
+      : moment_(moment) {
+    if (type.starts_with("bool")) {
+      flags_ = std::make_unique<bool[]>(element_count);
+      data_.data = flags_.get();
+    } else {
+      reals_.resize(element_count);
+      data_.data = reals_.data();
+    }
+  }
+
+  virtual void Compute() = 0;
+
+  const World& world() const { return *moment_.world; }
+  double time() const { return moment_.time; }
+  double* reals() { return reals_.data(); }
+  bool* flags() { return flags_.get(); }
+
+ private:
+  const SensorMoment& moment_;
+  std::vector<double> reals_;
+  std::unique_ptr<bool[]> flags_;
+  SensorData data_;
+  uint64_t number_ = 0;  // of the last computation
+};
+
+}  // namespace runtime
