@@ -64,7 +64,7 @@ BENCHMARK(ReportOfFifteenRuns)->MeasureProcessCPUTime()->Unit(benchmark::kMillis
 
 // Eight pictures of a crawl, so many pixels high; drawn at the same time, so all threads count.
 void DrawAStrip(benchmark::State& state) {
-  const std::vector<robot::Link> links = ParseBody(SampleRunRecord().body).value();
+  const std::vector<robot::Link> links = ParseBody(SampleRunRecord().body).value().parts;
   const Motion motion = ReadMotion(SampleRecording(20, 0.1), static_cast<int>(links.size()));
   const StripOptions options{.height = static_cast<int>(state.range(0))};
   size_t size = 0;

@@ -44,7 +44,8 @@ const Plugin& LoadTask(const std::string& name) {
 class Scene {
  public:
   explicit Scene(const taskc_plugin& plugin)
-      : world_(Humanoid(), FindProfile("fast-tree"), Humanoid().poses[0]), sensors_(Humanoid()) {
+      : world_(Humanoid(), FindProfile("fast-tree"), Humanoid().poses[0]),
+        sensors_(Humanoid(), nullptr) {
     std::vector<double> targets(Humanoid().joints.size());
     RandomMotion motion(1);
     for (int step = 0; step < 200; ++step) {

@@ -42,14 +42,14 @@ struct Steps {
 
 // Hills on the plane z = 0: heights in equal distances, between which the ground is straight.
 struct HeightMap {
-  std::string file;  // as the world names it
-  int columns = 0;   // along +x, at least 2
-  int rows = 0;      // along +y, at least 2
+  std::string file{};  // as the world names it
+  int columns = 0;     // along +x, at least 2
+  int rows = 0;        // along +y, at least 2
   double size_x = 0;
   double size_y = 0;
   double center_x = 0;
   double center_y = 0;
-  std::vector<double> heights;  // row by row, the one with the least y first; none below 0
+  std::vector<double> heights{};  // row by row, the one with the least y first; none below 0
 
   double At(int column, int row) const {
     return heights[static_cast<size_t>(row * columns + column)];
@@ -58,15 +58,15 @@ struct HeightMap {
 };
 
 struct Ground {
-  std::variant<Plane, Slope, Steps, HeightMap> shape;
+  std::variant<Plane, Slope, Steps, HeightMap> shape{};
   double friction = robot::kUnlimited;  // coefficient; of two that touch the smaller one counts
 
   bool operator==(const Ground&) const = default;
 };
 
 struct Thing {
-  std::string name;
-  robot::LinkShape shape;
+  std::string name{};
+  robot::LinkShape shape{};
   bool is_fixed = false;
   double mass = 0;  // of uniform density; of a fixed one 0
   double friction = robot::kUnlimited;
@@ -78,9 +78,9 @@ struct Thing {
 };
 
 struct WorldDescription {
-  std::string doc;
-  Ground ground;
-  std::vector<Thing> things;
+  std::string doc{};
+  Ground ground{};
+  std::vector<Thing> things{};
 
   bool operator==(const WorldDescription&) const = default;
 };

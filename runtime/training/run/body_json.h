@@ -14,7 +14,8 @@ namespace runtime {
 // {"name", "shape": "box"|"capsule"|"cylinder"|"sphere", "size": [x, y, z], "radius", "length",
 // "axis": 0|1|2} and, where the shape is not around the link's center or turned, "position":
 // [x, y, z], "orientation": [w, x, y, z]; of a thing "thing": true.
-std::string BodyJson(const robot::RobotDescription& robot, const world::WorldDescription* world);
+std::string BodyJson(const robot::RobotDescription& robot,
+                     const world::WorldDescription* world = nullptr);
 
 // What moves in the recordings.
 struct RecordedBody {

@@ -48,7 +48,7 @@ EpisodeRecord Collector::HandOver(const ModuleGraph& graph, Learner& leader) {
   for (const UniversalTask* task : graph_.FindAll<UniversalTask>()) {
     graph.FindAs<UniversalTask>(task->name()).TakeOverRun(*task);
   }
-  NoteLearner(leader, record_);
+  NoteLearner(leader, environment_, record_);
   record_.cpu_seconds += ThreadSeconds() - start;
   return std::move(record_);
 }

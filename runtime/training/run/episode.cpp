@@ -17,7 +17,7 @@ EpisodeRecord RecordOf(const EpisodeModules& modules) {
   episode.active.episode_return = learner.episode_return();
   episode.active.end_kind = EndKindName(learner.episode_end().kind);
   episode.active.end_reason = learner.episode_end().reason;
-  NoteLearner(learner, episode);
+  NoteLearner(learner, modules.environment, episode);
   for (const UniversalTask* shadow : modules.tasks.shadows) {
     if (shadow->has_ended()) episode.shadows.push_back(EvaluationOf(*shadow));
   }
@@ -26,11 +26,15 @@ EpisodeRecord RecordOf(const EpisodeModules& modules) {
 
 }  // namespace
 
-void NoteLearner(const Learner& learner, EpisodeRecord& episode) {
+void NoteLearner(const Learner& learner, const RobotEnvironment& environment,
+                 EpisodeRecord& episode) {
   episode.active.faults += learner.passed_over_count();
   episode.learner.clear();
   for (const LearnerCurve& curve : learner.curves()) {
     episode.learner.push_back({curve.name, *curve.value});
+  }
+  for (const Randomization::Shown& drawn : environment.drawn()) {
+    episode.learner.push_back({drawn.name, drawn.value});
   }
 }
 
@@ -46,6 +50,7 @@ EpisodeRecord RunEpisode(int64_t number, const EpisodeModules& modules,
   const Clock::time_point start = Clock::now();
   const double cpu_start = ThreadSeconds();
   int64_t steps = 0;
+  modules.environment.SetNextEpisode(number);
   modules.learner.SetNextEpisode(number);
   modules.tasks.active->SetNextEpisode(number);
   for (UniversalTask* shadow : modules.tasks.shadows) shadow->SetNextEpisode(number);

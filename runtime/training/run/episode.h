@@ -26,8 +26,10 @@ using AfterStep = std::function<void(int64_t steps)>;
 EpisodeRecord RunEpisode(int64_t number, const EpisodeModules& modules,
                          const AfterStep& after_step);
 
-// What the learner shows of the episode that ran last, and what it has passed over in it.
-void NoteLearner(const Learner& learner, EpisodeRecord& episode);
+// What the learner shows of the episode that ran last, and what it has passed over in it; and what
+// was random in that.
+void NoteLearner(const Learner& learner, const RobotEnvironment& environment,
+                 EpisodeRecord& episode);
 
 // [s] of CPU time that this thread has used.
 double ThreadSeconds();

@@ -8,10 +8,13 @@
 namespace runtime {
 namespace {
 
-std::vector<CurveRecord> CurvesOf(const Learner& learner) {
+std::vector<CurveRecord> CurvesOf(const Learner& learner, const RobotEnvironment& environment) {
   std::vector<CurveRecord> curves;
   for (const LearnerCurve& curve : learner.curves()) {
     curves.push_back({curve.name, curve.unit, "", curve.doc});
+  }
+  for (const Randomization::Shown& drawn : environment.drawn()) {
+    curves.push_back({drawn.name, drawn.unit, "", drawn.doc});
   }
   return curves;
 }
@@ -54,7 +57,7 @@ void Training::Restore() {
   }
   tasks_ = FindTaskModules(graph_, learner_);
   database_.DeleteEpisodesAfter(episodes_done_);
-  database_.SetLearnerCurves(CurvesOf(learner_));
+  database_.SetLearnerCurves(CurvesOf(learner_, environment_));
   for (const EpisodeRecord& episode : episodes) {
     if (episode.number <= episodes_done_) statistics_.Add(episode);
   }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "runtime/core/module/sensor_data.h"
+#include "runtime/training/simulation/randomization.h"
 #include "runtime/training/simulation/world.h"
 
 namespace runtime {
@@ -16,6 +17,9 @@ struct SensorMoment {
   const World* world = nullptr;
   double time = 0;      // since the start of the episode [s]
   uint64_t number = 0;  // another one whenever the world has changed
+  Randomization::Noise noise{};
+  EpisodeRandom random{0, 0};
+  uint64_t since_start = 0;  // how often the world has changed in this episode
 };
 
 // Its elements are brought up to date at most once in each moment.
@@ -54,7 +58,9 @@ class LazySensor {
 
   const World& world() const { return *moment_.world; }
   double time() const { return moment_.time; }
+  const SensorMoment& moment() const { return moment_; }
   double* reals() { return reals_.data(); }
+  size_t real_count() const { return reals_.size(); }
   bool* flags() { return flags_.get(); }
 
  private:

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <utility>
 
 #include "runtime/core/task/plugin.h"
@@ -30,6 +31,7 @@ RobotEnvironment::RobotEnvironment(std::string name, const Context& context)
     : Module(std::move(name)),
       robot_(*context.robot),
       around_(context.task == nullptr ? nullptr : WorldOf(context.task->table())),
+      seed_(context.seed),
       sensors_(robot_, around_.get()) {
   AddParameter({.name = "profile",
                 .doc = "how the robot is simulated: as in the paper or with longer steps, by ODE "
@@ -41,6 +43,7 @@ RobotEnvironment::RobotEnvironment(std::string name, const Context& context)
                 "the pose that episodes start from; \"\" is what the task says, or else the "
                 "robot's first pose",
                 &start_pose_, PoseNames(robot_)});
+  for (Parameter& parameter : randomization_.Parameters()) AddParameter(std::move(parameter));
   for (RobotSensor& sensor : sensors_.sensors()) {
     const robot::SensorDescription& description = sensor.description();
     AddSensorPort(sensor, description.name, description.type, description.unit);
@@ -61,17 +64,30 @@ int RobotEnvironment::pose_count() const {
   return static_cast<int>(robot_.links.size() + (around_ == nullptr ? 0 : around_->things.size()));
 }
 
+void RobotEnvironment::Set(std::string_view parameter, const ParameterValue& value) {
+  const ParameterValue before = Get(parameter);
+  Module::Set(parameter, value);
+  try {
+    randomization_.Check(name());
+  } catch (const UserError&) {
+    Module::Set(parameter, before);
+    throw;
+  }
+}
+
 void RobotEnvironment::Start() {
   targets_.assign(robot_.joints.size(), 0.0);
   last_pose_.assign(7 * static_cast<size_t>(pose_count()), 0.0f);
 }
 
 void RobotEnvironment::StartEpisode(const std::optional<robot::StartState>& start) {
+  Randomize();
   Place(start);
   Begin();
 }
 
 void RobotEnvironment::StartDrawnEpisode(const StartDraw& draw) {
+  Randomize();
   const std::optional<LinkOverlap> overlap = PlaceDrawn(draw);
   Begin();
   if (!overlap) return;
@@ -103,14 +119,53 @@ std::optional<LinkOverlap> RobotEnvironment::PlaceDrawn(const StartDraw& draw) {
 
 void RobotEnvironment::Place(const std::optional<robot::StartState>& start) {
   const Profile& profile = FindProfile(profile_);
+  const robot::RobotDescription& robot = changed_robot_ ? *changed_robot_ : robot_;
+  const world::WorldDescription* around = changed_around_ ? changed_around_.get() : around_.get();
   if (start && start_pose_.empty()) {
-    world_ = std::make_unique<World>(robot_, profile, *start, around_.get());
+    world_ = std::make_unique<World>(robot, profile, *start, around);
   } else {
     const robot::Pose* pose =
         start_pose_.empty() ? &robot_.poses.front() : robot_.FindPose(start_pose_);
     assert(pose != nullptr);
-    world_ = std::make_unique<World>(robot_, profile, *pose, around_.get());
+    world_ = std::make_unique<World>(robot, profile, *pose, around);
   }
+}
+
+void RobotEnvironment::Randomize() {
+  random_ = EpisodeRandom(seed_, ++episode_);
+  if (changed_robot_ != nullptr) world_.reset();  // before what it was made of
+  changed_robot_.reset();
+  changed_around_.reset();
+  sensors_.SetNoise(randomization_.noise(), random_);
+  past_targets_.clear();
+  draw_ = {};
+  if (randomization_.IsOff()) return;
+  draw_ = randomization_.DrawFor(random_);
+  changed_robot_ =
+      std::make_unique<const robot::RobotDescription>(randomization_.Change(robot_, draw_));
+  changed_around_ =
+      std::make_unique<const world::WorldDescription>(randomization_.Change(around_.get(), draw_));
+  past_targets_.resize(static_cast<size_t>(std::floor(draw_.delay / time_step() + 0.5)));
+  pushes_ = 0;
+  next_push_ = 0;
+  PlanPush();
+}
+
+void RobotEnvironment::PlanPush() {
+  if (randomization_.has_pushes()) next_push_ += randomization_.PushAfter(random_, pushes_);
+}
+
+void RobotEnvironment::Push() {
+  if (!randomization_.has_pushes() || time_ < next_push_) return;
+  const std::array<double, 2> push = randomization_.PushOf(random_, pushes_++);
+  world_->Push({push[0], push[1], 0});
+  PlanPush();
+}
+
+void RobotEnvironment::DelayTargets() {
+  if (past_targets_.empty()) return;
+  if (time_steps_ == 0) std::ranges::fill(past_targets_, targets_);
+  std::swap(past_targets_[static_cast<size_t>(time_steps_) % past_targets_.size()], targets_);
 }
 
 void RobotEnvironment::Begin() {
@@ -131,7 +186,9 @@ void RobotEnvironment::RunTimeStep() {
     const Eigen::VectorXd& targets = joint_targets_();
     if (targets.size() != static_cast<Eigen::Index>(targets_.size())) ThrowForeignTargets();
     std::copy(targets.begin(), targets.end(), targets_.begin());
+    DelayTargets();
   }
+  Push();
   for (int i = 0; i < world_->physics_steps_per_time_step(); ++i) {
     if (!StepPhysics(i)) return;
   }

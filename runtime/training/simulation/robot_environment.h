@@ -15,13 +15,15 @@
 #include "runtime/core/module/sensor_data.h"
 #include "runtime/core/module/values.h"
 #include "runtime/training/simulation/link_overlap.h"
+#include "runtime/training/simulation/randomization.h"
 #include "runtime/training/simulation/robot_sensors.h"
 #include "runtime/training/simulation/world.h"
 
 namespace runtime {
 
-// Parameters: `profile` (runtime/training/simulation/profile.h) and `start_pose` ("": as the task
-// says, or else the robot's first pose).
+// Parameters: `profile` (runtime/training/simulation/profile.h), `start_pose` ("": as the task
+// says, or else the robot's first pose), and those of what is random
+// (runtime/training/simulation/randomization.h).
 //
 // Out ports: one for each of the robot's sensors, and of the things in its world, with its name.
 // What some of them tell is measured only while something is connected to them, from the next time
@@ -45,6 +47,7 @@ class RobotEnvironment : public Module {
   // world.
   RobotEnvironment(std::string name, const Context& context);
 
+  void Set(std::string_view parameter, const ParameterValue& value) override;
   void Start() override;
 
   // A fresh world with the robot in its start pose, or else in this state where there is one.
@@ -57,6 +60,11 @@ class RobotEnvironment : public Module {
   // there is none in kMostDraws, the episode ends as diverged where it starts. What is drawn is
   // taken as it is where it does not change from draw to draw.
   void StartDrawnEpisode(const StartDraw& draw);
+
+  // The number in the run of the episode that starts next; else it is one more than the last.
+  void SetNextEpisode(int64_t number) { episode_ = number - 1; }
+  // What the present episode has drawn (runtime/training/simulation/randomization.h).
+  std::vector<Randomization::Shown> drawn() const { return randomization_.Show(draw_); }
 
   // One time step; nothing if the episode has diverged, or none has been started.
   void RunTimeStep();
@@ -76,6 +84,12 @@ class RobotEnvironment : public Module {
  private:
   void AddSensorPort(LazySensor& sensor, std::string_view name, std::string_view type,
                      std::string_view unit);
+  // Draws what the episode that starts is like.
+  void Randomize();
+  void PlanPush();
+  void Push();
+  // The targets of so many time steps ago.
+  void DelayTargets();
   void Place(const std::optional<robot::StartState>& start);
   // Places the robot. Returns an overlap that all draws have.
   std::optional<LinkOverlap> PlaceDrawn(const StartDraw& draw);
@@ -90,6 +104,18 @@ class RobotEnvironment : public Module {
   std::unique_ptr<const world::WorldDescription> around_;  // or null
   std::string profile_ = "paper";
   std::string start_pose_;
+
+  uint64_t seed_;
+  int64_t episode_ = 0;  // the number of the current one
+  Randomization randomization_;
+  Randomization::Draw draw_;
+  EpisodeRandom random_{0, 0};
+  // Of an episode that is randomized; null otherwise.
+  std::unique_ptr<const robot::RobotDescription> changed_robot_;
+  std::unique_ptr<const world::WorldDescription> changed_around_;
+  uint64_t pushes_ = 0;                            // in this episode
+  double next_push_ = 0;                           // [s]
+  std::vector<std::vector<double>> past_targets_;  // of as many time steps as they come late
 
   RobotSensors sensors_;
   std::deque<SensorOut> sensor_ports_;

@@ -25,6 +25,21 @@ RobotSensor::RobotSensor(const SensorMoment& moment, const robot::SensorDescript
                  static_cast<size_t>(robot::ElementCount(description, robot))),
       description_(&description) {}
 
+void RobotSensor::AddNoise() {
+  double deviation = 0;
+  if (description_->id == robot::SensorId::kJointAngle) deviation = moment().noise.angle;
+  if (description_->id == robot::SensorId::kJointVelocity ||
+      description_->id == robot::SensorId::kBaseAngularVelocity)
+    deviation = moment().noise.rate;
+  if (description_->id == robot::SensorId::kBaseVelocity) deviation = moment().noise.velocity;
+  if (deviation == 0) return;
+  const auto sensor = static_cast<uint64_t>(description_->id);
+  for (size_t i = 0; i < real_count(); ++i) {
+    const uint64_t index = moment().since_start * real_count() + i;
+    reals()[i] += deviation * moment().random.Normal(sensor, index);
+  }
+}
+
 void RobotSensor::Compute() {
   const RobotBody& body = world().body();
   const dBodyID base = body.body(0);
@@ -102,6 +117,7 @@ void RobotSensor::Compute() {
     case robot::SensorId::kCount:
       assert(!"a sensor");
   }
+  AddNoise();
 }
 
 RobotSensors::RobotSensors(const robot::RobotDescription& robot,
@@ -116,7 +132,16 @@ RobotSensors::RobotSensors(const robot::RobotDescription& robot,
 }
 
 void RobotSensors::Refresh(const World& world, double time) {
-  moment_ = {&world, time, moment_.number + 1};
+  moment_.world = &world;
+  moment_.time = time;
+  ++moment_.number;
+  ++moment_.since_start;
+}
+
+void RobotSensors::SetNoise(const Randomization::Noise& noise, const EpisodeRandom& random) {
+  moment_.noise = noise;
+  moment_.random = random;
+  moment_.since_start = 0;
 }
 
 void RobotSensors::Freeze() {

@@ -7,6 +7,7 @@
 #include "plugins/robot/sensors.h"
 #include "plugins/world/thing_sensors.h"
 #include "runtime/training/simulation/lazy_sensor.h"
+#include "runtime/training/simulation/randomization.h"
 
 namespace runtime {
 
@@ -20,6 +21,7 @@ class RobotSensor : public LazySensor {
 
  private:
   void Compute() override;
+  void AddNoise();
 
   const robot::SensorDescription* description_;
 };
@@ -53,6 +55,8 @@ class RobotSensors {
   // From now on the sensors show `world`, `time` seconds after the start of the episode. To be
   // called whenever the world has changed; `world` must stay until the next call.
   void Refresh(const World& world, double time);
+  // What is added to sensors from the next Refresh() on.
+  void SetNoise(const Randomization::Noise& noise, const EpisodeRandom& random);
   // From now on the sensors show what they showed when they were last read.
   void Freeze();
 

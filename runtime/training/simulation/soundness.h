@@ -28,6 +28,8 @@ class Soundness {
   // Looks at the motion since the call before, which was a physics step ago. `controller` has read
   // the joints since. Throws OdeFailure where there is no sense in going on.
   void Check(const JointController& controller);
+  // What has happened to the motion since the last call is no step's work.
+  void Restart() { is_first_ = true; }
 
  private:
   // Of all motions and heights, and of what the joints hold themselves [J].

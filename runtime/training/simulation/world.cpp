@@ -83,6 +83,14 @@ double World::DepthInGround() const {
   return deepest;
 }
 
+void World::Push(const Vector3& velocity) {
+  for (int i = 0; i < body_.link_count(); ++i) {
+    const Vector3 pushed = ToEigen(dBodyGetLinearVel(body_.body(i))) + velocity;
+    dBodySetLinearVel(body_.body(i), pushed[0], pushed[1], pushed[2]);
+  }
+  soundness_.Restart();
+}
+
 void World::Step(std::span<const double> targets) {
   controller_.Update(targets);
   soundness_.Check(controller_);

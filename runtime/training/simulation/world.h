@@ -43,6 +43,9 @@ class World {
   // is no sensible state to continue from; the world must not be stepped again then.
   void Step(std::span<const double> targets);
 
+  // Adds to the velocity of all links at once.
+  void Push(const Vector3& velocity);
+
   const RobotBody& body() const { return body_; }
   const Collision& collision() const { return collision_; }
   const JointController& controller() const { return controller_; }

@@ -106,6 +106,16 @@ TEST(Completion, OffersWhatIsObserved) {
   EXPECT_THAT(editor.CompleteAt(own + "override observe |"), ElementsAre("clock"));
 }
 
+TEST(Completion, OffersWorldsAndTheSensorsOfTheirThings) {
+  Editor editor;
+  editor.Write("ball.toml",
+               "[[things]]\nname = \"ball\"\nshape = \"sphere\"\nradius = 0.1\nmass = 1\n"
+               "position = [1, 0]\n");
+  EXPECT_THAT(editor.CompleteAt("task t for humanoid in \"ba|\"\n"), ElementsAre("ball.toml"));
+  EXPECT_THAT(editor.CompleteAt("task t for humanoid in \"ball.toml\"\nmetric a = ball.pos|\n"),
+              Contains("position"));
+}
+
 TEST(Completion, OffersTables) {
   Editor editor;
   editor.Write("curve.csv", "time [s], height [cm]\n0, 1\n2, 3\n");

@@ -37,7 +37,7 @@ std::string MessageFor(const std::string& text) {
   return "no error";
 }
 
-std::string Yard() {
+std::string YardText() {
   std::ostringstream text;
   text << std::ifstream(WORLDS "/yard.toml").rdbuf();
   return text.str();
@@ -47,7 +47,7 @@ class WorldErrorTest : public testing::TestWithParam<Mistake> {};
 
 TEST_P(WorldErrorTest, NamesPlaceAndRemedy) {
   const Mistake& mistake = GetParam();
-  std::string text = Yard();
+  std::string text = YardText();
   const size_t place = text.find(mistake.correct);
   ASSERT_NE(place, std::string::npos);
   text.replace(place, std::string(mistake.correct).size(), mistake.wrong);
@@ -61,7 +61,7 @@ INSTANTIATE_TEST_SUITE_P(
     , WorldErrorTest,
     testing::Values(
         Mistake{"NoToml", "[ground]", "[ground",
-                "4:1: error: Error while parsing table header: expected ']', saw '\\n'\n"
+                "3:8: error: Error while parsing table header: expected ']', saw '\\n'\n"
                 "  help: the file is written in TOML 1.0, see https://toml.io"},
         Mistake{"UnknownPart", "[ground]", "[grounds]",
                 "3:2: error: unknown key `grounds` in the world\n  help: did you mean `ground`?"},

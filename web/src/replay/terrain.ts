@@ -32,7 +32,7 @@ export class Terrain {
 
   heightAt(x: number, y: number): number {
     const [nx, ny, nz] = this.shape.normal;
-    let height = -(nx * x + ny * y) / nz;
+    let height = 0 - (nx * x + ny * y) / nz;
     for (const block of this.shape.blocks) {
       if (block.low_x <= x && x < block.high_x) height = Math.max(height, block.height);
     }

@@ -16,7 +16,10 @@ constexpr int kSize = 200;
 Image Draw(const std::vector<robot::Link>& links, const Motion& motion, const Camera& camera) {
   Image image(kSize, kSize);
   const PosedRobot robot(links, motion, 0);
-  Render({links, robot, Ground(camera, {}), camera}, 0, kSize, image);
+  const world::Ground flat;
+  const Terrain terrain(flat);
+  const std::vector<Paint> paints = PaintsOf(links);
+  Render({links, paints, robot, terrain, Ground(camera, {}), camera}, 0, kSize, image);
   return image;
 }
 

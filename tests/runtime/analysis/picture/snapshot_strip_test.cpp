@@ -19,7 +19,7 @@ Motion MotionOf(int frames) {
 }
 
 struct Crawl {
-  std::vector<robot::Link> links = ParseBody(SampleRunRecord().body).value();
+  std::vector<robot::Link> links = ParseBody(SampleRunRecord().body).value().parts;
   Motion motion = ReadMotion(SampleRecording(2, 0.3), static_cast<int>(links.size()));
 };
 
@@ -29,12 +29,24 @@ TEST(Body, IsKeptWithTheShapesThatAreMoved) {
                  {"slab", 1, {}, {robot::ShapeKind::kBox, {1, 2, 3}}}};
   robot.links[1].shape.position = {0.1, 0.2, -0.3};
   robot.links[1].shape.orientation = {0.6, 0, 0.8, 0};
-  const std::vector<robot::Link> links = ParseBody(BodyJson(robot)).value();
+  const std::vector<robot::Link> links = ParseBody(BodyJson(robot)).value().parts;
   EXPECT_EQ(links[0].shape.kind, robot::ShapeKind::kCylinder);
   EXPECT_EQ(links[0].shape.length, 0.3);
   EXPECT_FALSE(links[0].shape.IsMoved());
   EXPECT_EQ(links[1].shape.position, robot.links[1].shape.position);
   EXPECT_EQ(links[1].shape.orientation, robot.links[1].shape.orientation);
+}
+
+TEST(Body, TellsThingsFromLinks) {
+  robot::RobotDescription robot;
+  robot.links = {{"drum", 1, {}, {robot::ShapeKind::kCylinder, {}, 0.1, 0.3, 0}}};
+  world::WorldDescription world;
+  world.things = {{.name = "ball", .shape = {.kind = robot::ShapeKind::kSphere, .radius = 0.2}}};
+  const RecordedBody body = ParseBody(BodyJson(robot, &world)).value();
+  EXPECT_EQ(body.things, 1u);
+  ASSERT_EQ(body.parts.size(), 2u);
+  EXPECT_EQ(body.parts[1].name, "ball");
+  EXPECT_EQ(body.links().size(), 1u);
 }
 
 TEST(SnapshotTimes, SpanTheMotionInEqualSteps) {

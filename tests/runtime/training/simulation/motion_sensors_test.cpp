@@ -128,7 +128,7 @@ TEST_P(MotionSensorsTest, StandingRobotHasItsWeightOnItsFeet) {
 
 TEST_P(MotionSensorsTest, LinksMoveByTheirVelocities) {
   World world(Humanoid(), FindProfile(GetParam()), Humanoid().poses[1]);
-  RobotSensors sensors(Humanoid());
+  RobotSensors sensors(Humanoid(), nullptr);
   std::map<std::string_view, RobotSensor*> by_name;
   for (RobotSensor& sensor : sensors.sensors()) by_name[sensor.description().name] = &sensor;
   std::vector<double> targets(Humanoid().joints.size(), 0.4);

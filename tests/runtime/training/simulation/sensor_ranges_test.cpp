@@ -27,7 +27,7 @@ void MoveAtRandom(const char* profile, double largest, double seconds) {
   std::mt19937 random(7);
   for (const robot::Pose& pose : robot.poses) {
     World world(robot, FindProfile(profile), pose);
-    RobotSensors sensors(robot);
+    RobotSensors sensors(robot, nullptr);
     std::vector<double> targets = Zeros(robot);
     for (double time = 0; time < seconds; time += 0.005) {
       if (random() % 20 == 0) {
