@@ -29,12 +29,14 @@ std::string RangeText(double low, double high, const Unit& unit) {
 class Outliner {
  public:
   Outliner(const Analysis& analysis)
-      : task_(*analysis.task),
+      : analysis_(analysis),
+        task_(*analysis.task),
         enumerations_(EnumerationsOf(analysis.robot ? &*analysis.robot : nullptr)),
         writer_(task_, enumerations_) {}
 
   TaskOutline Outline() {
     AddTask();
+    if (analysis_.world) AddWorld(*analysis_.world);
     AddStart();
     for (const CheckedParam& param : task_.params) AddParam(param);
     for (const CheckedSensor& sensor : task_.sensors) AddSensor(sensor);
@@ -64,6 +66,18 @@ class Outliner {
     if (!task_.robot.empty()) Add("robot", "", "is", task_.robot);
     const bool can_end = !task_.ends.empty() || !task_.requirements.empty();
     if (can_end) Add("after_end", "", "is", task_.ended ? "stop" : "continue");
+  }
+
+  // What its ground is like is in its text alone.
+  void AddWorld(const world::WorldDescription& world) {
+    std::vector<std::string> things;
+    for (const world::Thing& thing : world.things) things.push_back(thing.name);
+    if (!things.empty()) Add("world", "", "things", fmt::format("{}", fmt::join(things, ", ")));
+    const WorldFile& file = *analysis_.tree->world;
+    std::string text;
+    for (const std::optional<size_t>& index : {file.file, file.map_file})
+      if (index) text += analysis_.sources.files()[*index].text();
+    Add("world", "", "text", fmt::format("<{:x}>", std::hash<std::string>()(text)));
   }
 
   void AddStart() {
@@ -149,6 +163,7 @@ class Outliner {
     }
   }
 
+  const Analysis& analysis_;
   const CheckedTask& task_;
   const std::vector<Enumeration> enumerations_;
   ExpressionWriter writer_;
