@@ -129,8 +129,6 @@ Description BadHeader(const Failure& failure) {
                                    "expected `for` or the end of the line, found `on`"),
                     RobotIs(failure.last->getText(), on));
   }
-  if (failure.rule == TaskParser::RuleHeader && failure.last_type() == TaskParser::IN)
-    return WithHelp(Expected(failure, "the file of a world"), std::string(kWorldHelp));
   if (failure.rule != TaskParser::RuleFile || failure.is_at_line_start()) return std::nullopt;
   if (failure.type() == TaskParser::EXTENDS) {
     return WithHelp(Expected(failure, "the end of the line"), "`extends` comes before `for`");
@@ -240,7 +238,8 @@ Description BadObservation(const Failure& failure) {
                   "each observation stands in a line of its own");
 }
 
-// `import shaping`, `extends forward_rolling`, `table gait: real = walk.csv`, `test falls`
+// `import shaping`, `extends forward_rolling`, `table gait: real = walk.csv`, `test falls`,
+// `task kick for humanoid in ball`
 Description BadPath(const Failure& failure) {
   std::string_view ending = "task";
   switch (failure.last_type()) {
@@ -253,6 +252,10 @@ Description BadPath(const Failure& failure) {
     case TaskParser::ASSIGN:
       if (!IsOfTable(failure)) return std::nullopt;
       ending = "csv";
+      break;
+    case TaskParser::IN:
+      if (failure.rule != TaskParser::RuleHeader) return std::nullopt;
+      ending = "toml";
       break;
     default:
       return std::nullopt;

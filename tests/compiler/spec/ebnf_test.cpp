@@ -85,6 +85,7 @@ TEST(Ebnf, DefinesEachNameThatItUses) {
 TEST(Ebnf, HasNothingOfTheParserGenerator) {
   const std::string text = ToEbnf(OfTheLanguage());
   EXPECT_THAT(text, HasSubstr("header ::= \"task\" name (\"extends\" STRING)? (\"for\" name)? "
+                              "(\"in\" STRING)? "
                               "end_of_line?\n"));
   for (const char* word : {"->", "+=)", "FOREIGN", "LINE_END", "fragment", "UNKNOWN", "skip"}) {
     if (std::string(word) == "->") continue;  // a sign of the language
