@@ -71,6 +71,7 @@ Action DeclareBuild(Command& command, Session& session) {
                  "from")
       .ValueName("FILE.d");
   AddRobots(command, session);
+  AddText(command, session);
   AddReport(command, session);
   return [options](Session& call) { return Build(*options, call); };
 }

@@ -52,6 +52,7 @@ Action DeclareDoc(Command& command, Session& session) {
   command.AddFlag("--json", options->is_json, "print params, terms and metrics as JSON instead")
       .Excludes(output);
   AddRobots(command, session);
+  AddText(command, session);
   return [options](Session& call) { return WritePage(*options, call); };
 }
 

@@ -30,6 +30,14 @@ std::optional<std::string> ReadAndRemember(const std::filesystem::path& file) {
   return ReadFromDisk(file);
 }
 
+// Reads `text` in the place of `task`.
+FileReader ReaderOf(const std::string& task, const std::filesystem::path& text) {
+  if (text.empty()) return ReadAndRemember;
+  return [task, text](const std::filesystem::path& file) {
+    return ReadAndRemember(file == task ? text : file);
+  };
+}
+
 // "2 errors, 1 warning"
 std::string Counts(size_t errors, size_t warnings) {
   if (warnings == 0) return Count(errors, "error");
@@ -40,7 +48,7 @@ std::string Counts(size_t errors, size_t warnings) {
 }  // namespace
 
 Analysis Session::Analyze(const std::string& file) {
-  Analysis analysis = compiler::Analyze(file, ReadAndRemember, robots);
+  Analysis analysis = compiler::Analyze(file, ReaderOf(file, text_file), robots);
   Report(analysis.sources, analysis.diagnostics);
   if (analysis.task) Result()["name"] = analysis.task->name;
   return analysis;

@@ -16,9 +16,10 @@ class Session {
  public:
   // ---- Options that verbs share -----------------------------------------------------------------
 
-  std::filesystem::path robots;  // where to look for robots first; may be empty
-  std::string format = "text";   // of the report: also "json" and "sarif"
-  std::string color = "auto";    // of the text: also "always" and "never"
+  std::filesystem::path robots;     // where to look for robots first; may be empty
+  std::filesystem::path text_file;  // holds the task's text; empty: its file does
+  std::string format = "text";      // of the report: also "json" and "sarif"
+  std::string color = "auto";       // of the text: also "always" and "never"
 
   // ---- What verbs do ----------------------------------------------------------------------------
 

@@ -93,6 +93,13 @@ void AddRobots(Command& command, Session& session) {
       .ValueName("DIR");
 }
 
+void AddText(Command& command, Session& session) {
+  command
+      .AddOption("--text", session.text_file,
+                 "read the task's text from this file, as if it stood in FILE.task")
+      .ValueName("FILE");
+}
+
 void AddReport(Command& command, Session& session) {
   Option json = command.OnFlag(
       "--json", [&] { session.format = "json"; }, "report as JSON, for other programs");

@@ -59,6 +59,8 @@ void AddTasks(Command& command, std::vector<std::string>& tasks);
 Option AddOutput(Command& command, std::filesystem::path& output, const std::string& what,
                  const std::string& description);
 void AddRobots(Command& command, Session& session);
+// For editors, and others that have a text which is not saved.
+void AddText(Command& command, Session& session);
 // In which form, and in which colors, what is wrong is reported.
 void AddReport(Command& command, Session& session);
 

@@ -76,6 +76,7 @@ class TaskFrame {
   // the caller's, may change and move between calls, and must be there whenever a function is
   // called that reads the sensor (taskc_sensor.read_by).
   const void*& sensor(size_t index) { return sensors_[index]; }
+  const void* sensor(size_t index) const { return sensors_[index]; }
 
   // All of them.
   std::span<const void*> sensors() { return sensors_; }

@@ -40,12 +40,11 @@ bool RunCompiler(const std::vector<std::string>& words, std::string& output) {
   return result.is_success;
 }
 
-bool BuildTask(const std::filesystem::path& task, const std::filesystem::path& plugin,
-               const std::filesystem::path& robots, std::string* messages,
-               const std::stop_token& stop) {
+bool BuildTask(const TaskBuild& build, std::string* messages, const std::stop_token& stop) {
   const Captured captured = messages != nullptr ? Captured::kMessages : Captured::kNothing;
-  std::vector<std::string> words = {"build", task.string(), "-o", plugin.string()};
-  if (!robots.empty()) words.insert(words.end(), {"--robots", robots.string()});
+  std::vector<std::string> words = {"build", build.task.string(), "-o", build.plugin.string()};
+  if (!build.robots.empty()) words.insert(words.end(), {"--robots", build.robots.string()});
+  if (!build.text.empty()) words.insert(words.end(), {"--text", build.text.string()});
   ChildResult result = RunTaskc(std::move(words), captured, stop);
   if (messages != nullptr) *messages = std::move(result.captured);
   return result.is_success;

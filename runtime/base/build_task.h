@@ -17,11 +17,16 @@ std::filesystem::path CompilerProgram();
 // what it reports to the user as it is.
 bool RunCompiler(const std::vector<std::string>& words, std::string& output);
 
-// Runs `taskc build`; returns whether `plugin` was written. `robots`: where to look for robots
-// first; may be empty. What the compiler says goes to `messages`, or else to the user as it is.
-// `stop` ends it.
-bool BuildTask(const std::filesystem::path& task, const std::filesystem::path& plugin,
-               const std::filesystem::path& robots, std::string* messages = nullptr,
+struct TaskBuild {
+  std::filesystem::path task;
+  std::filesystem::path plugin;       // is written
+  std::filesystem::path robots = {};  // where to look for robots first; empty: nowhere
+  std::filesystem::path text = {};    // holds the text of `task`; empty: `task` itself does
+};
+
+// Runs `taskc build`; returns whether the plugin was written. What the compiler says goes to
+// `messages`, or else to the user as it is. `stop` ends it.
+bool BuildTask(const TaskBuild& build, std::string* messages = nullptr,
                const std::stop_token& stop = {});
 
 }  // namespace runtime

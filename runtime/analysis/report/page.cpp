@@ -84,6 +84,7 @@ std::string JsonForScript(const nlohmann::json& data) {
 std::string MakePage(const nlohmann::json& data, const std::filesystem::path& folder) {
   return Fill(ReadPart(folder, "template.html"),
               {{"title", [&] { return EscapeHtml(data.at("title").get<std::string>()); }},
+               {"nonce", [&] { return EscapeHtml(data.at("nonce").get<std::string>()); }},
                {"style", [&] { return ReadPart(folder, "page.css"); }},
                {"script", [&] { return ReadPart(folder, "page.js"); }},
                {"data", [&] { return JsonForScript(data); }}});

@@ -8,10 +8,12 @@
 
 namespace runtime {
 
-// share/taskc/NAME beside the running program's folder; "report", "study" and "probe" are there.
+// share/taskc/NAME beside the running program's folder; "report", "live", "study" and "probe" are
+// there.
 std::filesystem::path PageFolder(std::string_view name);
 
-// template.html of `folder` with page.css, page.js and `data` in it; data.title is the title.
+// template.html of `folder` with page.css, page.js and `data` in it; data.title is the title,
+// data.nonce, where the template has one, an attribute.
 // Throws UserError where one of these files cannot be read.
 std::string MakePage(const nlohmann::json& data, const std::filesystem::path& folder);
 

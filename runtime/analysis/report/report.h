@@ -16,4 +16,12 @@ std::filesystem::path WriteReport(const std::filesystem::path& run_dir,
 // The same page, in memory.
 std::string ReportPage(const std::filesystem::path& run_dir);
 
+// The page on which the run in `run_dir` is watched and tuned. `nonce`: the attribute of its
+// scripts and styles. Throws UserError where the page's parts are not installed.
+std::string LivePage(const std::filesystem::path& run_dir, const std::string& nonce);
+
+// What that page draws besides what it is told as it happens: the report's numbers without
+// recordings, as JSON. Throws UserError where the database cannot be read.
+std::string RecordText(const std::filesystem::path& run_dir);
+
 }  // namespace runtime

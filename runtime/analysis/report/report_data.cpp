@@ -105,19 +105,12 @@ void AddEvaluations(const std::filesystem::path& run_dir, json& data) {
   for (std::string& note : notes) data["notes"].push_back(std::move(note));
 }
 
-}  // namespace
-
-json CollectReportData(const std::filesystem::path& run_dir) {
-  const RunDatabase database = RunDatabase::OpenToRead(run_dir);
-  const std::vector<EpisodeRecord> episodes = database.ReadEpisodes();
-  const RunRecord run = database.ReadRun();  // after them: so all their tasks are among its own
-  if (episodes.empty()) {
-    throw UserError(fmt::format(
-        "{}: the run has no finished episode yet; wait for the first one, then ask for the report",
-        run_dir.string()));
-  }
+// All but recordings and evaluations.
+json CollectCurves(const RunDatabase& database, const RunRecord& run,
+                   const std::vector<EpisodeRecord>& episodes) {
   json data;
-  const TaskRecord& task = TaskWithId(run, episodes.back().active.task);
+  const TaskRecord& task =
+      episodes.empty() ? run.tasks.front() : TaskWithId(run, episodes.back().active.task);
   data["title"] = task.task + " – learning run";
   data["run"] = RunTexts(database, task);
   data["settings"] = SettingsJson(run);
@@ -137,8 +130,33 @@ json CollectReportData(const std::filesystem::path& run_dir) {
   AddEnds(episodes, data);
   AddTotals(episodes, data);
   AddChanges(run, episodes, database.ReadChanges(), data);
+  return data;
+}
+
+}  // namespace
+
+json CollectReportData(const std::filesystem::path& run_dir) {
+  const RunDatabase database = RunDatabase::OpenToRead(run_dir);
+  const std::vector<EpisodeRecord> episodes = database.ReadEpisodes();
+  const RunRecord run = database.ReadRun();  // after them: so all their tasks are among its own
+  if (episodes.empty()) {
+    throw UserError(fmt::format(
+        "{}: the run has no finished episode yet; wait for the first one, then ask for the report",
+        run_dir.string()));
+  }
+  json data = CollectCurves(database, run, episodes);
   AddRecordings(database, run, episodes, data);
   AddEvaluations(run_dir, data);
+  return data;
+}
+
+json CollectRecord(const std::filesystem::path& run_dir) {
+  const RunDatabase database = RunDatabase::OpenToRead(run_dir);
+  const std::vector<EpisodeRecord> episodes = database.ReadEpisodes();
+  const RunRecord run = database.ReadRun();
+  json data = CollectCurves(database, run, episodes);
+  data["body"] = json::parse(run.body);
+  for (const char* none : {"recordings", "evaluations", "notes"}) data[none] = json::array();
   return data;
 }
 

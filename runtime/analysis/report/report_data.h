@@ -13,4 +13,8 @@ namespace runtime {
 // UserError where there is no run, no episode yet, or the database cannot be read.
 nlohmann::json CollectReportData(const std::filesystem::path& run_dir);
 
+// The same without recordings and evaluations, for who follows the run from now on: also where
+// there is no episode yet.
+nlohmann::json CollectRecord(const std::filesystem::path& run_dir);
+
 }  // namespace runtime

@@ -88,6 +88,12 @@ class TaskInstance {
   void EndTimeStep();
   void EndEpisode();
 
+  // What it works on, to look at between two events.
+  const host::TaskFrame& frame() const { return host_; }
+  // The metrics as they are now, between two time steps; empty where one of them reads a sensor
+  // that the end of a time step does not bring up to date.
+  std::span<const double> MeasureNow();
+
   // What the learner sees now. A number that is not finite is 0 in it, and counted.
   std::span<const double> Observe();
 

@@ -158,6 +158,8 @@ class UniversalTask : public Module, public TaskObservations {
   // told of; one value for each metric, and one for each log.
   const TaskEnd& end() const { return end_; }
   std::span<const double> metrics() const { return instance_->metrics(); }
+  // Between two time steps of an episode; see TaskInstance.
+  std::span<const double> MeasureNow() { return instance_->MeasureNow(); }
   std::span<const double> logs() const { return instance_->logs(); }
 
  private:

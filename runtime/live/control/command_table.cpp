@@ -25,6 +25,8 @@ constexpr bool kOptional = false;
 constexpr ArgumentSpec kTaskModule = {"name", kText, kRequired, "name of the task module"};
 constexpr ArgumentSpec kFileOfTask = {"file", kTaskFile, kRequired,
                                       "a .task file, or a .so built by taskc"};
+constexpr ArgumentSpec kTextOfTask = {"text", kText, kOptional,
+                                      "what is built in the place of what the .task file holds"};
 constexpr ArgumentSpec kNow = {"now", kFlag, kOptional,
                                "between two time steps; by default when the next episode starts"};
 constexpr ArgumentSpec kForget = {"forget", kFlag, kOptional,

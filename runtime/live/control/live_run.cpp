@@ -43,7 +43,8 @@ LiveRun::LiveRun(const RunParts& run, Progress& progress, WhenDone when_done,
       graph_(run.graph, run.types, run.context),
       journal_(run.database),
       maker_(graph_, schedules_, run.record, run.folder),
-      loader_(run.folder, run.record) {
+      loader_(run.folder, run.record),
+      view_(run.context) {
   if (journal_.bad_tasks().contains(run.record.tasks.front().id)) {
     throw UserError(fmt::format(
         "{}: the task that this run began with has crashed (`trainer show {}` tells when), so the "
@@ -113,13 +114,22 @@ bool LiveRun::AtSafePoint(int64_t episode, int64_t step) {
   DoDueChanges();
   CountDown();
   ServeQueue();
+  WaitInPause();
+  if (step == 0) schedules_.Apply(episode, graph_);
+  return std::exchange(graph_has_changed_, false);
+}
+
+// Who comes to watch meanwhile sees the robot where it is. Before an episode it is nowhere.
+void LiveRun::WaitInPause() {
   while (state_ == State::kPaused && !stops()) {
     queue_.WaitFor(kBetweenLooks);
     ServeQueue();
+    if (position_.step == 0) continue;
+    const TaskModules tasks = FindTaskModules(graph_.graph(), graph_.learner());
+    view_.AfterStep(position_.episode, position_.step,
+                    {run_.graph.FindOnly<RobotEnvironment>(), graph_.learner(), tasks});
   }
   if (state_ == State::kPaused) SetState(State::kRunning);  // to the end of the episode
-  if (step == 0) schedules_.Apply(episode, graph_);
-  return std::exchange(graph_has_changed_, false);
 }
 
 int64_t LiveRun::undisturbed_until() const {

@@ -13,6 +13,7 @@
 #include "runtime/live/control/command_table.h"
 #include "runtime/live/control/journal.h"
 #include "runtime/live/control/live_graph.h"
+#include "runtime/live/control/live_view.h"
 #include "runtime/live/control/request.h"
 #include "runtime/live/control/request_queue.h"
 #include "runtime/live/control/schedules.h"
@@ -47,15 +48,22 @@ class LiveRun : public RequestHandler, public TrainingHooks {
   ~LiveRun() override;  // refuses the requests that still wait
 
   // Null, or an object that outlives this one. Before the training begins.
-  void PublishTo(EventSink* events) { events_ = events; }
+  void PublishTo(EventSink* events) {
+    events_ = events;
+    view_.ShowTo(events);
+  }
 
   void Handle(Request request, ReplyHandler reply) override;
+  // Where the run's robot is, for programs that read tasks.
+  const std::filesystem::path& robots_folder() const { return loader_.robots_folder(); }
+  void Watch(const ViewWish& wish) override { view_.Wish(wish); }
 
   std::set<std::string> BeforeRestore(int64_t episode) override;
   void AfterRestore(const ReturnStatistics& statistics) override { statistics_ = statistics; }
   bool AtSafePoint(int64_t episode, int64_t step) override;
   int64_t undisturbed_until() const override;
   void Anticipate(int64_t episode, ModuleGraph& copy) const override;
+  EpisodeWatcher* watcher() override { return &view_; }
   void AfterEpisode(const EpisodeRecord& episode, const ReturnStatistics& statistics,
                     bool checkpoint_was_saved) override;
   void OnWarning(const std::string& text) override;
@@ -74,6 +82,8 @@ class LiveRun : public RequestHandler, public TrainingHooks {
   void SetState(State state);
   bool stops() const { return stop_was_asked_for_ || stop_.signal() != 0; }
   void Publish(const nlohmann::json& event);
+
+  void WaitInPause();
 
   // What was done from outside in an episode that need not be run again. Writes nothing.
   void RepeatEpisode(const EpisodeRecord& episode);
@@ -125,6 +135,7 @@ class LiveRun : public RequestHandler, public TrainingHooks {
   RequestQueue queue_;
   TaskLoader loader_;
   EventSink* events_ = nullptr;
+  LiveView view_;
 
   RunPosition position_;
   bool graph_has_changed_ = false;  // since the training was told last

@@ -26,10 +26,13 @@ void LiveRun::Handle(Request request, ReplyHandler reply) {
   QueuedRequest queued{&command, std::move(request.arguments), std::move(reply), {}};
   const ArgumentSpec* file = command.task_file();
   if (file == nullptr) return queue_.Push(std::move(queued));
-  loader_.Load(queued.arguments.at(file->name).get<std::string>(), [this, queued](LoadedTask task) {
+  std::optional<std::string> text;
+  if (queued.arguments.contains("text")) text = queued.arguments.at("text").get<std::string>();
+  const auto push = [this, queued](LoadedTask task) {
     if (task.plugin == nullptr) return queued.reply({false, {}, std::move(task.messages)});
     queue_.Push({queued.command, queued.arguments, queued.reply, std::move(task)});
-  });
+  };
+  loader_.Load(queued.arguments.at(file->name).get<std::string>(), push, std::move(text));
 }
 
 void LiveRun::ServeQueue() {

@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "runtime/live/control/view_frame.h"
+
 namespace runtime {
 
 struct Request {
@@ -26,6 +28,9 @@ class RequestHandler {
   virtual ~RequestHandler() = default;
   // Any thread; returns at once. What is asked for is done later, and then `reply` is called.
   virtual void Handle(Request request, ReplyHandler reply) = 0;
+  // Any thread; returns at once. What is to be shown from now on (EventSink::Show()); an episode
+  // that is wanted is shown once, when it is over.
+  virtual void Watch(const ViewWish& /*wish*/) {}
 };
 
 // Where the trainer tells all clients that listen what happens: objects with a member `event`.
@@ -34,6 +39,8 @@ class EventSink {
   virtual ~EventSink() = default;
   // Any thread; returns at once. A client that does not keep up misses events.
   virtual void Publish(const nlohmann::json& event) = 0;
+  // Any thread; returns at once. A client that does not keep up misses frames.
+  virtual void Show(const ViewFrame& /*frame*/) {}
 };
 
 }  // namespace runtime

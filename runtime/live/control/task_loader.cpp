@@ -53,9 +53,10 @@ TaskLoader::~TaskLoader() {
   for (const Job& job : jobs_) job.handler({nullptr, "", kTrainerHasEnded});
 }
 
-void TaskLoader::Load(std::filesystem::path file, Handler handler) {
+void TaskLoader::Load(std::filesystem::path file, Handler handler,
+                      std::optional<std::string> text) {
   const std::lock_guard lock(mutex_);
-  jobs_.push_back({std::move(file), std::move(handler)});
+  jobs_.push_back({std::move(file), std::move(text), std::move(handler)});
   changed_.notify_one();
 }
 
@@ -67,28 +68,40 @@ void TaskLoader::Run() {
     const Job job = std::move(jobs_.front());
     jobs_.pop_front();
     lock.unlock();
-    job.handler(Load(job.file));
+    job.handler(Load(job));
     lock.lock();
   }
 }
 
-LoadedTask TaskLoader::Load(const std::filesystem::path& file) {
+LoadedTask TaskLoader::Load(const Job& job) {
   try {
-    if (!std::filesystem::exists(file)) {
-      return {nullptr, "", fmt::format("{}: there is no such file", file.string())};
+    const bool is_source = job.file.extension() == ".task";
+    if (job.text && !is_source) {
+      throw UserError(fmt::format("{}: a text is that of a .task file", job.file.string()));
     }
-    if (file.extension() != ".task") return Keep(file, file);
-    const std::filesystem::path built = scratch_.path() / "task.so";
-    std::string messages;
-    if (!BuildTask(file, built, scratch_.path(), &messages, stop_.get_token())) {
-      return {nullptr, "", stop_.stop_requested() ? kTrainerHasEnded : WithoutEnd(messages)};
+    if (!job.text && !std::filesystem::exists(job.file)) {
+      return {nullptr, "", fmt::format("{}: there is no such file", job.file.string())};
     }
-    LoadedTask task = Keep(built, file);
-    task.messages = WithoutEnd(messages);
-    return task;
+    return is_source ? Build(job) : Keep(job.file, job.file);
   } catch (const std::exception& error) {
     return {nullptr, "", error.what()};
   }
+}
+
+LoadedTask TaskLoader::Build(const Job& job) {
+  const std::filesystem::path built = scratch_.path() / "task.so";
+  TaskBuild build{.task = job.file, .plugin = built, .robots = scratch_.path()};
+  if (job.text) {
+    build.text = scratch_.path() / "task.text";
+    WriteFile(build.text, *job.text);
+  }
+  std::string messages;
+  if (!BuildTask(build, &messages, stop_.get_token())) {
+    return {nullptr, "", stop_.stop_requested() ? kTrainerHasEnded : WithoutEnd(messages)};
+  }
+  LoadedTask task = Keep(built, job.file);
+  task.messages = WithoutEnd(messages);
+  return task;
 }
 
 // Loaded before it is kept, so that nothing is kept that cannot be loaded; and kept as it was

@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <thread>
@@ -38,16 +39,23 @@ class TaskLoader {
 
   // Any thread; returns at once. `file`: a .task file, which is built first, or a plugin. `handler`
   // is called on the loader's thread.
-  void Load(std::filesystem::path file, Handler handler);
+  // `text`: what is built in the place of what the .task file holds; the file need not be there.
+  void Load(std::filesystem::path file, Handler handler,
+            std::optional<std::string> text = std::nullopt);
+
+  // A folder of robots with the run's own.
+  const std::filesystem::path& robots_folder() const { return scratch_.path(); }
 
  private:
   struct Job {
     std::filesystem::path file;
+    std::optional<std::string> text;
     Handler handler;
   };
 
   void Run();
-  LoadedTask Load(const std::filesystem::path& file);
+  LoadedTask Load(const Job& job);
+  LoadedTask Build(const Job& job);
   LoadedTask Keep(const std::filesystem::path& plugin, const std::filesystem::path& name);
 
   const std::filesystem::path run_folder_;

@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
+#include <iterator>
 
 #include "runtime/live/control/command_table.h"
+#include "runtime/live/server/control_file.h"
 #include "runtime/live/server/http_error.h"
 
 namespace runtime {
@@ -14,6 +17,7 @@ using nlohmann::json;
 
 constexpr std::string_view kApi = "/api/";
 constexpr const char* kJson = "application/json";
+constexpr const char* kHtml = "text/html; charset=utf-8";
 constexpr int kMaxDepth = 16;  // no argument needs more, and what writes JSON is recursive
 
 std::string_view PathOf(std::string_view target) { return target.substr(0, target.find('?')); }
@@ -96,6 +100,35 @@ void CheckIsGet(const HttpRequest& request) {
   throw HttpError(405, fmt::format("`{}` takes GET", PathOf(request.target)));
 }
 
+// Scripts and styles are the page's own, and it talks to its trainer only.
+std::string PolicyOf(std::string_view nonce, std::string_view host) {
+  return fmt::format(
+      "default-src 'none'; script-src 'nonce-{0}'; style-src 'nonce-{0}'; img-src data: blob:; "
+      "font-src data:; connect-src 'self' ws://{1}; base-uri 'none'; form-action 'none'; "
+      "frame-ancestors 'none'",
+      nonce, host);
+}
+
+// What is no command.
+struct SpecialPath {
+  std::string_view path;
+  Route route;
+  bool is_for_browser;
+};
+
+const SpecialPath* FindSpecial(std::string_view path) {
+  static const SpecialPath kPaths[] = {
+      {"/", PageRoute{Page::kLive}, true},
+      {"/report", PageRoute{Page::kReport}, true},
+      {"/api/record", PageRoute{Page::kRecord}, false},
+      {"/api/events", StreamRoute::kEvents, true},
+      {"/api/view", StreamRoute::kView, true},
+      {"/api/language", StreamRoute::kLanguage, true},
+  };
+  const auto found = std::ranges::find(kPaths, path, &SpecialPath::path);
+  return found == std::end(kPaths) ? nullptr : &*found;
+}
+
 std::string Text(const json& object) {
   return object.dump(-1, ' ', false, json::error_handler_t::replace) + "\n";
 }
@@ -104,13 +137,9 @@ std::string Text(const json& object) {
 
 Route ReadRoute(const HttpRequest& request) {
   const std::string_view path = PathOf(request.target);
-  if (path == "/") {
+  if (const SpecialPath* special = FindSpecial(path)) {
     CheckIsGet(request);
-    return PageRoute();
-  }
-  if (path == "/api/events") {
-    CheckIsGet(request);
-    return EventsRoute();
+    return special->route;
   }
   if (path.starts_with(kApi)) return ReadRequest(request);
   throw HttpError(404, fmt::format("there is nothing at `{}`; commands are at /api/COMMAND, the "
@@ -118,8 +147,29 @@ Route ReadRoute(const HttpRequest& request) {
                                    path));
 }
 
+bool IsForBrowser(std::string_view target) {
+  const size_t begin = target.find('?');
+  if (begin == std::string_view::npos) return false;
+  const SpecialPath* special = FindSpecial(target.substr(0, begin));
+  return special != nullptr && special->is_for_browser;
+}
+
 std::string QueryValue(std::string_view target, std::string_view name) {
   return QueryArguments(target).value(std::string(name), "");
+}
+
+HttpResponse MakePage(const PageMaker& maker, Page page, std::string_view host) {
+  switch (page) {
+    case Page::kLive: {
+      const std::string nonce = NewToken();
+      return {200, kHtml, maker(page, nonce), PolicyOf(nonce, host)};
+    }
+    case Page::kReport:
+      return {200, kHtml, maker(page, "")};
+    case Page::kRecord:
+      return {200, kJson, fmt::format("{{\"ok\":true,\"value\":{}}}\n", maker(page, ""))};
+  }
+  return {};
 }
 
 HttpResponse ResponseOf(const Reply& reply) {

@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "runtime/live/control/request.h"
+#include "runtime/live/server/server.h"
 
 namespace runtime {
 
@@ -16,12 +17,19 @@ struct HttpRequest {
   std::string_view body;    // JSON object of arguments; "": none
 };
 
-struct PageRoute {};    // the run's report page
-struct EventsRoute {};  // a stream of events
-using Route = std::variant<PageRoute, EventsRoute, Request>;
+// A text that is made for browsers.
+struct PageRoute {
+  Page page;
+};
+// A WebSocket: events as they happen, what is seen of the robot, or a language server.
+enum class StreamRoute { kEvents, kView, kLanguage };
+using Route = std::variant<PageRoute, StreamRoute, Request>;
 
 // The arguments of a Request are checked. Throws HttpError.
 Route ReadRoute(const HttpRequest& request);
+
+// Whether a browser asks for it by its address alone, so that the token stands there.
+bool IsForBrowser(std::string_view target);
 
 // The value of `name` in the query of `target`; "" where there is none.
 std::string QueryValue(std::string_view target, std::string_view name);
@@ -30,7 +38,11 @@ struct HttpResponse {
   unsigned status = 200;
   const char* type = "";  // "text/html"
   std::string body;
+  std::string policy = {};  // Content-Security-Policy; "": the page has its own
 };
+
+// `host`: of the request. Throws what `maker` throws.
+HttpResponse MakePage(const PageMaker& maker, Page page, std::string_view host);
 
 HttpResponse ResponseOf(const Reply& reply);
 HttpResponse ResponseOf(unsigned status, const std::string& error);

@@ -12,7 +12,9 @@
 #include "runtime/live/server/api.h"
 #include "runtime/live/server/event_stream.h"
 #include "runtime/live/server/http_error.h"
+#include "runtime/live/server/language_stream.h"
 #include "runtime/live/server/socket.h"
+#include "runtime/live/server/view_stream.h"
 
 namespace runtime {
 namespace {
@@ -61,8 +63,8 @@ class HttpConnection final : public Connection,
 
   void Do(Route route);
   void Pass(Request request);
-  void SendPage();
-  void BecomeEventStream();
+  void SendPage(Page page);
+  void BecomeStream(StreamRoute route);
 
   void Refuse(HttpResponse response);
   void Send(HttpResponse response);
@@ -153,8 +155,7 @@ void HttpConnection::CheckAccess() const {
                                      std::string_view(http::to_string(field))));
   }
   const std::string_view target = message().target();
-  const bool is_for_browser = target.starts_with("/?") || target.starts_with("/api/events?");
-  const std::string token = is_for_browser ? QueryValue(target, "token") : "";
+  const std::string token = IsForBrowser(target) ? QueryValue(target, "token") : "";
   service_.access.Check({.host = Header(http::field::host),
                          .origin = Header(http::field::origin),
                          .authorization = Header(http::field::authorization),
@@ -162,10 +163,10 @@ void HttpConnection::CheckAccess() const {
 }
 
 void HttpConnection::Do(Route route) {
-  if (std::holds_alternative<PageRoute>(route)) {
-    SendPage();
-  } else if (std::holds_alternative<EventsRoute>(route)) {
-    BecomeEventStream();
+  if (const auto* page = std::get_if<PageRoute>(&route)) {
+    SendPage(page->page);
+  } else if (const auto* stream = std::get_if<StreamRoute>(&route)) {
+    BecomeStream(*stream);
   } else {
     Pass(std::move(std::get<Request>(route)));
   }
@@ -179,11 +180,12 @@ void HttpConnection::Pass(Request request) {
   });
 }
 
-void HttpConnection::SendPage() {
-  net::post(service_.pages, [&service = service_, self = weak_from_this()] {
+void HttpConnection::SendPage(Page page) {
+  const std::string host(Header(http::field::host));
+  net::post(service_.pages, [&service = service_, self = weak_from_this(), page, host] {
     HttpResponse response;
     try {
-      response = {200, "text/html; charset=utf-8", service.page_maker()};
+      response = MakePage(service.page_maker, page, host);
     } catch (const std::exception& error) {
       response = ResponseOf(500, error.what());
     }
@@ -191,11 +193,23 @@ void HttpConnection::SendPage() {
   });
 }
 
-void HttpConnection::BecomeEventStream() {
+void HttpConnection::BecomeStream(StreamRoute route) {
   if (!beast::websocket::is_upgrade(message())) {
-    return Send(ResponseOf(426, "events come over a WebSocket"));
+    return Send(ResponseOf(426, "this comes over a WebSocket"));
   }
-  ServeEvents(service_, std::move(stream_), message(), std::move(slot_));
+  auto language_server = route == StreamRoute::kLanguage ? StartLanguageServer(service_) : nullptr;
+  Upgrade upgrade{std::move(stream_), message(), std::move(slot_)};
+  switch (route) {
+    case StreamRoute::kEvents:
+      ServeEvents(service_, std::move(upgrade));
+      break;
+    case StreamRoute::kView:
+      ServeView(service_, std::move(upgrade));
+      break;
+    case StreamRoute::kLanguage:
+      ServeLanguage(service_, std::move(upgrade), std::move(language_server));
+      break;
+  }
   service_.connections.erase(this);
 }
 
@@ -212,6 +226,7 @@ void HttpConnection::Send(HttpResponse response) {
   written.set("Referrer-Policy", "no-referrer");  // the page's address has the token
   written.set("X-Content-Type-Options", "nosniff");
   written.set("X-Frame-Options", "DENY");
+  if (!response.policy.empty()) written.set("Content-Security-Policy", response.policy);
   written.body() = std::move(response.body);
   is_ending_ = is_ending_ || !message().keep_alive();
   written.keep_alive(!is_ending_);

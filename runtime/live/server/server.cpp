@@ -49,7 +49,7 @@ std::shared_ptr<Service> NewService(const ServerOptions& options, RequestHandler
                                     PageMaker page_maker, uint16_t port, const std::string& token) {
   const NoSignals no_signals;
   return std::make_shared<Service>(handler, std::move(page_maker), options.limits,
-                                   Access(port, token));
+                                   Access(port, token), options.language_server);
 }
 
 }  // namespace
@@ -89,6 +89,11 @@ class Server::Implementation {
     if (must_deliver) net::post(service_->io, [&events] { events.Deliver(); });
   }
 
+  void Show(const ViewFrame& frame) {
+    ViewHub& views = service_->views;
+    if (views.Put(frame)) net::post(service_->io, [&views] { views.Deliver(); });
+  }
+
   std::string page_address() const {
     return fmt::format("http://127.0.0.1:{}/?token={}", port_, token_);
   }
@@ -124,6 +129,8 @@ Server::Server(const ServerOptions& options, RequestHandler& handler, PageMaker 
 Server::~Server() = default;
 
 void Server::Publish(const nlohmann::json& event) { implementation_->Publish(event); }
+
+void Server::Show(const ViewFrame& frame) { implementation_->Show(frame); }
 
 std::string Server::page_address() const { return implementation_->page_address(); }
 

@@ -9,6 +9,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "runtime/live/control/request.h"
 
@@ -27,12 +28,19 @@ struct ServerLimits {
 struct ServerOptions {
   std::filesystem::path folder;  // of the run, which this process has locked
   uint16_t port = 0;             // on 127.0.0.1; 0: any that is free
+  // Program and arguments of a language server for tasks; empty: there is none.
+  std::vector<std::string> language_server = {};
   ServerLimits limits = {};
 };
 
-// Makes the run's page, on a thread of its own, one page at a time. What it throws is told to the
+// What is made for browsers: the page on which the run is watched and tuned, the report, and the
+// record's numbers as JSON, which the first of these draws.
+enum class Page { kLive, kReport, kRecord };
+
+// Makes one of them, on a thread of its own, one at a time. `nonce`: an attribute of the scripts
+// and styles of the live page; all others are refused by the browser. What it throws is told to the
 // client.
-using PageMaker = std::function<std::string()>;
+using PageMaker = std::function<std::string(Page page, const std::string& nonce)>;
 
 // Serves on threads of its own for as long as it lives. Requests are checked, then passed on; what
 // they do is the handler's. The handler must outlive the server; the replies to its requests may
@@ -47,6 +55,7 @@ class Server : public EventSink {
   ~Server() override;
 
   void Publish(const nlohmann::json& event) override;
+  void Show(const ViewFrame& frame) override;
 
   // Of the run's page, for a browser; with the token.
   std::string page_address() const;

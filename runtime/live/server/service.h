@@ -11,6 +11,7 @@
 #include "runtime/live/server/access.h"
 #include "runtime/live/server/event_queue.h"
 #include "runtime/live/server/server.h"
+#include "runtime/live/server/view_hub.h"
 
 namespace runtime {
 
@@ -26,20 +27,25 @@ class Connection {
 
 struct Service : std::enable_shared_from_this<Service> {
   Service(RequestHandler& handler_, PageMaker page_maker_, const ServerLimits& limits_,
-          Access access_)
+          Access access_, std::vector<std::string> language_server_)
       : handler(handler_),
         page_maker(std::move(page_maker_)),
         limits(limits_),
         access(std::move(access_)),
-        events(limits_.waiting_events) {}
+        language_server(std::move(language_server_)),
+        events(limits_.waiting_events),
+        views(handler_) {}
 
   RequestHandler& handler;
   const PageMaker page_maker;  // called on the thread of `pages`
   const ServerLimits limits;
   const Access access;
+  const std::vector<std::string> language_server;  // empty: there is none
+  int language_server_count = 0;                   // that run
   boost::asio::io_context io{1};
   boost::asio::thread_pool pages{1};
   EventHub events;
+  ViewHub views;
   bool is_ending = false;
   std::unordered_map<Connection*, std::shared_ptr<Connection>> connections;
 };

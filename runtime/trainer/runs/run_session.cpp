@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "runtime/analysis/report/report.h"
+#include "runtime/base/build_task.h"
 #include "runtime/core/task/plugin_watch.h"
 #include "runtime/live/server/server.h"
 #include "runtime/trainer/commands.h"
@@ -34,13 +35,30 @@ int Fail(const RunParts& run, LiveRun& live, Progress& progress, const UserError
       error.what(), name));
 }
 
+PageMaker PagesOf(const std::filesystem::path& folder) {
+  return [folder](Page page, const std::string& nonce) {
+    switch (page) {
+      case Page::kLive:
+        return LivePage(folder, nonce);
+      case Page::kReport:
+        return ReportPage(folder);
+      case Page::kRecord:
+        return RecordText(folder);
+    }
+    return std::string();
+  };
+}
+
 // Where clients cannot be served, such as on a disk without sockets, the run is worth as much:
 // null, unless a server was asked for.
 std::unique_ptr<Server> StartServer(const RunParts& run, const SessionOptions& options,
                                     LiveRun& live, Progress& progress) {
   try {
-    return std::make_unique<Server>(ServerOptions{.folder = run.folder, .port = options.port}, live,
-                                    [folder = run.folder] { return ReportPage(folder); });
+    const ServerOptions server = {.folder = run.folder,
+                                  .port = options.port,
+                                  .language_server = {CompilerProgram().string(), "lsp", "--robots",
+                                                      live.robots_folder().string()}};
+    return std::make_unique<Server>(server, live, PagesOf(run.folder));
   } catch (const UserError& error) {
     if (options.port != 0 || options.when_done == LiveRun::WhenDone::kWait) throw;
     progress.Warn(fmt::format("warning: {}; the run continues, but `trainer ctl` cannot reach it",

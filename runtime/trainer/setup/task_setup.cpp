@@ -114,7 +114,7 @@ BuiltTask::BuiltTask(const TaskOptions& options) {
   }
   scratch_.emplace();
   const std::filesystem::path built = scratch_->path() / "task.so";
-  if (BuildTask(task, built, options.robots)) plugin_ = built;
+  if (BuildTask({.task = task, .plugin = built, .robots = options.robots})) plugin_ = built;
 }
 
 TaskSetup::TaskSetup(const TaskOptions& wanted, const std::filesystem::path& file, uint64_t seed,

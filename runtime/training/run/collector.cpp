@@ -12,11 +12,12 @@ struct IsUnwanted {};
 
 }  // namespace
 
-Collector::Collector(ModuleGraph graph)
+Collector::Collector(ModuleGraph graph, EpisodeWatcher* watcher)
     : graph_(std::move(graph)),
       environment_(graph_.FindOnly<RobotEnvironment>()),
       learner_(graph_.FindOnly<Learner>()),
       tasks_(FindTaskModules(graph_, learner_)),
+      watcher_(watcher),
       recorder_(environment_.pose_count(), environment_.time_step()) {}
 
 void Collector::Prepare(int64_t episode, const ModuleGraph& graph, const Learner& leader) {
@@ -28,16 +29,20 @@ void Collector::Prepare(int64_t episode, const ModuleGraph& graph, const Learner
 
 void Collector::Run(const std::atomic<bool>& is_unwanted) {
   try {
-    record_ = RunEpisode(episode_, {environment_, learner_, tasks_}, [&](int64_t steps) {
+    const EpisodeModules modules = {environment_, learner_, tasks_};
+    record_ = RunEpisode(episode_, modules, [&](int64_t steps) {
       if (is_unwanted.load(std::memory_order_relaxed)) throw IsUnwanted();
       if (steps == 0) recorder_.StartEpisode();
       recorder_.Capture(environment_);
+      if (watcher_ != nullptr) watcher_->AfterStep(episode_, steps, modules);
     });
+    return;
   } catch (const IsUnwanted&) {
     // Nobody will ask.
   } catch (...) {
     failure_ = std::current_exception();
   }
+  if (watcher_ != nullptr) watcher_->BreakOff(environment_);
 }
 
 EpisodeRecord Collector::HandOver(const ModuleGraph& graph, Learner& leader) {

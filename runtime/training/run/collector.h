@@ -7,6 +7,7 @@
 
 #include "runtime/core/module/module_graph.h"
 #include "runtime/training/learning/learner.h"
+#include "runtime/training/run/episode_watcher.h"
 #include "runtime/training/run/recorder.h"
 #include "runtime/training/run/run_records.h"
 #include "runtime/training/run/task_modules.h"
@@ -17,8 +18,8 @@ namespace runtime {
 // Belongs to the thread that trains; but while Run() is running, in whatever thread, to that one.
 class Collector {
  public:
-  // `graph`: as CopyOf() gives it.
-  explicit Collector(ModuleGraph graph);
+  // `graph`: as CopyOf() gives it. `watcher`: null, or one that outlives this object.
+  explicit Collector(ModuleGraph graph, EpisodeWatcher* watcher = nullptr);
 
   // The next episode to run is number `episode`, and goes as it would in `graph`, of which the
   // collector's is a copy, with `leader` for a learner.
@@ -41,6 +42,7 @@ class Collector {
   RobotEnvironment& environment_;
   Learner& learner_;
   TaskModules tasks_;
+  EpisodeWatcher* watcher_;
   Recorder recorder_;
   int64_t episode_ = 0;
   EpisodeRecord record_;

@@ -25,14 +25,14 @@ const UniversalTask* FindRemembering(const TaskModules& tasks) {
 }  // namespace
 
 EpisodesAhead::EpisodesAhead(const ModuleGraph& graph, const ModuleTypes& types,
-                             const Context& context, Learner& learner, const TrainingHooks& hooks,
+                             const Context& context, Learner& learner, TrainingHooks& hooks,
                              int jobs)
     : graph_(graph),
       learner_(learner),
       hooks_(hooks),
       policy_number_(learner.policy_number()),
-      pool_(jobs, [&graph, &types, &context] {
-        return std::make_unique<Collector>(CopyOf(graph, types, context));
+      pool_(jobs, [&graph, &types, &context, watcher = hooks.watcher()] {
+        return std::make_unique<Collector>(CopyOf(graph, types, context), watcher);
       }) {}
 
 Collector* EpisodesAhead::Plan(int64_t next, int64_t last, const TaskModules& tasks) {

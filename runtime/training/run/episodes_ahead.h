@@ -22,7 +22,7 @@ class EpisodesAhead {
   // `graph` of the run, with its `learner`; `jobs` at a time, at least 2. All of these outlive this
   // object.
   EpisodesAhead(const ModuleGraph& graph, const ModuleTypes& types, const Context& context,
-                Learner& learner, const TrainingHooks& hooks, int jobs);
+                Learner& learner, TrainingHooks& hooks, int jobs);
 
   // Starts what can be run ahead of the episode `next` and up to `last`. Returns who runs `next`;
   // null where that is for the run itself.

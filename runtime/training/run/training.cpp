@@ -124,9 +124,12 @@ void Training::Finish(const EpisodeRecord& episode, const UniversalTask& task,
 }
 
 EpisodeRecord Training::RunNextEpisode(const StopRequest& stop) {
-  return RunEpisode(episodes_done_ + 1, {environment_, learner_, tasks_}, [&](int64_t steps) {
+  const EpisodeModules modules = {environment_, learner_, tasks_};
+  EpisodeWatcher* const watcher = hooks_.watcher();
+  return RunEpisode(episodes_done_ + 1, modules, [&](int64_t steps) {
     if (steps == 0) recorder_.StartEpisode();
     recorder_.Capture(environment_);
+    if (watcher != nullptr) watcher->AfterStep(episodes_done_ + 1, steps, modules);
     NoteStop(stop);
     if (steps > 0 && !learner_.episode_over()) AllowChanges(steps);
   });

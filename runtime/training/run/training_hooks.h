@@ -6,12 +6,14 @@
 #include <string>
 
 #include "runtime/core/module/module_graph.h"
+#include "runtime/training/run/episode_watcher.h"
 #include "runtime/training/run/return_statistics.h"
 #include "runtime/training/run/run_records.h"
 
 namespace runtime {
 
-// All of it is called on the thread that trains.
+// All of it is called on the thread that trains; what is done to the watcher, on those that run
+// episodes.
 class TrainingHooks {
  public:
   virtual ~TrainingHooks() = default;
@@ -34,6 +36,9 @@ class TrainingHooks {
   // Makes `copy`, a copy of the graph as it is now (CopyOf()), what the graph would be for episode
   // `episode`, which is to come, as far as that is planned.
   virtual void Anticipate(int64_t episode, ModuleGraph& copy) const = 0;
+
+  // Null where nobody ever watches.
+  virtual EpisodeWatcher* watcher() { return nullptr; }
 
   virtual void AfterEpisode(const EpisodeRecord& episode, const ReturnStatistics& statistics,
                             bool checkpoint_was_saved) = 0;

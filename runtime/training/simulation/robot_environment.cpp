@@ -261,4 +261,11 @@ void RobotEnvironment::CapturePose(std::span<float> out) const {
   }
 }
 
+void RobotEnvironment::CaptureContacts(std::span<float> out) const {
+  assert(out.size() == robot_.links.size());
+  for (int i = 0; i < link_count(); ++i) {
+    out[static_cast<size_t>(i)] = world_->contacts().flag(i) ? 1.0F : 0.0F;
+  }
+}
+
 }  // namespace runtime

@@ -80,6 +80,9 @@ class RobotEnvironment : public Module {
   // diverged episode that of the last time step's start. Precondition: 7 elements for each; an
   // episode was started.
   void CapturePose(std::span<float> out) const;
+  // For each link 1 where its contact is felt, else 0. Reads no sensor: these keep what they have.
+  // Precondition: an element for each link; an episode was started.
+  void CaptureContacts(std::span<float> out) const;
 
  private:
   void AddSensorPort(LazySensor& sensor, std::string_view name, std::string_view type,

@@ -45,6 +45,10 @@ export class ChangeMarks {
     }
   }
 
+  remove(): void {
+    this.host.remove();
+  }
+
   /** Call after each drawing of `plot`. */
   place(plot: uPlot): void {
     if (this.host.parentElement !== plot.over) plot.over.prepend(this.host);

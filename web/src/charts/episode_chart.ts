@@ -101,12 +101,13 @@ function drawZeroLine(plot: uPlot): void {
 }
 
 /** Lets a view that reaches the first or the last episode reach a little further. */
-function rangeOf(episode: Float32Array): uPlot.Scale.Range {
-  const first = episode[0] ?? 0;
-  const last = episode[episode.length - 1] ?? 1;
+const rangeOf: uPlot.Range.Function = (plot, low, high) => {
+  const episodes = plot.data[0] ?? [];
+  const first = episodes[0] ?? 0;
+  const last = episodes[episodes.length - 1] ?? 1;
   const room = Math.max(1, (last - first) * 0.01);
-  return (_, low, high) => [low <= first ? first - room : low, high >= last ? last + room : high];
-}
+  return [low <= first ? first - room : low, high >= last ? last + room : high];
+};
 
 function plotOptions(options: ChartOptions, width: number): uPlot.Options {
   return {
@@ -114,7 +115,7 @@ function plotOptions(options: ChartOptions, width: number): uPlot.Options {
     height: options.height,
     padding: [10, 24, 0, 0],
     legend: { show: false },
-    scales: { x: { time: false, range: rangeOf(options.episode) } },
+    scales: { x: { time: false, range: rangeOf } },
     axes: [axis(2, formatCount), axis(3, formatTick)],
     series: [{}, ...options.series.map(plotSeries)],
     ...(options.band ? { bands: [plotBand(options.band)] } : {}),
@@ -135,6 +136,8 @@ function plotOptions(options: ChartOptions, width: number): uPlot.Options {
 export class EpisodeChart {
   private readonly plot: uPlot;
   private data: Float32Array[];
+  private readonly resizing: ResizeObserver;
+  private readonly syncKey: string;
 
   constructor(
     private readonly host: HTMLElement,
@@ -146,14 +149,26 @@ export class EpisodeChart {
     host.setAttribute("aria-label", options.label);
     host.tabIndex = 0;
     host.addEventListener("keydown", (event) => this.onKey(event));
-    new ResizeObserver(() => this.fit(options.height)).observe(host);
-    uPlot.sync(options.sync ?? kEpisodeSync).sub(this.plot);
+    this.resizing = new ResizeObserver(() => this.fit(options.height));
+    this.resizing.observe(host);
+    this.syncKey = options.sync ?? kEpisodeSync;
+    uPlot.sync(this.syncKey).sub(this.plot);
   }
 
   setValues(index: number, values: Float32Array): void {
     this.data[index + 1] = values;
     this.plot.setData(this.plotData(), false);
     this.plot.redraw(true);
+  }
+
+  /** More episodes, with the values of all series. A view of all of them stays one. */
+  extend(episode: Float32Array, values: Float32Array[]): void {
+    const { min = 0, max = 0 } = this.plot.scales["x"] as uPlot.Scale;
+    const before = this.data[0] as Float32Array;
+    const showsAll = min <= (before[0] ?? min) && max >= (before.at(-1) ?? max);
+    this.data = [episode, ...values];
+    this.plot.setData(this.plotData(), showsAll);
+    if (!showsAll) this.plot.redraw(true);
   }
 
   setVisible(index: number, visible: boolean): void {
@@ -170,6 +185,13 @@ export class EpisodeChart {
 
   redraw(): void {
     this.plot.redraw(true);
+  }
+
+  /** Takes the chart off the page. */
+  destroy(): void {
+    this.resizing.disconnect();
+    uPlot.sync(this.syncKey).unsub(this.plot);
+    this.plot.destroy();
   }
 
   /** Leads the cursor to the next or the previous episode by the arrow keys. */

@@ -180,7 +180,7 @@ interface EncodedShadow extends Omit<Shadow, "values"> {
 interface EncodedRecording extends Omit<Recording, "poses"> {
   poses: string;
 }
-interface EncodedReport extends Omit<
+export interface EncodedReport extends Omit<
   Report,
   | "episode"
   | "returns"
@@ -213,8 +213,11 @@ const decodeValues = <Encoded extends { values: string }>(
 });
 
 /** The report as `text` (JSON) says it. */
-export function decodeReport(text: string): Report {
-  const encoded = JSON.parse(text) as EncodedReport;
+export const decodeReport = (text: string): Report =>
+  decodeParsed(JSON.parse(text) as EncodedReport);
+
+/** The same of the object that the text stands for. */
+export function decodeParsed(encoded: EncodedReport): Report {
   return {
     ...encoded,
     episode: decodeFloats(encoded.episode),

@@ -108,6 +108,7 @@ export class Ground {
   readonly object = new Group();
   private readonly pathLine: Line;
   private readonly spacing: number; // of strong lines [m]
+  private readonly extent: Extent;
 
   /** What lies in the plane: drawn level, and turned with it as a whole. */
   private readonly plane = new Group();
@@ -116,6 +117,7 @@ export class Ground {
   constructor(path: Float32Array, radius: number, terrain: Terrain) {
     this.spacing = spacingFor(radius);
     const extent = extentOf(path, this.spacing);
+    this.extent = extent;
     this.addGrid(extent);
     this.addLabels(extent);
     this.addShadowPlane(extent);
@@ -127,6 +129,13 @@ export class Ground {
   /** Shows the path up to this frame. */
   setFrame(frame: number): void {
     this.pathLine.geometry.setDrawRange(0, frame + 1);
+  }
+
+  /** Whether there is ground for a camera that looks at this point. */
+  covers(x: number, y: number): boolean {
+    const { low, high } = this.extent;
+    const room = (kMargin / 2) * this.spacing;
+    return x > low[0] + room && x < high[0] - room && y > low[1] + room && y < high[1] - room;
   }
 
   dispose(): void {

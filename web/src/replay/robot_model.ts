@@ -65,6 +65,8 @@ function frontPlate(link: BodyLink, material: MeshStandardMaterial): Mesh {
 export class RobotModel {
   readonly object = new Group();
   private readonly links: Mesh[];
+  private readonly plain: MeshStandardMaterial[]; // of each link
+  private readonly touching = new Map<MeshStandardMaterial, MeshStandardMaterial>();
   private readonly materials: Record<
     Side | "joint_left" | "joint_right" | "plate" | "thing",
     MeshStandardMaterial
@@ -83,6 +85,8 @@ export class RobotModel {
       thing: matte(),
     };
     this.links = body.map((link, index) => this.makeLink(link, index));
+    this.plain = this.links.map((link) => link.material as MeshStandardMaterial);
+    for (const material of Object.values(this.materials)) this.touching.set(material, matte());
     this.object.add(...this.links);
     this.updateColors();
   }
@@ -96,6 +100,19 @@ export class RobotModel {
     this.materials.joint_right.color = new Color(themeColor("--right")).multiplyScalar(0.55);
     this.materials.plate.color = new Color(themeColor("--plate"));
     this.materials.thing.color = new Color(themeColor("--thing"));
+    for (const [material, touching] of this.touching) {
+      touching.color = material.color.clone().lerp(new Color(themeColor("--touch")), 0.7);
+      touching.emissive = new Color(themeColor("--touch"));
+      touching.emissiveIntensity = 0.35;
+    }
+  }
+
+  /** Lights the links of which `contacts` is not 0. */
+  setContacts(contacts: ArrayLike<number>): void {
+    this.links.forEach((link, i) => {
+      const plain = this.plain[i] as MeshStandardMaterial;
+      link.material = contacts[i] ? (this.touching.get(plain) ?? plain) : plain;
+    });
   }
 
   /** `poses`: [link][x, y, z, qw, qx, qy, qz]. */
@@ -114,6 +131,7 @@ export class RobotModel {
     this.object.traverse((part) => {
       if (part instanceof Mesh) part.geometry.dispose();
     });
+    for (const material of this.touching.values()) material.dispose();
     for (const material of Object.values(this.materials)) material.dispose();
   }
 

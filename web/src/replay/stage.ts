@@ -87,13 +87,36 @@ export class Stage {
   }
 
   show(motion: Motion): void {
+    this.continueWith(motion);
+    this.resetView();
+  }
+
+  /** Another motion, seen from the side that the camera is on now. */
+  continueWith(motion: Motion): void {
+    const isFirst = this.framing === kNothingFramed;
     this.motion = motion;
     this.framing = motion.frames > 0 ? this.frame(motion) : kNothingFramed;
     this.path = smoothPath(motion, this.framing.anchor, kFollowSmoothing);
     this.fitToRobot();
     this.updateTheme();
     this.setTime(0);
-    this.resetView();
+    if (isFirst) this.resetView();
+  }
+
+  /** A single instant of a motion that nobody knows yet: no path, and the view stays as it is. */
+  showInstant(poses: Float32Array): void {
+    const motion = { frames: 1, interval: 1, poses };
+    if (this.framing === kNothingFramed) return this.continueWith(motion);
+    this.motion = motion;
+    const [x = 0, y = 0] = poses.subarray(kPoseSize * this.framing.anchor);
+    this.path = new Float32Array([x, y]);
+    if (!this.ground?.covers(x, y)) this.updateTheme();
+    this.setTime(0);
+  }
+
+  /** Lights the links that have contact, one number for each. */
+  setContacts(contacts: ArrayLike<number>): void {
+    this.robot.setContacts(contacts);
   }
 
   setTime(time: number): void {

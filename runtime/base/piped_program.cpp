@@ -1,0 +1,101 @@
+#include "runtime/base/piped_program.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <utility>
+
+#include "runtime/base/user_error.h"
+
+extern char** environ;
+
+namespace runtime {
+namespace {
+
+// A pipe of which no other program gets an end.
+struct Ends {
+  int read = -1;
+  int write = -1;
+
+  Ends() {
+    int ends[2];
+    if (pipe2(ends, O_CLOEXEC) != 0) {
+      throw UserError(fmt::format("cannot make a pipe: {}", std::strerror(errno)));
+    }
+    read = ends[0];
+    write = ends[1];
+  }
+  Ends(const Ends&) = delete;
+  Ends& operator=(const Ends&) = delete;
+  ~Ends() {
+    if (read >= 0) close(read);
+    if (write >= 0) close(write);
+  }
+};
+
+// What the child does before it becomes the program, and what it is like then.
+class Preparation {
+ public:
+  Preparation(int input, int output) {
+    posix_spawn_file_actions_init(&actions_);
+    posix_spawn_file_actions_adddup2(&actions_, input, STDIN_FILENO);
+    posix_spawn_file_actions_adddup2(&actions_, output, STDOUT_FILENO);
+    posix_spawn_file_actions_addopen(&actions_, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+    posix_spawnattr_init(&attributes_);
+    sigset_t none;
+    sigemptyset(&none);
+    posix_spawnattr_setsigmask(&attributes_, &none);  // this thread may have blocked all
+    posix_spawnattr_setpgroup(&attributes_, 0);
+    posix_spawnattr_setflags(&attributes_, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK);
+  }
+  Preparation(const Preparation&) = delete;
+  Preparation& operator=(const Preparation&) = delete;
+  ~Preparation() {
+    posix_spawn_file_actions_destroy(&actions_);
+    posix_spawnattr_destroy(&attributes_);
+  }
+
+  int Start(std::vector<std::string>& words, pid_t& process) const {
+    std::vector<char*> arguments;
+    for (std::string& word : words) arguments.push_back(word.data());
+    arguments.push_back(nullptr);
+    return posix_spawn(&process, arguments[0], &actions_, &attributes_, arguments.data(), environ);
+  }
+
+ private:
+  posix_spawn_file_actions_t actions_;
+  posix_spawnattr_t attributes_;
+};
+
+}  // namespace
+
+PipedProgram::PipedProgram(std::vector<std::string> words) {
+  Ends input;
+  Ends output;
+  const int error = Preparation(input.read, output.write).Start(words, process_);
+  if (error != 0) {
+    throw UserError(fmt::format("{}: cannot be started: {}", words[0], std::strerror(error)));
+  }
+  input_ = std::exchange(input.write, -1);
+  output_ = std::exchange(output.read, -1);
+}
+
+PipedProgram::~PipedProgram() {
+  if (input_ >= 0) close(input_);
+  if (output_ >= 0) close(output_);
+  kill(-process_, SIGKILL);
+  while (waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
+  }
+}
+
+int PipedProgram::TakeInput() { return std::exchange(input_, -1); }
+
+int PipedProgram::TakeOutput() { return std::exchange(output_, -1); }
+
+}  // namespace runtime

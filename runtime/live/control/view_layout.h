@@ -1,0 +1,47 @@
+// All that can be seen of an episode between two of its time steps, as numbers in a row.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <nlohmann/json_fwd.hpp>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "plugins/robot/robot_description.h"
+#include "runtime/training/run/episode.h"
+
+namespace runtime {
+
+// Time [s], return, actions begun; of each link the pose (Recorder::kFloatsPerLink) and whether it
+// has contact; of the active task the terms, metrics, goals, phase, memory, sensors and logs; of
+// each shadow its return. What there is not is not a number. A sensor is what the task has read
+// last: nothing is read for the sake of looking, since a simulation that diverges leaves the
+// sensors as they were read.
+class ViewLayout {
+ public:
+  ViewLayout(const EpisodeModules& modules, const robot::RobotDescription& robot);
+
+  // Whether the modules still have what they had when this was made.
+  bool Fits(const EpisodeModules& modules) const;
+
+  size_t size() const { return size_; }
+  // {"task", "hash", "links", "size", "values": [{"kind", "name", "type", "unit", "doc", "size",
+  // "elements", "line", "source"}]}: of the numbers after those of the links, in their order.
+  const std::string& json() const { return json_; }
+
+  // `out`: size() numbers. After `steps` time steps of the episode. Precondition: Fits().
+  void Write(const EpisodeModules& modules, int64_t steps, std::span<float> out) const;
+
+ private:
+  void AddTask(const UniversalTask& task, const robot::RobotDescription& robot,
+               nlohmann::json& values);
+
+  size_t size_ = 0;
+  int links_ = 0;
+  std::string json_;
+  std::vector<std::pair<const UniversalTask*, int64_t>> tasks_;  // with TaskInstance::id()
+};
+
+}  // namespace runtime

@@ -1,0 +1,208 @@
+// The page on which a run is watched and tuned while it learns.
+
+import "uplot/dist/uPlot.min.css";
+import "../style/theme.css";
+import "../style/page.css";
+import "../style/charts.css";
+import "../style/replay.css";
+import "../style/live.css";
+
+import { changeWords } from "../charts/change_marks.ts";
+import { decodeParsed, type Change, type EncodedReport, type Report } from "../data/report_data.ts";
+import { docOfTask } from "../data/task_source.ts";
+import { agentInWords, formatRatio } from "../data/words.ts";
+import { byId, element, onThemeChange } from "../page/dom.ts";
+import { GrowingCurves } from "./growing_curves.ts";
+import { GrowingRecord, type EpisodeEvent } from "./growing_record.ts";
+import { History } from "./history.ts";
+import { Parameters, type Listing } from "./parameters.ts";
+import { Rewards } from "./rewards.ts";
+import { RobotView } from "./robot_view.ts";
+import { RunPanel, type Status } from "./run_panel.ts";
+import { TaskLines } from "./task_lines.ts";
+import { addressOf, ask, LastingSocket } from "./trainer.ts";
+import { Values } from "./values.ts";
+import { ViewSource, type Pace } from "./view_source.ts";
+
+const kStatusEvery = 1000; // [ms]
+const kTracesEvery = 120; // [ms]
+const kCurvesEvery = 1000; // [ms]
+const kMostChanges = 100; // of those that are listed
+const kSlow = 2; // times real time: a run as slow as that is watched as it trains
+
+interface TrainerEvent {
+  event: string;
+}
+
+class LivePage {
+  private readonly history = new History();
+  private readonly record: GrowingRecord;
+  private readonly curves: GrowingCurves;
+  private readonly run: RunPanel;
+  private readonly source: ViewSource;
+  private readonly robot: RobotView;
+  private readonly rewards = new Rewards(byId("rewards", HTMLElement));
+  private readonly values = new Values(byId("values", HTMLElement));
+  private readonly lines = new TaskLines(byId("lines", HTMLElement));
+  private readonly parameters = new Parameters(() => void this.refreshListing());
+  private lastDraw: number | undefined;
+  private lastTraces = 0;
+  private lastCurves = 0;
+  private curvesAreOld = true;
+
+  constructor(private report: Report) {
+    this.record = new GrowingRecord(report);
+    this.run = new RunPanel(
+      this.record,
+      (action) => this.attempt(action),
+      (status) => this.follow(status),
+    );
+    this.curves = new GrowingCurves(this.record);
+    this.source = new ViewSource(() => {});
+    this.robot = new RobotView(report.body, this.source);
+    this.choosePace();
+    this.showChanges();
+    new LastingSocket("/api/events", {
+      onOpen: () => void this.refreshAll(),
+      onLost: () => this.run.showLost(),
+      onMessage: (data) => this.hear(JSON.parse(data as string) as TrainerEvent),
+    });
+    window.setInterval(() => void this.refreshStatus(), kStatusEvery);
+    onThemeChange(() => (this.lastTraces = 0));
+    requestAnimationFrame((now) => this.draw(now));
+  }
+
+  private choosePace(): void {
+    const select = byId("pace", HTMLSelectElement);
+    const paceOf = (word: string): Pace => (word === "instants" ? word : Number(word));
+    select.addEventListener("change", () => this.source.setPace(paceOf(select.value)));
+    this.source.setPace(paceOf(select.value));
+  }
+
+  /** Does what the user asks for; what the trainer refuses is said on top of the page. */
+  private async attempt(action: () => Promise<unknown>): Promise<void> {
+    const notice = byId("notice", HTMLElement);
+    notice.hidden = true;
+    try {
+      await action();
+    } catch (error) {
+      notice.textContent = (error as Error).message;
+      notice.hidden = false;
+    }
+  }
+
+  private async refreshAll(): Promise<void> {
+    await this.refreshStatus();
+    await this.refreshListing();
+    const { status } = this.run;
+    if (status && status.speed > 0 && status.speed < kSlow) this.watchInstants();
+    document.documentElement.dataset["ready"] = "true";
+  }
+
+  private watchInstants(): void {
+    byId("pace", HTMLSelectElement).value = "instants";
+    this.source.setPace("instants");
+  }
+
+  private async refreshStatus(): Promise<void> {
+    if (document.hidden) return;
+    try {
+      await this.run.refresh();
+    } catch {
+      this.run.showLost();
+    }
+  }
+
+  private async refreshListing(): Promise<void> {
+    await this.attempt(async () => this.parameters.refresh(await ask<Listing>("list")));
+  }
+
+  private follow(status: Status): void {
+    this.source.setPaused(status.state === "paused");
+    const behind = status.speed > 0 ? `the run trains at ${formatRatio(status.speed)} × real time` : "";
+    byId("shown", HTMLElement).title = behind;
+  }
+
+  private hear(event: TrainerEvent): void {
+    if (event.event === "episode") {
+      this.record.add(event as unknown as EpisodeEvent, this.history.layout);
+      this.curvesAreOld = true;
+    } else if (event.event === "change") {
+      this.record.changes.push(event as unknown as Change);
+      this.curvesAreOld = true;
+      this.showChanges();
+      void this.refreshListing();
+      void this.refreshTexts();
+    } else if (event.event === "state") {
+      void this.refreshStatus();
+    }
+  }
+
+  /** The texts of tasks that were loaded meanwhile. */
+  private async refreshTexts(): Promise<void> {
+    this.report = await readRecord();
+  }
+
+  private showChanges(): void {
+    const host = byId("changes", HTMLElement);
+    const changes = this.record.changes.slice(-kMostChanges).reverse();
+    host.replaceChildren(...changes.map((change) => element("li", {}, changeWords(change))));
+    if (changes.length === 0) host.append(element("li", { class: "note" }, "Nothing was changed yet."));
+  }
+
+  private draw(now: number): void {
+    requestAnimationFrame((next) => this.draw(next));
+    const passed = Math.min(now - (this.lastDraw ?? now), 250) / 1000;
+    this.lastDraw = now;
+    const shown = this.source.advance(passed);
+    if (shown?.isNew) {
+      if (this.history.add(shown.frame)) this.showLayout();
+      this.rewards.update(this.history);
+      this.values.update(this.history);
+      const { last } = this.history;
+      if (last) this.lines.light((term) => this.rewards.share(last, term));
+    }
+    if (shown) this.robot.draw(shown, this.run.status?.state ?? "");
+    if (now - this.lastTraces > kTracesEvery) {
+      this.lastTraces = now;
+      this.rewards.drawTraces(this.history);
+      this.values.drawTraces(this.history);
+    }
+    if (this.curvesAreOld && now - this.lastCurves > kCurvesEvery) {
+      [this.lastCurves, this.curvesAreOld] = [now, false];
+      this.curves.draw();
+      this.run.drawSpark();
+    }
+  }
+
+  private showLayout(): void {
+    const { layout } = this.history;
+    if (!layout) return;
+    this.rewards.show(layout);
+    this.values.show(layout);
+    const task = this.report.tasks.find(({ hash }) => hash === layout.hash);
+    if (!task) {
+      void this.refreshTexts().then(() => this.showTexts());
+      return;
+    }
+    this.showTexts();
+  }
+
+  private showTexts(): void {
+    const { layout } = this.history;
+    const task = this.report.tasks.find(({ hash }) => hash === layout?.hash);
+    if (!layout || !task) return;
+    this.lines.show(task.sources, layout);
+    byId("task-doc", HTMLElement).textContent = docOfTask(task.sources[0]?.text ?? "");
+    byId("lines-note", HTMLElement).textContent = `${agentInWords(this.report.modules)}`;
+  }
+}
+
+const readRecord = async (): Promise<Report> => decodeParsed(await ask<EncodedReport>("record"));
+
+async function main(): Promise<void> {
+  byId("report-link", HTMLAnchorElement).href = addressOf("/report");
+  new LivePage(await readRecord());
+}
+
+void main();

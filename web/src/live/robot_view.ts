@@ -1,0 +1,111 @@
+// The robot in the picture, and the words around it.
+
+import type { BodyLink } from "../data/report_data.ts";
+import { formatCount, formatLength, formatRatio } from "../data/words.ts";
+import { byId, hasWebGl, onThemeChange } from "../page/dom.ts";
+import { Stage } from "../replay/stage.ts";
+import { poseSize, type Clip, type Frame } from "./view_frames.ts";
+import type { Shown, ViewSource } from "./view_source.ts";
+import { goalsInWords } from "./value_words.ts";
+
+/** The poses of all frames of an episode, as the stage takes them. */
+function motionOf(clip: Clip): { frames: number; interval: number; poses: Float32Array } {
+  const size = poseSize(clip.layout);
+  const poses = new Float32Array(clip.frames * size);
+  for (let i = 0; i < clip.frames; ++i) {
+    // The last frame of a clip comes at the episode's end, which need not be a whole interval on.
+    const frame = i * clip.layout.size + 3;
+    poses.set(clip.numbers.subarray(frame, frame + size), i * size);
+  }
+  return { frames: clip.frames, interval: clip.interval, poses };
+}
+
+export class RobotView {
+  private readonly stage: Stage | undefined;
+  private readonly host = byId("stage", HTMLElement);
+  private readonly place = byId("place", HTMLElement);
+  private readonly told = byId("told", HTMLElement);
+  private readonly words = byId("shown", HTMLElement);
+  private clip: Clip | undefined;
+  private mustDraw = true;
+
+  constructor(
+    body: BodyLink[],
+    private readonly source: ViewSource,
+  ) {
+    this.stage = this.makeStage(body);
+  }
+
+  private makeStage(body: BodyLink[]): Stage | undefined {
+    if (!hasWebGl()) {
+      byId("robot", HTMLElement).classList.add("unavailable");
+      byId("stage-message", HTMLElement).textContent =
+        "This browser offers no WebGL, so the robot cannot be drawn here.";
+      return undefined;
+    }
+    const stage = new Stage(body, () => (this.mustDraw = true));
+    stage.canvas.setAttribute("role", "img");
+    stage.canvas.setAttribute("aria-label", "The robot as it is now");
+    stage.canvas.tabIndex = 0;
+    stage.canvas.addEventListener("focus", () => stage.setZoomable(true));
+    stage.canvas.addEventListener("blur", () => stage.setZoomable(false));
+    stage.canvas.addEventListener("pointerdown", () => stage.canvas.focus({ preventScroll: true }));
+    stage.setZoomable(false);
+    this.host.prepend(stage.canvas);
+    const redraw = (): void => void (this.mustDraw = true);
+    new ResizeObserver(() => {
+      stage.setSize(this.host.clientWidth, this.host.clientHeight);
+      stage.draw();
+    }).observe(this.host);
+    onThemeChange(() => {
+      stage.updateTheme();
+      redraw();
+    });
+    const follow = byId("follow", HTMLInputElement);
+    follow.addEventListener("change", () => {
+      stage.setFollowing(follow.checked);
+      redraw();
+    });
+    byId("reset-view", HTMLButtonElement).addEventListener("click", () => stage.resetView());
+    return stage;
+  }
+
+  /** Draws what is shown, if that or the camera has changed. */
+  draw({ frame, time, isNew }: Shown, state: string): void {
+    if (isNew) this.describe(frame, state);
+    if (!this.stage || !(isNew || this.mustDraw || this.source.isPlaying)) return;
+    const { clip } = frame;
+    if (!clip.isEpisode) {
+      this.stage.showInstant(frame.poses);
+    } else {
+      if (clip !== this.clip) this.showEpisode(this.stage, clip);
+      this.stage.setTime(time);
+    }
+    this.clip = clip;
+    this.stage.setContacts(frame.contacts);
+    this.stage.draw();
+    this.mustDraw = false;
+  }
+
+  private showEpisode(stage: Stage, clip: Clip): void {
+    stage.continueWith(motionOf(clip));
+  }
+
+  private describe(frame: Frame, state: string): void {
+    const [x = 0, y = 0, z = 0] = frame.poses;
+    const [px, py, pz] = [x, y, z].map(formatLength);
+    this.place.textContent = `x ${px}  y ${py}  z ${pz} m`;
+    this.told.textContent = goalsInWords(frame);
+    const moment = `Episode ${formatCount(frame.clip.episode)}, ${frame.time.toFixed(2)} s`;
+    this.words.textContent = [moment, this.howShown(state)].join("  ·  ");
+    byId("stage-message", HTMLElement).textContent = "";
+  }
+
+  private howShown(state: string): string {
+    if (state === "paused") return "the run is paused here";
+    if (this.source.showsInstants) return "this instant of the training";
+    const rate = this.source.rate;
+    const pace = rate === 1 ? "in real time" : `at ${rate < 1 ? rate : formatRatio(rate)} × real time`;
+    return `a whole episode ${pace}; the training is ahead`;
+  }
+}

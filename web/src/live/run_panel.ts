@@ -1,0 +1,150 @@
+// What the run is doing, and its buttons.
+
+import { formatCount, formatDuration, formatNumber, formatRatio } from "../data/words.ts";
+import { byId, element, onThemeChange, themeColor } from "../page/dom.ts";
+import type { GrowingRecord } from "./growing_record.ts";
+import { ask } from "./trainer.ts";
+
+/** The reply to `status`. */
+export interface Status {
+  run: string;
+  task: string;
+  robot: string;
+  state: "running" | "paused" | "finished";
+  episode: number;
+  step: number;
+  time: number;
+  episodes_done: number;
+  episodes_planned: number;
+  speed: number;
+  last_return: number;
+  mean_return: number;
+  best_return: number | null;
+}
+
+const kStateWords = { running: "running", paused: "paused", finished: "all episodes are done" };
+const kSpark = 120; // episodes
+
+interface Figure {
+  value: HTMLElement;
+  note: HTMLElement;
+}
+
+export class RunPanel {
+  private readonly state = byId("state", HTMLElement);
+  private readonly pause = byId("pause", HTMLButtonElement);
+  private readonly step = byId("step", HTMLButtonElement);
+  private readonly stop = byId("stop", HTMLButtonElement);
+  private readonly figures: Record<"episode" | "return" | "best" | "speed" | "left", Figure>;
+  private readonly spark = element("canvas", { class: "spark", "aria-hidden": "true" });
+  private stops = "";
+  status: Status | undefined;
+
+  constructor(
+    private readonly record: GrowingRecord,
+    private readonly attempt: (action: () => Promise<unknown>) => Promise<void>,
+    private readonly onStatus: (status: Status) => void,
+  ) {
+    const host = byId("figures", HTMLElement);
+    const figure = (name: string): Figure => {
+      const value = element("dd", { class: "number" }, "–");
+      const note = element("dd", { class: "note" });
+      host.append(element("div", { class: "figure" }, element("dt", {}, name), value, note));
+      return { value, note };
+    };
+    this.figures = {
+      episode: figure("Episode"),
+      return: figure("Return"),
+      best: figure("Best"),
+      speed: figure("Speed"),
+      left: figure("Left"),
+    };
+    this.figures.return.note.after(element("dd", {}, this.spark));
+    onThemeChange(() => this.drawSpark());
+    this.pause.addEventListener("click", () => this.togglePause());
+    this.step.addEventListener("click", () => void this.change("step", { count: 1 }));
+    this.stop.addEventListener("click", () => void this.askToStop());
+  }
+
+  show(status: Status): void {
+    this.status = status;
+    const { state, figures, record } = this;
+    const { episodes_done: done, episodes_planned: planned } = status;
+    state.textContent = this.stops || kStateWords[status.state];
+    state.dataset["state"] = status.state;
+    byId("run-words", HTMLElement).textContent = `${status.robot}, ${status.run}`;
+    byId("task-name", HTMLElement).textContent = status.task.replaceAll("_", " ");
+    this.pause.textContent = status.state === "running" ? "Pause" : "Resume";
+    this.pause.disabled = status.state === "finished";
+    this.step.hidden = status.state !== "paused";
+    this.stop.disabled = this.stops !== "";
+    this.put(figures.episode, formatCount(status.episode), `of ${formatCount(planned)}`);
+    const mean = `mean of the last ${formatNumber(status.mean_return)}`;
+    this.put(figures.return, done > 0 ? formatNumber(status.last_return) : "–", done > 0 ? mean : "");
+    this.put(figures.best, formatNumber(status.best_return ?? NaN), this.bestNote(status));
+    this.put(figures.speed, status.speed > 0 ? `${formatRatio(status.speed)} ×` : "–", "real time");
+    const left = record.secondsFor(planned - done);
+    this.put(figures.left, formatDuration(left), `${formatCount(planned - done)} episodes`);
+    this.onStatus(status);
+  }
+
+  showLost(): void {
+    this.state.textContent = "the trainer does not answer";
+    this.state.dataset["state"] = "lost";
+  }
+
+  async refresh(): Promise<void> {
+    this.show(await ask<Status>("status"));
+  }
+
+  drawSpark(): void {
+    const { spark, record } = this;
+    const width = spark.clientWidth;
+    const height = spark.clientHeight;
+    if (width === 0) return;
+    const scale = window.devicePixelRatio;
+    [spark.width, spark.height] = [Math.round(width * scale), Math.round(height * scale)];
+    const values = record.returns.slice(-kSpark);
+    const context = spark.getContext("2d") as CanvasRenderingContext2D;
+    context.setTransform(scale, 0, 0, scale, 0, 0);
+    const [low, high] = [Math.min(...values), Math.max(...values)];
+    context.strokeStyle = themeColor("--accent");
+    context.lineWidth = 1.4;
+    context.lineJoin = "round";
+    context.beginPath();
+    values.forEach((value, i) => {
+      const x = (width * i) / Math.max(1, values.length - 1);
+      const y = high > low ? 2 + ((high - value) / (high - low)) * (height - 4) : height / 2;
+      if (i === 0) context.moveTo(x, y);
+      else context.lineTo(x, y);
+    });
+    context.stroke();
+  }
+
+  private bestNote({ best_return: best }: Status): string {
+    const at = this.record.returns.findIndex((value) => Math.fround(value) === Math.fround(best ?? NaN));
+    const episode = this.record.episodes[at];
+    return episode === undefined ? "" : `in episode ${formatCount(episode)}`;
+  }
+
+  private put({ value, note }: Figure, words: string, noteWords: string): void {
+    value.textContent = words;
+    note.textContent = noteWords;
+  }
+
+  private togglePause(): void {
+    void this.change(this.status?.state === "running" ? "pause" : "resume", {});
+  }
+
+  private change(command: string, args: Record<string, unknown>): Promise<void> {
+    return this.attempt(async () => this.show(await ask<Status>(command, args)));
+  }
+
+  private askToStop(): Promise<void> {
+    return this.attempt(async () => {
+      const { stops } = await ask<{ stops: string }>("stop", {});
+      this.stops = `stops ${stops}, saved`;
+      if (this.status) this.show(this.status);
+    });
+  }
+}

@@ -1,0 +1,53 @@
+// The text of the task that pays now. A line lights up while its term pays.
+
+import type { Source } from "../data/report_data.ts";
+import { commentStart } from "../data/task_source.ts";
+import { element } from "../page/dom.ts";
+import type { Layout, ViewValue } from "./view_frames.ts";
+
+export class TaskLines {
+  private lines: HTMLElement[][] = []; // of each source
+  private terms: { term: ViewValue; line: HTMLElement }[] = [];
+
+  constructor(private readonly host: HTMLElement) {}
+
+  show(sources: Source[], layout: Layout): void {
+    this.lines = sources.map(({ text }) => text.replace(/\n$/, "").split("\n").map(lineOf));
+    const terms = layout.values.filter(({ kind }) => kind === "term");
+    this.terms = [];
+    for (const term of terms) {
+      const line = this.lines[term.source ?? -1]?.[(term.line ?? 0) - 1];
+      if (!line) continue;
+      line.classList.add("pays");
+      line.title = term.name;
+      this.terms.push({ term, line });
+    }
+    const texts = this.lines.map((lines, i) => {
+      const code = element("code", {}, ...lines);
+      const file = sources[i]?.file ?? "";
+      return element(
+        "details",
+        i === 0 ? { open: "" } : {},
+        element("summary", {}, file),
+        element("pre", { class: "source" }, code),
+      );
+    });
+    this.host.replaceChildren(...texts);
+  }
+
+  /** `shareOf`: how strongly a term pays, from -1 to 1. */
+  light(shareOf: (term: ViewValue) => number): void {
+    for (const { term, line } of this.terms) {
+      const share = shareOf(term);
+      line.style.setProperty("--lit", `${Math.round(100 * Math.min(1, Math.abs(share)))}%`);
+      line.dataset["sign"] = share < 0 ? "minus" : "plus";
+    }
+  }
+}
+
+function lineOf(text: string): HTMLElement {
+  const comment = commentStart(text);
+  const line = element("span", { class: "line" }, text.slice(0, comment));
+  line.append(element("span", { class: "comment" }, text.slice(comment)), "\n");
+  return line;
+}

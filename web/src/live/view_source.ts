@@ -1,0 +1,110 @@
+// Which frame is shown now: the latest instant of the training, or a whole episode at a pace that
+// eyes can follow, one after the other.
+
+import { decodeClip, decodeLayout, Frame, type Clip, type Layout } from "./view_frames.ts";
+import { LastingSocket } from "./trainer.ts";
+
+/** "instants", or how many times real time. */
+export type Pace = "instants" | number;
+
+const kAhead = 3; // the next episode is asked for so long before this one is over [s]
+
+export interface Shown {
+  frame: Frame;
+  time: number; // of the picture, which may lie between two frames [s]
+  isNew: boolean; // another frame than the one before
+}
+
+export class ViewSource {
+  private readonly socket: LastingSocket;
+  private layout: Layout | undefined;
+  private pace: Pace = 1;
+  private isPaused = false;
+  private clip: Clip | undefined;
+  private next: Clip | undefined;
+  private isAsked = false;
+  private time = 0;
+  private shown: Frame | undefined;
+
+  constructor(private readonly onArrival: () => void) {
+    this.socket = new LastingSocket("/api/view", {
+      onOpen: () => this.askAgain(),
+      onMessage: (data) => this.take(data),
+    });
+  }
+
+  setPace(pace: Pace): void {
+    this.pace = pace;
+    this.askAgain();
+  }
+
+  /** While the run is paused, the instant is shown at which it is, whatever the pace. */
+  setPaused(isPaused: boolean): void {
+    if (this.isPaused === isPaused) return;
+    this.isPaused = isPaused;
+    this.askAgain();
+  }
+
+  get showsInstants(): boolean {
+    return this.pace === "instants" || this.isPaused;
+  }
+  get rate(): number {
+    return this.pace === "instants" ? 1 : this.pace;
+  }
+  get isPlaying(): boolean {
+    return !this.showsInstants && this.clip !== undefined;
+  }
+
+  /** `seconds` of the viewer's time have passed; what is to be seen now. */
+  advance(seconds: number): Shown | undefined {
+    if (this.isPlaying) this.time += seconds * this.rate;
+    if (!this.showsInstants) this.changeEpisode();
+    const { clip } = this;
+    if (!clip) return undefined;
+    const index = clip.isEpisode ? Math.floor(this.time / clip.interval + 1e-6) : 0;
+    const frame = new Frame(clip, Math.min(index, clip.frames - 1));
+    const isNew = this.shown?.clip !== clip || this.shown.index !== frame.index;
+    this.shown = frame;
+    return { frame, time: clip.isEpisode ? this.time : 0, isNew };
+  }
+
+  private get left(): number {
+    const { clip } = this;
+    if (!clip?.isEpisode) return 0;
+    return ((clip.frames - 1) * clip.interval - this.time) / this.rate;
+  }
+
+  private changeEpisode(): void {
+    if (this.left <= 0 && this.next) {
+      [this.clip, this.next, this.time] = [this.next, undefined, 0];
+    }
+    if (this.left < kAhead && !this.next && !this.isAsked) {
+      this.isAsked = true;
+      this.socket.send("episode");
+    }
+  }
+
+  private askAgain(): void {
+    this.next = undefined;
+    this.isAsked = !this.showsInstants;
+    this.socket.send(this.showsInstants ? "instants" : "episode");
+  }
+
+  private take(data: string | ArrayBuffer): void {
+    if (typeof data === "string") {
+      this.layout = decodeLayout(data);
+      return;
+    }
+    if (!this.layout) return;
+    const clip = decodeClip(this.layout, data);
+    if (clip.isEpisode === this.showsInstants) return; // asked for before the pace was changed
+    if (clip.isEpisode) {
+      this.isAsked = false;
+      this.next = clip;
+      if (!this.clip?.isEpisode) this.changeEpisode();
+    } else {
+      this.clip = clip;
+    }
+    this.onArrival();
+  }
+}
