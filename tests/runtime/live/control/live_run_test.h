@@ -37,6 +37,14 @@ class NotedEvents : public EventSink {
     const std::lock_guard lock(mutex_);
     events_.push_back(event);
   }
+  void Show(const ViewFrame& frame) override {
+    const std::lock_guard lock(mutex_);
+    frames_.push_back(frame);
+  }
+  std::vector<ViewFrame> frames() {
+    const std::lock_guard lock(mutex_);
+    return frames_;
+  }
   // One value of each event of this kind.
   std::vector<json> Of(const std::string& kind, const char* key) {
     const std::lock_guard lock(mutex_);
@@ -50,6 +58,7 @@ class NotedEvents : public EventSink {
  private:
   std::mutex mutex_;
   std::vector<json> events_;
+  std::vector<ViewFrame> frames_;
 };
 
 inline RunRecord RecordFor(const std::filesystem::path& folder, int64_t episodes) {

@@ -48,7 +48,12 @@ TEST_F(AccessTest, OnlyABrowserMayHaveTheTokenInItsAddress) {
   EXPECT_EQ(ResponseTo("GET", "/?token=" + token_, Host()).status, 200);
   EXPECT_EQ(ResponseTo("GET", "/?token=" + token_.substr(1), Host()).status, 401);
   EXPECT_EQ(ResponseTo("GET", "/", Host()).status, 401);
-  EXPECT_EQ(ResponseTo("GET", "/api/events?token=" + token_, Host()).status, 426);
+  EXPECT_EQ(ResponseTo("GET", "/report?token=" + token_, Host()).status, 200);
+  EXPECT_EQ(ResponseTo("GET", "/api/record?token=" + token_, Host()).status, 401);
+  for (const std::string stream : {"/api/events", "/api/view", "/api/language"}) {
+    EXPECT_EQ(ResponseTo("GET", stream + "?token=" + token_, Host()).status, 426) << stream;
+    EXPECT_EQ(ResponseTo("GET", stream, Host()).status, 401) << stream;
+  }
   EXPECT_EQ(ResponseTo("GET", "/api/status?token=" + token_, Host()).status, 401);
   EXPECT_EQ(server_->page_address(),
             "http://127.0.0.1:" + std::to_string(port_) + "/?token=" + token_);

@@ -1,6 +1,8 @@
 // What can be asked for, and what is said of wrong requests.
 #include "runtime/live/server/api.h"
 
+#include <set>
+
 #include "runtime/live/control/command_table.h"
 #include "tests/runtime/live/server/server_test.h"
 
@@ -148,13 +150,33 @@ TEST_F(ApiTest, ThePageIsMadeWhenItIsAskedFor) {
   Start();
   const RawResponse response = ResponseTo("GET", "/", Credentials());
   EXPECT_EQ(response.status, 200);
-  EXPECT_EQ(response.body, "<html>a page</html>");
+  EXPECT_THAT(response.body, HasSubstr("<html>live"));
   EXPECT_THAT(response.header, HasSubstr("Content-Type: text/html"));
+  EXPECT_EQ(ResponseTo("GET", "/report", Credentials()).body, "<html>a report</html>");
+  EXPECT_EQ(json::parse(ResponseTo("GET", "/api/record", Credentials()).body),
+            json::parse(R"({"ok": true, "value": {"a": 1}})"));
+}
+
+// Another one each time, and it is all that the page allows to run.
+TEST_F(ApiTest, TheLivePageRunsNoScriptButItsOwn) {
+  Start();
+  std::set<std::string> nonces;
+  for (int i = 0; i < 2; ++i) {
+    const RawResponse response = ResponseTo("GET", "/", Credentials());
+    const size_t begin = response.body.find("nonce ") + 6;
+    const std::string nonce = response.body.substr(begin, response.body.find('<', begin) - begin);
+    EXPECT_THAT(response.header, HasSubstr("script-src 'nonce-" + nonce + "'"));
+    EXPECT_THAT(response.header, HasSubstr("default-src 'none'"));
+    EXPECT_THAT(response.header, Not(HasSubstr("unsafe")));
+    nonces.insert(nonce);
+  }
+  EXPECT_EQ(nonces.size(), 2u);
 }
 
 TEST_F(ApiTest, APageThatCannotBeMadeSaysWhy) {
-  const Server server({.folder = folder()}, handler_,
-                      []() -> std::string { throw UserError("no episode yet"); });
+  const Server server({.folder = folder()}, handler_, [](Page, const std::string&) -> std::string {
+    throw UserError("no episode yet");
+  });
   RawClient client = OnSocket();
   client.Send(RequestText("GET", "/", "Host: x\r\n"));
   const RawResponse response = client.Receive();

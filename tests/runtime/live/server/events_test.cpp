@@ -12,19 +12,10 @@ using nlohmann::json;
 using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
-constexpr const char* kUpgrade =
-    "Connection: Upgrade\r\nUpgrade: websocket\r\nSec-WebSocket-Version: 13\r\n"
-    "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n";
-
 class EventsTest : public ServerTest {
  protected:
   // A client that is accepted, and then takes nothing.
-  RawClient Sleeper() const {
-    RawClient client = OnPort();
-    client.Send(RequestText("GET", "/api/events?token=" + token_, Host() + kUpgrade));
-    EXPECT_EQ(client.Receive().status, 101);
-    return client;
-  }
+  RawClient Sleeper() const { return OnWebSocket("/api/events"); }
 };
 
 TEST(EventQueue, KeepsTheOrder) {

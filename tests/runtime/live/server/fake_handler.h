@@ -25,6 +25,15 @@ class FakeHandler : public RequestHandler {
     reply({.value = {{"command", request.command}, {"arguments", request.arguments}}});
   }
 
+  void Watch(const ViewWish& wish) override {
+    const std::lock_guard lock(mutex_);
+    wish_ = wish;
+  }
+  ViewWish wish() {
+    const std::lock_guard lock(mutex_);
+    return wish_;
+  }
+
   int count() const { return count_; }
 
   // Waits for the next `save`, and hands out what answers it.
@@ -47,6 +56,7 @@ class FakeHandler : public RequestHandler {
   std::mutex mutex_;
   std::condition_variable is_kept_;
   std::vector<ReplyHandler> kept_;
+  ViewWish wish_;
 };
 
 }  // namespace runtime

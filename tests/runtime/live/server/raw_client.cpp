@@ -43,6 +43,36 @@ bool RawClient::Send(std::string_view bytes) {
   return true;
 }
 
+bool RawClient::SendText(std::string_view text) {
+  // Masked by zeros, which leave it as it is.
+  std::string frame = {'\x81', static_cast<char>(0x80 | text.size()), 0, 0, 0, 0};
+  frame += text;
+  return Send(frame);
+}
+
+std::string RawClient::ReceiveMessage() {
+  constexpr int kPing = 9;
+  while (true) {
+    const auto frame = TakeFrame();
+    if (frame && frame->first != kPing) return frame->second;
+    if (!frame && !ReadMore()) return "";
+  }
+}
+
+std::optional<std::pair<int, std::string>> RawClient::TakeFrame() {
+  const auto byte = [this](size_t i) -> size_t { return static_cast<unsigned char>(received_[i]); };
+  if (received_.size() < 2) return std::nullopt;
+  size_t length = byte(1);
+  const size_t extra = length < 126 ? 0 : length == 126 ? 2 : 8;
+  if (received_.size() < 2 + extra) return std::nullopt;
+  if (extra > 0) length = 0;
+  for (size_t i = 0; i < extra; ++i) length = length << 8 | byte(2 + i);
+  if (received_.size() < 2 + extra + length) return std::nullopt;
+  std::pair<int, std::string> frame(byte(0) & 0xf, received_.substr(2 + extra, length));
+  received_.erase(0, 2 + extra + length);
+  return frame;
+}
+
 bool RawClient::ReadMore() {
   pollfd polled = {socket_.get(), POLLIN, 0};
   if (poll(&polled, 1, kTimeout) != 1) return false;

@@ -1,8 +1,10 @@
 // A client that sends whatever bytes a test wants, right or wrong.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "runtime/live/server/descriptor.h"
 
@@ -23,11 +25,17 @@ class RawClient {
   bool Send(std::string_view bytes);
   // Waits ten seconds at most.
   RawResponse Receive();
+  // Of a connection that has become a WebSocket: a text to the server, and the next message of it,
+  // of whatever kind but a ping; "" where there is none within ten seconds.
+  bool SendText(std::string_view text);
+  std::string ReceiveMessage();
   // Waits ten seconds at most for the other side to close; what it sends is ignored.
   bool IsClosed();
   const Descriptor& socket() const { return socket_; }
 
  private:
+  // The first frame of what was received; nothing where it is not whole yet.
+  std::optional<std::pair<int, std::string>> TakeFrame();
   bool ReadMore();
 
   Descriptor socket_;

@@ -19,11 +19,19 @@
 
 namespace runtime {
 
+inline constexpr const char* kUpgrade =
+    "Connection: Upgrade\r\nUpgrade: websocket\r\nSec-WebSocket-Version: 13\r\n"
+    "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n";
+
 class ServerTest : public testing::Test {
  protected:
-  void Start(const ServerLimits& limits = {}) {
-    server_.emplace(ServerOptions{.folder = folder(), .limits = limits}, handler_,
-                    [] { return std::string("<html>a page</html>"); });
+  void Start(const ServerLimits& limits = {}) { Start({.folder = folder(), .limits = limits}); }
+  // Pages say what they are.
+  void Start(const ServerOptions& options) {
+    server_.emplace(options, handler_, [](Page page, const std::string& nonce) -> std::string {
+      if (page == Page::kLive) return "<html>live, nonce " + nonce + "</html>";
+      return page == Page::kReport ? "<html>a report</html>" : "{\"a\":1}";
+    });
     const nlohmann::json control = ControlFileContent();
     token_ = control["token"];
     const std::string url = control["url"];
@@ -43,6 +51,14 @@ class ServerTest : public testing::Test {
   std::string Host() const { return "Host: 127.0.0.1:" + std::to_string(port_) + "\r\n"; }
   // All that a request on the loopback must say.
   std::string Credentials() const { return Host() + "Authorization: Bearer " + token_ + "\r\n"; }
+
+  // A connection that has become a WebSocket.
+  RawClient OnWebSocket(const std::string& path) const {
+    RawClient client = OnPort();
+    client.Send(RequestText("GET", path + "?token=" + token_, Host() + kUpgrade));
+    EXPECT_EQ(client.Receive().status, 101);
+    return client;
+  }
 
   // On the loopback, in a connection of its own.
   RawResponse ResponseTo(std::string_view method, std::string_view target,
