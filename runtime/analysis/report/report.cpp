@@ -13,7 +13,7 @@ std::string LivePage(const std::filesystem::path& run_dir, const std::string& no
   const std::filesystem::path folder = std::filesystem::absolute(run_dir).lexically_normal();
   return MakePage({{"title", folder.filename().string() + " – live"},
                    {"nonce", nonce},
-                   {"folder", folder.string()}},
+                   {"working_folder", std::filesystem::current_path().string()}},
                   PageFolder("live"));
 }
 

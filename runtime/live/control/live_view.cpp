@@ -85,7 +85,7 @@ bool LiveView::Claim(const RobotEnvironment& environment, int64_t steps, Clock::
 void LiveView::RefreshLayout(const EpisodeModules& modules) {
   if (layout_ && layout_->Fits(modules)) return;
   kept_.reset();  // its numbers are of another task
-  layout_.emplace(modules, *context_.robot);
+  layout_.emplace(modules, context_);
   layout_text_ = std::make_shared<const std::string>(layout_->json());
 }
 

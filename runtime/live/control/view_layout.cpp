@@ -64,7 +64,7 @@ void AddPlace(const taskc_place& place, Json& value) {
 
 // Of a sensor, a variable or a goal.
 template <class Entry>
-Json Compound(const char* kind, const Entry& entry, const robot::RobotDescription& robot) {
+Json Compound(const char* kind, const Entry& entry, const Context& context) {
   const ObservedValue value = {.name = entry.name,
                                .type = entry.type,
                                .unit = entry.unit,
@@ -73,7 +73,7 @@ Json Compound(const char* kind, const Entry& entry, const robot::RobotDescriptio
                                .maximum = 0};
   Json json = {{"kind", kind},       {"name", entry.name}, {"type", entry.type},
                {"unit", entry.unit}, {"doc", ""},          {"size", value.size}};
-  if (value.size > 1) json["elements"] = ElementNames(value, robot);
+  if (value.size > 1) json["elements"] = ElementNames(value, *context.robot);
   return json;
 }
 
@@ -113,12 +113,12 @@ void WriteTask(const TaskInstance& task, int64_t steps, std::span<const double> 
 
 }  // namespace
 
-ViewLayout::ViewLayout(const EpisodeModules& modules, const robot::RobotDescription& robot)
+ViewLayout::ViewLayout(const EpisodeModules& modules, const Context& context)
     : links_(modules.environment.link_count()) {
   const UniversalTask& active = *modules.tasks.active;
   tasks_.emplace_back(&active, active.instance().id());
   Json values = Json::array();
-  AddTask(active, robot, values);
+  AddTask(active, context, values);
   for (const UniversalTask* shadow : modules.tasks.shadows) {
     tasks_.emplace_back(shadow, shadow->instance().id());
     values.push_back(Single("shadow", shadow->name().c_str(), "", shadow->plugin().name));
@@ -134,8 +134,7 @@ ViewLayout::ViewLayout(const EpisodeModules& modules, const robot::RobotDescript
   json_ = json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-void ViewLayout::AddTask(const UniversalTask& task, const robot::RobotDescription& robot,
-                         Json& values) {
+void ViewLayout::AddTask(const UniversalTask& task, const Context& context, Json& values) {
   const taskc_plugin& table = task.plugin();
   for (const taskc_reward_term& term : Table(table.terms, table.term_count)) {
     AddPlace(term.place, values.emplace_back(Single("term", term.name, "", term.doc)));
@@ -144,7 +143,7 @@ void ViewLayout::AddTask(const UniversalTask& task, const robot::RobotDescriptio
     values.push_back(Single("metric", metric.name, metric.unit, metric.doc));
   }
   for (const taskc_goal& goal : Table(table.goals, table.goal_count)) {
-    values.emplace_back(Compound("goal", goal, robot))["doc"] = goal.doc;
+    values.emplace_back(Compound("goal", goal, context))["doc"] = goal.doc;
   }
   if (table.phase_count > 0) {
     Json& phase = values.emplace_back(Single("phase", "phase", "", ""));
@@ -155,10 +154,10 @@ void ViewLayout::AddTask(const UniversalTask& task, const robot::RobotDescriptio
     }
   }
   for (const taskc_memory& variable : Table(table.memory, table.memory_count)) {
-    values.push_back(Compound("memory", variable, robot));
+    values.push_back(Compound("memory", variable, context));
   }
   for (const taskc_sensor& sensor : Table(table.sensors, table.sensor_count)) {
-    values.push_back(Compound("sensor", sensor, robot));
+    values.push_back(Compound("sensor", sensor, context));
   }
   for (const taskc_log& log : Table(table.logs, table.log_count)) {
     AddPlace(log.place, values.emplace_back(Single("log", log.name, log.unit, log.doc)));

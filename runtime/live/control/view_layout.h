@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "plugins/robot/robot_description.h"
+#include "runtime/core/module/context.h"
 #include "runtime/training/run/episode.h"
 
 namespace runtime {
@@ -21,7 +21,7 @@ namespace runtime {
 // sensors as they were read.
 class ViewLayout {
  public:
-  ViewLayout(const EpisodeModules& modules, const robot::RobotDescription& robot);
+  ViewLayout(const EpisodeModules& modules, const Context& context);
 
   // Whether the modules still have what they had when this was made.
   bool Fits(const EpisodeModules& modules) const;
@@ -35,8 +35,7 @@ class ViewLayout {
   void Write(const EpisodeModules& modules, int64_t steps, std::span<float> out) const;
 
  private:
-  void AddTask(const UniversalTask& task, const robot::RobotDescription& robot,
-               nlohmann::json& values);
+  static void AddTask(const UniversalTask& task, const Context& context, nlohmann::json& values);
 
   size_t size_ = 0;
   int links_ = 0;

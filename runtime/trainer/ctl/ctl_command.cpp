@@ -1,5 +1,5 @@
-// trainer ctl: talks to a running trainer. Its commands are those of the command table, `events`
-// and `watch`.
+// trainer ctl: talks to a running trainer. Its commands are those of the command table, `events`,
+// `page` and `watch`.
 #include <fmt/format.h>
 
 #include <memory>
@@ -8,6 +8,7 @@
 #include "base/text/print.h"
 #include "runtime/base/user_error.h"
 #include "runtime/live/client/client.h"
+#include "runtime/live/client/page_address.h"
 #include "runtime/live/client/reply_text.h"
 #include "runtime/live/control/command_table.h"
 #include "runtime/trainer/commands.h"
@@ -96,6 +97,18 @@ void AddEvents(Command& ctl, const Options& options) {
   command.OnRun([options] { return PrintEvents(*options); });
 }
 
+void AddPage(Command& ctl, const Options& options) {
+  Command& command = ctl.AddCommand(
+      "page", "prints the address of the page on which the run is watched and tuned");
+  command.Group(kLookingGroup);
+  options->AddTo(command);
+  command.OnRun([options] {
+    const std::string address = PageAddress(options->FindRun());
+    text::Print("{}\n", options->json ? json{{"ok", true}, {"value", address}}.dump() : address);
+    return kSuccess;
+  });
+}
+
 }  // namespace
 
 void AddCtlCommand(Command& program) {
@@ -105,6 +118,7 @@ void AddCtlCommand(Command& program) {
   options->AddTo(ctl);
   for (const CommandSpec& spec : Commands()) AddSpecified(ctl, spec, options);
   AddEvents(ctl, options);
+  AddPage(ctl, options);
   AddCtlWatch(ctl, options);
   ctl.Footer(kExamples);  // last, because commands take over what there is
 }

@@ -20,6 +20,7 @@ import { Rewards } from "./rewards.ts";
 import { RobotView } from "./robot_view.ts";
 import { RunPanel, type Status } from "./run_panel.ts";
 import { TaskLines } from "./task_lines.ts";
+import { TasksPanel, type PageData } from "./tasks_panel.ts";
 import { addressOf, ask, LastingSocket } from "./trainer.ts";
 import { Values } from "./values.ts";
 import { ViewSource, type Pace } from "./view_source.ts";
@@ -45,6 +46,7 @@ class LivePage {
   private readonly values = new Values(byId("values", HTMLElement));
   private readonly lines = new TaskLines(byId("lines", HTMLElement));
   private readonly parameters = new Parameters(() => void this.refreshListing());
+  private readonly tasks: TasksPanel;
   private lastDraw: number | undefined;
   private lastTraces = 0;
   private lastCurves = 0;
@@ -60,6 +62,13 @@ class LivePage {
     this.curves = new GrowingCurves(this.record);
     this.source = new ViewSource(() => {});
     this.robot = new RobotView(report.body, this.source);
+    this.tasks = new TasksPanel(
+      this.record,
+      JSON.parse(byId("page-data", HTMLElement).textContent ?? "") as PageData,
+      (hash) => this.report.tasks.find((task) => task.hash === hash),
+      (action) => this.attempt(action),
+      () => void this.refreshListing(),
+    );
     this.choosePace();
     this.showChanges();
     new LastingSocket("/api/events", {
@@ -114,7 +123,11 @@ class LivePage {
   }
 
   private async refreshListing(): Promise<void> {
-    await this.attempt(async () => this.parameters.refresh(await ask<Listing>("list")));
+    await this.attempt(async () => {
+      const listing = await ask<Listing>("list");
+      this.tasks.show(listing);
+      await this.parameters.refresh(listing);
+    });
   }
 
   private follow(status: Status): void {
@@ -171,6 +184,7 @@ class LivePage {
     if (this.curvesAreOld && now - this.lastCurves > kCurvesEvery) {
       [this.lastCurves, this.curvesAreOld] = [now, false];
       this.curves.draw();
+      this.tasks.refreshReturns();
       this.run.drawSpark();
     }
   }
