@@ -12,6 +12,7 @@ programs=(
   g++ cmake ninja-build pkg-config ca-certificates # the build, and what taskc itself calls
   antlr4 libantlr4-runtime-dev                     # the parser of the task language
   libode-dev libeigen3-dev                         # the simulation and the learner
+  libqhull-dev                                     # links of convex shape
   libfmt-dev libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libmd-dev
   libsqlite3-dev libzstd-dev                       # the runs' records
   libprotobuf-dev protobuf-compiler zlib1g-dev     # what other programs read of them

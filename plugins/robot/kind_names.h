@@ -29,6 +29,8 @@ inline const char* NameOf(ShapeKind kind) {
       return "cylinder";
     case ShapeKind::kSphere:
       return "sphere";
+    case ShapeKind::kConvex:
+      return "convex";
   }
   std::abort();
 }

@@ -1,60 +1,11 @@
-#include <array>
 #include <utility>
 
-#include "plugins/robot/kind_names.h"
 #include "plugins/robot/read_parts.h"
 
 namespace robot {
 namespace {
 
 constexpr size_t kMostLinks = 250;
-
-// Each reads what is special in one kind of shape.
-
-void ReadBox(const TomlValue& link, LinkShape& shape) {
-  const TomlValue size = link.At("size");
-  shape.size = size.ToVector3();
-  for (const TomlValue& extent : size.Items()) extent.PositiveNumber();
-}
-
-void ReadCylinder(const TomlValue& link, LinkShape& shape) {
-  shape.axis = link.At("axis").IndexIn({"x", "y", "z"}, "axis");
-  shape.radius = link.At("radius").PositiveNumber();
-  shape.length = link.At("length").PositiveNumber();
-}
-
-void ReadCapsule(const TomlValue& link, LinkShape& shape) {
-  shape.axis = link.At("axis").IndexIn({"x", "y", "z"}, "axis");
-  shape.radius = link.At("radius").PositiveNumber();
-  const TomlValue length = link.At("length");
-  shape.length = length.Number();
-  if (shape.length <= 2 * shape.radius) {
-    length.Fail(length.what() + " does not exceed its two caps",
-                "give the total length, more than twice the radius, or make it a sphere");
-  }
-}
-
-void ReadSphere(const TomlValue& link, LinkShape& shape) {
-  shape.radius = link.At("radius").PositiveNumber();
-}
-
-constexpr std::array kShapeKinds = {ShapeKind::kBox, ShapeKind::kCapsule, ShapeKind::kCylinder,
-                                    ShapeKind::kSphere};
-
-LinkShape ReadShape(const TomlValue& link, const Vector3& center) {
-  LinkShape shape;
-  shape.kind = ReadShapeKind(link);
-  link.AllowKeys(KeysOf(NameOf(shape.kind)));
-  ReadSize(link, shape);
-  if (const auto position = link.Find("shape_position")) {
-    shape.position = position->ToVector3();
-    for (int i = 0; i < 3; ++i) shape.position[i] -= center[i];
-  }
-  if (const auto orientation = link.Find("shape_orientation")) {
-    shape.orientation = ReadOrientation(*orientation);
-  }
-  return shape;
-}
 
 // Whether  root' M root > least  for all directions.
 bool IsAbove(double least, const Inertia& m) {
@@ -95,6 +46,10 @@ Link ReadLink(const TomlValue& named, std::string name) {
   link.mass = named.At("mass").PositiveNumber();
   if (const auto friction = named.Find("friction")) link.friction = friction->NumberNotBelowZero();
   if (const auto inertia = named.Find("inertia")) link.inertia = ReadInertia(*inertia);
+  if (!link.inertia && link.shape.kind == ShapeKind::kConvex) {
+    named.Fail(fmt::format("{} is convex, and its inertia is missing", named.what()),
+               "add `inertia`, about the center of mass; `trainer robot hull` computes it");
+  }
   if (!link.inertia && link.shape.position != Vector3{}) {
     named.At("shape_position")
         .Fail(fmt::format("the shape of {} is not around its center of mass, so that its inertia "
@@ -106,25 +61,6 @@ Link ReadLink(const TomlValue& named, std::string name) {
 }
 
 }  // namespace
-
-ShapeKind ReadShapeKind(const TomlValue& part) {
-  std::vector<std::string> names;
-  for (const ShapeKind kind : kShapeKinds) names.emplace_back(NameOf(kind));
-  return kShapeKinds[part.At("shape").IndexIn(names, "shape")];
-}
-
-void ReadSize(const TomlValue& part, LinkShape& shape) {
-  switch (shape.kind) {
-    case ShapeKind::kBox:
-      return ReadBox(part, shape);
-    case ShapeKind::kCapsule:
-      return ReadCapsule(part, shape);
-    case ShapeKind::kCylinder:
-      return ReadCylinder(part, shape);
-    case ShapeKind::kSphere:
-      return ReadSphere(part, shape);
-  }
-}
 
 std::vector<Link> ReadLinks(const TomlValue& root) {
   std::vector<Link> links;

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "plugins/robot/robot_description.h"
@@ -13,11 +14,17 @@
 
 namespace robot {
 
+inline constexpr std::array kShapeKinds = {ShapeKind::kBox, ShapeKind::kCapsule,
+                                           ShapeKind::kCylinder, ShapeKind::kSphere,
+                                           ShapeKind::kConvex};
+
 std::vector<Link> ReadLinks(const TomlValue& root);
-// What `shape` of a link, or of another solid part, says.
-ShapeKind ReadShapeKind(const TomlValue& part);
-// Sets the lengths of a shape of this kind.
+// What `shape` of a link, or of another solid part, says; one of `kinds`.
+ShapeKind ReadShapeKind(const TomlValue& part, std::span<const ShapeKind> kinds);
+// Sets the lengths, or the points, of a shape of this kind.
 void ReadSize(const TomlValue& part, LinkShape& shape);
+// Of a link; `center`: its center of mass.
+LinkShape ReadShape(const TomlValue& link, const Vector3& center);
 std::vector<std::array<int, 2>> ReadContactExclusions(const TomlValue& root,
                                                       const RobotDescription& robot);
 // A unit quaternion, w, x, y, z.

@@ -24,7 +24,7 @@ inline constexpr double kFastestRotation = 1e4;  // [rad / s]
 
 inline constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 
-enum class ShapeKind { kBox, kCapsule, kCylinder, kSphere };
+enum class ShapeKind { kBox, kCapsule, kCylinder, kSphere, kConvex };
 
 struct LinkShape {
   ShapeKind kind = ShapeKind::kSphere;
@@ -35,9 +35,14 @@ struct LinkShape {
   // Where the shape is in its link's frame.
   Vector3 position{};
   Quaternion orientation{1, 0, 0, 0};
+  std::vector<Vector3> points{};  // convex: the shape is their convex hull; IsSolid()
 
   bool IsMoved() const { return position != Vector3{} || orientation != Quaternion{1, 0, 0, 0}; }
 };
+
+// Whether the convex hull of the points is a body: what is thinner than a thousandth of its length
+// is not.
+bool IsSolid(const std::vector<Vector3>& points);
 
 // A symmetric matrix, about the center of mass, along the axes of the zero pose [kg m^2].
 struct Inertia {
@@ -49,8 +54,9 @@ struct Link {
   double mass = 0;
   Vector3 position{};  // center of mass relative to the base link's center, zero pose
   LinkShape shape;
-  std::optional<Inertia> inertia{};  // without it that of the shape, which is of uniform density
-  double friction = kUnlimited;      // coefficient; of two links that touch the smaller one counts
+  // Without it that of the shape, which is of uniform density. A convex shape never is without.
+  std::optional<Inertia> inertia{};
+  double friction = kUnlimited;  // coefficient; of two links that touch the smaller one counts
 };
 
 enum class JointKind { kHinge, kContinuous, kSlider };
@@ -120,6 +126,9 @@ struct Gains {
   double damping = 0;             // N m s / rad
   double max_torque = 0;          // N m
   double max_speed = kUnlimited;  // rad / s
+
+  // A joint without one is passive.
+  bool HasMotor() const { return max_torque > 0; }
 };
 
 // The gains of joints that have none of their own.

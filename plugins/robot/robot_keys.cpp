@@ -30,6 +30,7 @@ std::vector<KeyTable> MakeKeyTables() {
       {"links", "capsule", link + Keys{"axis", "radius", "length"}},
       {"links", "cylinder", link + Keys{"axis", "radius", "length"}},
       {"links", "sphere", link + Keys{"radius"}},
+      {"links", "convex", link + Keys{"points"}},
       {"joints", "hinge", driven + Keys{"anchor", "stops_deg"}},
       {"joints", "continuous", driven + Keys{"anchor"}},
       {"joints", "slider", driven + Keys{"travel", "radius"}},

@@ -1,5 +1,6 @@
 #include "plugins/robot/shape_radius.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace robot {
@@ -13,9 +14,14 @@ double RadiusAround(const LinkShape& shape) {
     case ShapeKind::kCylinder:
       return std::hypot(shape.radius, shape.length / 2);
     case ShapeKind::kSphere:
+      return shape.radius;
+    case ShapeKind::kConvex:
       break;
   }
-  return shape.radius;
+  double farthest = 0;
+  for (const Vector3& point : shape.points)
+    farthest = std::max(farthest, std::hypot(point[0], point[1], point[2]));
+  return farthest;
 }
 
 }  // namespace robot

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 
 #include "base/variant/overloaded.h"
 #include "plugins/robot/rotation.h"
@@ -73,9 +74,11 @@ double Reach(const robot::LinkShape& shape, const std::array<double, 3>& down) {
     case robot::ShapeKind::kCylinder:
       return along * shape.length / 2 + shape.radius * std::sqrt(1 - along * along);
     case robot::ShapeKind::kSphere:
+      return shape.radius;
+    case robot::ShapeKind::kConvex:
       break;
   }
-  return shape.radius;
+  std::abort();  // no thing is
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "plugins/robot/kind_names.h"
@@ -64,10 +65,13 @@ void ReadMass(const TomlValue& value, Thing& thing) {
   }
 }
 
+constexpr std::array kThingShapes = {robot::ShapeKind::kBox, robot::ShapeKind::kCapsule,
+                                     robot::ShapeKind::kCylinder, robot::ShapeKind::kSphere};
+
 Thing ReadThing(const TomlValue& value, std::string name, const Ground& ground) {
   Thing thing;
   thing.name = std::move(name);
-  thing.shape.kind = robot::ReadShapeKind(value);
+  thing.shape.kind = robot::ReadShapeKind(value, kThingShapes);
   value.AllowKeys(KeysOf(robot::NameOf(thing.shape.kind)));
   robot::ReadSize(value, thing.shape);
   ReadMass(value, thing);

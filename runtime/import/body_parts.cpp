@@ -8,6 +8,9 @@
 #include <numbers>
 #include <optional>
 
+#include "runtime/core/shape/convex_hull.h"
+#include "runtime/core/shape/extreme_points.h"
+
 namespace runtime {
 namespace {
 
@@ -63,6 +66,18 @@ std::optional<ShapePart> ShapeOf(int type, const Vector& size) {
   }
 }
 
+// The mesh's convex hull, in place of the box.
+void TakeMesh(const mjModel& model, int mesh, ShapePart& part) {
+  constexpr int kDirections = 64;
+  part.mesh = NameIn(model, mjOBJ_MESH, mesh);
+  const std::vector<robot::Vector3> points =
+      ToArrays(ExtremePoints(VerticesOf(model, mesh), kDirections));
+  if (!robot::IsSolid(points)) return;  // the box is what is left of it
+  part.shape = {.kind = robot::ShapeKind::kConvex, .points = points};
+  part.volume = MassOf(HullOf(points)).volume;
+  part.approximated = fmt::format("a mesh, as the convex hull of {} corners", points.size());
+}
+
 // Some files have inertias that no body has: none is larger than the other two together, and none
 // is nothing. The smallest grows until that holds.
 Vector RaisedWhereSmallest(Vector principal) {
@@ -104,6 +119,14 @@ MassPart MassOf(const mjModel& model, const mjData& data, int body) {
           axes * principal.asDiagonal() * axes.transpose()};
 }
 
+std::vector<Vector> VerticesOf(const mjModel& model, int mesh) {
+  std::vector<Vector> vertices;
+  const float* first = model.mesh_vert + 3 * model.mesh_vertadr[mesh];
+  for (int i = 0; i < model.mesh_vertnum[mesh]; ++i)
+    vertices.push_back(Eigen::Vector3f(first + 3 * i).cast<double>());
+  return vertices;
+}
+
 std::vector<ShapePart> ShapesOf(const mjModel& model, const mjData& data, int body) {
   std::vector<ShapePart> shapes;
   for (int i = 0; i < model.body_geomnum[body]; ++i) {
@@ -114,8 +137,7 @@ std::vector<ShapePart> ShapesOf(const mjModel& model, const mjData& data, int bo
     shape->position = Vector(data.geom_xpos + 3 * geom);
     shape->orientation =
         Eigen::Quaterniond(Eigen::Matrix3d(Eigen::Map<const RowMatrix>(data.geom_xmat + 9 * geom)));
-    if (model.geom_type[geom] == mjGEOM_MESH)
-      shape->mesh = NameIn(model, mjOBJ_MESH, model.geom_dataid[geom]);
+    if (model.geom_type[geom] == mjGEOM_MESH) TakeMesh(model, model.geom_dataid[geom], *shape);
     shape->friction = model.geom_friction[3 * geom];
     shape->contype = model.geom_contype[geom];
     shape->conaffinity = model.geom_conaffinity[geom];
@@ -136,6 +158,18 @@ ShapePart BoxOf(const MassPart& part) {
   box.position = part.center;
   box.orientation = Eigen::Quaterniond(axes);
   return box;
+}
+
+robot::Vector3 ToArray(const Vector& v) { return {v[0], v[1], v[2]}; }
+
+std::vector<robot::Vector3> ToArrays(const std::vector<Vector>& points) {
+  std::vector<robot::Vector3> arrays;
+  for (const Vector& point : points) arrays.push_back(ToArray(point));
+  return arrays;
+}
+
+robot::Inertia ToInertia(const Eigen::Matrix3d& m) {
+  return {m(0, 0), m(1, 1), m(2, 2), m(0, 1), m(0, 2), m(1, 2)};
 }
 
 std::string NameIn(const mjModel& model, mjtObj type, int index) {

@@ -40,11 +40,18 @@ struct ShapePart {
   std::string mesh;          // MuJoCo's name of it, or empty
 };
 
+// The vertices of a mesh, in the frame of the shapes that have it.
+std::vector<Eigen::Vector3d> VerticesOf(const mjModel& model, int mesh);
+
 // The shapes with which the body touches others.
 std::vector<ShapePart> ShapesOf(const mjModel& model, const mjData& data, int body);
 
 // The box of uniform density that has this mass and inertia.
 ShapePart BoxOf(const MassPart& part);
+
+robot::Vector3 ToArray(const Eigen::Vector3d& v);
+std::vector<robot::Vector3> ToArrays(const std::vector<Eigen::Vector3d>& points);
+robot::Inertia ToInertia(const Eigen::Matrix3d& m);
 
 std::string NameIn(const mjModel& model, mjtObj type, int index);
 

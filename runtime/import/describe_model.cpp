@@ -22,12 +22,6 @@ constexpr double kLeastMass = 1e-3;  // of a link that the model gives none [kg]
 constexpr double kShare = 1e-3;      // of a body's mass: what a link gets that is but a shape of it
 constexpr double kPoint = 0.005;     // radius of the shape of a link that has none [m]
 
-robot::Vector3 ToArray(const Vector& v) { return {v[0], v[1], v[2]}; }
-
-robot::Inertia ToInertia(const Eigen::Matrix3d& m) {
-  return {m(0, 0), m(1, 1), m(2, 2), m(0, 1), m(0, 2), m(1, 2)};
-}
-
 ShapePart PointAt(const Vector& place) {
   ShapePart point;
   point.shape = {.kind = robot::ShapeKind::kSphere, .radius = kPoint};

@@ -16,12 +16,6 @@
 namespace runtime {
 namespace {
 
-// MuJoCo ends the program where it is told nothing else, and writes warnings to a file.
-void TellAsOurs() {
-  mju_user_error = [](const char* message) { throw UserError(fmt::format("MuJoCo: {}", message)); };
-  mju_user_warning = [](const char*) {};
-}
-
 std::vector<double> FirstKeyframe(const mjModel& model) {
   if (model.nkey == 0) return {};
   return {model.key_qpos, model.key_qpos + model.nq};
@@ -49,7 +43,6 @@ constexpr const char* kAgent =
 }  // namespace
 
 ImportedRobot ImportRobot(const ImportOptions& options) {
-  TellAsOurs();
   ImportedRobot imported;
   imported.name =
       Names().Take(options.name.empty() ? options.file.stem().string() : options.name, "robot");

@@ -4,7 +4,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <cerrno>
 #include <cstring>
 
@@ -13,6 +15,12 @@
 
 namespace runtime {
 namespace {
+
+// MuJoCo ends the program where it is told nothing else, and writes warnings to a file.
+void TellAsOurs() {
+  mju_user_error = [](const char* message) { throw UserError(fmt::format("MuJoCo: {}", message)); };
+  mju_user_warning = [](const char*) {};
+}
 
 // Files in memory, as MuJoCo takes them.
 class MemoryFiles {
@@ -112,31 +120,58 @@ std::string Remedy(const std::string& message) {
   return "";
 }
 
+void CheckDoesNotCrash(const std::filesystem::path& file, const char* name, const mjVFS* files) {
+  if (!CrashesOn(name, files)) return;
+  throw UserError(fmt::format(
+      "{}: MuJoCo crashes on it: see whether it is well-formed and complete", file.string()));
+}
+
+UserError NoModel(const std::filesystem::path& file, const std::string& message) {
+  return UserError(fmt::format("{}: MuJoCo cannot make a model of it: {}{}", file.string(),
+                               Line(message), Remedy(message)));
+}
+
 }  // namespace
 
 MujocoModel LoadModel(ModelFile& file) {
   constexpr int kMostAttempts = 1000;
   constexpr const char* kName = "model.xml";
+  TellAsOurs();
   MemoryFiles files;
   for (const auto& [name, place] : file.meshes()) files.Add(name, BytesOf(place));
   for (int attempt = 0;; ++attempt) {
     files.Add(kName, file.text());
-    if (CrashesOn(kName, files.get())) {
-      throw UserError(
-          fmt::format("{}: MuJoCo crashes on it: see whether it is well-formed and "
-                      "complete",
-                      file.file().string()));
-    }
+    CheckDoesNotCrash(file.file(), kName, files.get());
     std::array<char, 1024> error{};
     MujocoModel model(mj_loadXML(kName, files.get(), error.data(), error.size()));
     if (model) return model;
     const std::string message = error.data();
-    if (attempt == kMostAttempts || !file.LeaveOut(message)) {
-      throw UserError(fmt::format("{}: MuJoCo cannot make a model of it: {}{}",
-                                  file.file().string(), Line(message), Remedy(message)));
-    }
+    if (attempt == kMostAttempts || !file.LeaveOut(message)) throw NoModel(file.file(), message);
     files.Remove(kName);
   }
+}
+
+MujocoModel LoadMesh(const std::filesystem::path& file, double scale) {
+  constexpr const char* kName = "model.xml";
+  std::string extension = file.extension().string();
+  std::ranges::transform(extension, extension.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  TellAsOurs();
+  if (extension != ".stl" && extension != ".obj") {
+    throw UserError(fmt::format("{}: neither STL nor OBJ: convert it", file.string()));
+  }
+  MemoryFiles files;
+  files.Add("mesh" + extension, BytesOf(file));
+  files.Add(kName,
+            fmt::format("<mujoco><asset><mesh name=\"mesh\" file=\"mesh{}\" scale=\"{} {} {}\"/>"
+                        "</asset><worldbody><body><freejoint/><geom type=\"mesh\" mesh=\"mesh\"/>"
+                        "</body></worldbody></mujoco>",
+                        extension, scale, scale, scale));
+  CheckDoesNotCrash(file, kName, files.get());
+  std::array<char, 1024> error{};
+  MujocoModel model(mj_loadXML(kName, files.get(), error.data(), error.size()));
+  if (!model) throw NoModel(file, error.data());
+  return model;
 }
 
 }  // namespace runtime

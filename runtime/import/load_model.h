@@ -22,4 +22,7 @@ using MujocoData = std::unique_ptr<mjData, DeleteData>;
 // MuJoCo's own message where the model cannot be made.
 MujocoModel LoadModel(ModelFile& file);
 
+// One body that is this mesh (STL or OBJ), `scale` times as large. Throws UserError.
+MujocoModel LoadMesh(const std::filesystem::path& file, double scale);
+
 }  // namespace runtime

@@ -66,6 +66,12 @@ class Row {
   std::string text_;
 };
 
+std::string PointsText(const std::vector<robot::Vector3>& points) {
+  std::string text;
+  for (const robot::Vector3& point : points) text += (text.empty() ? "" : ", ") + Numbers(point);
+  return "[" + text + "]";
+}
+
 void AddShape(const robot::LinkShape& shape, Row& row) {
   constexpr const char* kAxes[] = {"\"x\"", "\"y\"", "\"z\""};
   switch (shape.kind) {
@@ -81,31 +87,14 @@ void AddShape(const robot::LinkShape& shape, Row& row) {
       row.Add("axis", kAxes[shape.axis]);
       row.Add("radius", Number(shape.radius));
       return row.Add("length", Number(shape.length));
+    case robot::ShapeKind::kConvex:
+      row.Add("shape", "\"convex\"");
+      return row.Add("points", PointsText(shape.points));
   }
   std::abort();
 }
 
 bool IsTurned(const robot::Quaternion& q) { return std::abs(std::abs(q[0]) - 1) > 1e-9; }
-
-std::string LinkLine(const robot::Link& link) {
-  Row row;
-  row.Add("name", Text(link.name));
-  AddShape(link.shape, row);
-  row.Add("mass", Number(link.mass));
-  row.Add("position", Numbers(link.position));
-  robot::Vector3 place = link.shape.position;
-  if (std::hypot(place[0], place[1], place[2]) > 1e-9) {
-    for (size_t i = 0; i < 3; ++i) place[i] += link.position[i];
-    row.Add("shape_position", Numbers(place));
-  }
-  if (IsTurned(link.shape.orientation))
-    row.Add("shape_orientation", Numbers(link.shape.orientation));
-  if (link.inertia) {
-    row.Add("inertia", InertiaText(*link.inertia));
-  }
-  row.AddIf(link.friction < robot::kUnlimited, "friction", link.friction);
-  return row.Line();
-}
 
 Row ConnectionRow(const robot::RobotDescription& robot, const std::string& name, const char* type,
                   int parent, int child) {
@@ -236,13 +225,33 @@ std::string ConnectionsText(const robot::RobotDescription& robot) {
 
 }  // namespace
 
+std::string LinkText(const robot::Link& link) {
+  Row row;
+  row.Add("name", Text(link.name));
+  AddShape(link.shape, row);
+  row.Add("mass", Number(link.mass));
+  row.Add("position", Numbers(link.position));
+  robot::Vector3 place = link.shape.position;
+  if (std::hypot(place[0], place[1], place[2]) > 1e-9) {
+    for (size_t i = 0; i < 3; ++i) place[i] += link.position[i];
+    row.Add("shape_position", Numbers(place));
+  }
+  if (IsTurned(link.shape.orientation))
+    row.Add("shape_orientation", Numbers(link.shape.orientation));
+  if (link.inertia) {
+    row.Add("inertia", InertiaText(*link.inertia));
+  }
+  row.AddIf(link.friction < robot::kUnlimited, "friction", link.friction);
+  return row.Line();
+}
+
 std::string ToToml(const robot::RobotDescription& robot, const std::vector<std::string>& comments) {
   std::string text;
   for (const std::string& comment : comments) text += fmt::format("# {}\n", comment);
   text += fmt::format("\nname = {}\ndoc = {}\n", Text(robot.name), Text(robot.doc));
   if (robot.has_fixed_base) text += "base = \"fixed\"\n";
   text += "\nlinks = [\n";
-  for (const robot::Link& link : robot.links) text += LinkLine(link);
+  for (const robot::Link& link : robot.links) text += LinkText(link);
   text += "]\n";
   text += ConnectionsText(robot) + PairsText(robot) + ControllerText(robot.controller);
   for (const robot::Pose& pose : robot.poses) text += PoseText(robot, pose);

@@ -90,7 +90,15 @@ const Mistake kMistakes[] = {
      "`shape_orientation`, `inertia`, `friction` and `radius`"},
     {"UnknownShape", "shape = \"box\"", "shape = \"cube\"",
      "7:29: error: there is no shape `cube`\n"
-     "  help: choose from `box`, `capsule`, `cylinder` and `sphere`"},
+     "  help: choose from `box`, `capsule`, `cylinder`, `sphere` and `convex`"},
+    {"ConvexWithoutInertia", "shape = \"box\", size = [0.1, 0.2, 0.1]",
+     "shape = \"convex\", points = [[0,0,0], [1,0,0], [0,1,0], [0,0,1]]",
+     "7:3: error: link `trunk` is convex, and its inertia is missing\n"
+     "  help: add `inertia`, about the center of mass; `trainer robot hull` computes it"},
+    {"FlatConvex", "shape = \"box\", size = [0.1, 0.2, 0.1]",
+     "shape = \"convex\", points = [[0,0,0], [1,0,0], [0,1,0], [1,1,0]]",
+     "7:48: error: `points` of link `trunk` enclose no space\n"
+     "  help: give the corners of a body, at least four that do not lie in one plane"},
     {"NoMass", "mass = 0.2, ", "",
      "8:3: error: link `thigh` has no `mass`\n"
      "  help: add `mass`"},

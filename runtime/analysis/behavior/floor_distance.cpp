@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace runtime {
 
@@ -23,9 +24,14 @@ double LowestPoint(const robot::LinkShape& shape, double link_height,
       return height - 0.5 * shape.length * tilt - shape.radius * std::sqrt(1 - tilt * tilt);
     }
     case robot::ShapeKind::kSphere:
+      return height - shape.radius;
+    case robot::ShapeKind::kConvex:
       break;
   }
-  return height - shape.radius;
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const robot::Vector3& point : shape.points)
+    lowest = std::min(lowest, height + up.dot(Eigen::Vector3d(point.data())));
+  return lowest;
 }
 
 }  // namespace runtime

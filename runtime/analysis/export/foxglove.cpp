@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "runtime/core/shape/convex_hull.h"
+
 namespace runtime {
 namespace {
 
@@ -62,6 +64,23 @@ void AddCapsule(const robot::LinkShape& shape, json& entity) {
   entity["spheres"].push_back(Sphere(shape.radius, PositionOf(shape) - end));
 }
 
+// A list of triangles, each corner for itself.
+void AddConvex(const robot::LinkShape& shape, json& entity) {
+  const ConvexHull hull = HullOf(shape.points);
+  json points = json::array();
+  for (const HullFace& face : hull.faces) {
+    for (const int corner : face.corners)
+      points.push_back(Point(hull.corners[static_cast<size_t>(corner)]));
+  }
+  entity["triangles"].push_back(
+      {{"pose",
+        {{"position", Point(PositionOf(shape))}, {"orientation", Rotation(OrientationOf(shape))}}},
+       {"points", points},
+       {"color", kColor},
+       {"colors", json::array()},
+       {"indices", json::array()}});
+}
+
 void AddShape(const robot::LinkShape& shape, json& entity) {
   switch (shape.kind) {
     case robot::ShapeKind::kBox:
@@ -76,6 +95,9 @@ void AddShape(const robot::LinkShape& shape, json& entity) {
       return;
     case robot::ShapeKind::kSphere:
       entity["spheres"].push_back(Sphere(shape.radius, PositionOf(shape)));
+      return;
+    case robot::ShapeKind::kConvex:
+      AddConvex(shape, entity);
       return;
   }
 }

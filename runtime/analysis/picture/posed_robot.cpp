@@ -7,15 +7,31 @@ namespace {
 
 using Eigen::Vector3d;
 
+// Along the axes of the shape; a convex one is taken as the box around it.
+Vector3d HalfExtents(const robot::LinkShape& shape) {
+  if (shape.kind == robot::ShapeKind::kBox) return 0.5 * Vector3d(shape.size.data());
+  Vector3d low = Vector3d::Zero();
+  Vector3d high = Vector3d::Zero();
+  for (const robot::Vector3& point : shape.points) {
+    low = low.cwiseMin(Vector3d(point.data()));
+    high = high.cwiseMax(Vector3d(point.data()));
+  }
+  return 0.5 * (high - low);
+}
+
+bool HasExtents(const robot::LinkShape& shape) {
+  return shape.kind == robot::ShapeKind::kBox || shape.kind == robot::ShapeKind::kConvex;
+}
+
 double RadiusOf(const robot::LinkShape& shape) {
-  if (shape.kind != robot::ShapeKind::kBox) return shape.radius;
-  return 0.5 * *std::ranges::min_element(shape.size);
+  return HasExtents(shape) ? HalfExtents(shape).minCoeff() : shape.radius;
 }
 
 Vector3d CoreOf(const robot::LinkShape& shape) {
   switch (shape.kind) {
     case robot::ShapeKind::kBox:
-      return 0.5 * Vector3d(shape.size.data()) - Vector3d::Constant(RadiusOf(shape));
+    case robot::ShapeKind::kConvex:
+      return HalfExtents(shape) - Vector3d::Constant(RadiusOf(shape));
     case robot::ShapeKind::kCapsule:
     case robot::ShapeKind::kCylinder:
       return std::max(0., shape.length / 2 - shape.radius) * Vector3d::Unit(shape.axis);
@@ -36,8 +52,9 @@ PosedRobot::PosedRobot(const std::vector<robot::Link>& links, const Motion& moti
     const Bounds bounds{motion.position(frame, link) + turn * Vector3d(shape.position.data()),
                         BoundingRadius(shape)};
     const Eigen::Quaterniond shape_turn = turn * Eigen::Quaterniond(w, x, y, z);
-    links_.push_back({&shape, bounds, (shape.IsMoved() ? shape_turn : turn).toRotationMatrix(),
-                      CoreOf(shape), RadiusOf(shape)});
+    links_.push_back({Solid(shape), bounds,
+                      (shape.IsMoved() ? shape_turn : turn).toRotationMatrix(), CoreOf(shape),
+                      RadiusOf(shape)});
     whole_.center += bounds.center / static_cast<double>(links.size());
   }
   for (const Posed& link : links_) {
@@ -72,7 +89,7 @@ std::optional<RobotHit> PosedRobot::FirstHitOf(const std::vector<size_t>& links,
   std::optional<RobotHit> first;
   for (const size_t i : links) {
     const Ray local = ToLink(links_[i], ray);
-    const std::optional<Hit> hit = FirstHit(*links_[i].shape, local);
+    const std::optional<Hit> hit = links_[i].solid.FirstHit(local);
     if (!hit || (first && first->hit.distance <= hit->distance)) continue;
     first = RobotHit{i, {hit->distance, links_[i].rotation * hit->normal}, local.At(hit->distance)};
   }
@@ -83,7 +100,7 @@ bool PosedRobot::IsBlocked(const std::vector<size_t>& links, const Ray& ray, siz
   return std::ranges::any_of(links, [&](size_t i) {
     const Posed& link = links_[i];
     return i != except && link.bounds.IsNear(ray, 0, 0) &&
-           FirstHit(*link.shape, ToLink(link, ray)).has_value();
+           link.solid.FirstHit(ToLink(link, ray)).has_value();
   });
 }
 

@@ -46,7 +46,7 @@ class PosedRobot {
     bool IsNear(const Ray& ray, double width, double widening) const;
   };
   struct Posed {
-    const robot::LinkShape* shape;
+    Solid solid;
     Bounds bounds;             // around the shape's center
     Eigen::Matrix3d rotation;  // from the shape's frame to that of the world
     // What the link is about: all points within `radius` of a box with these half extents.

@@ -148,9 +148,39 @@ std::optional<Hit> HitCylinder(const robot::LinkShape& shape, const Ray& ray) {
   return Hit{entry, (speed > 0 ? -1 : 1) * Vector3d::Unit(axis)};
 }
 
+// A ray is within a convex body from where it has passed the last plane inwards until it passes the
+// first one outwards.
+std::optional<Hit> HitConvex(const ConvexHull& hull, const Ray& ray) {
+  double entry = -1;
+  double exit = std::numeric_limits<double>::infinity();
+  const HullFace* entered = nullptr;
+  for (const HullFace& face : hull.faces) {
+    const double speed = face.normal.dot(ray.direction);
+    const double inside = face.distance - face.normal.dot(ray.origin);
+    if (speed == 0) {
+      if (inside < 0) return std::nullopt;
+      continue;
+    }
+    const double passes = inside / speed;
+    if (speed > 0) {
+      exit = std::min(exit, passes);
+    } else if (passes > entry) {
+      entry = passes;
+      entered = &face;
+    }
+  }
+  if (entry < 0 || entry > exit) return std::nullopt;
+  return Hit{entry, entered->normal};
+}
+
 }  // namespace
 
-std::optional<Hit> FirstHit(const robot::LinkShape& shape, const Ray& ray) {
+Solid::Solid(const robot::LinkShape& shape) : shape_(&shape) {
+  if (shape.kind == robot::ShapeKind::kConvex) hull_ = HullOf(shape.points);
+}
+
+std::optional<Hit> Solid::FirstHit(const Ray& ray) const {
+  const robot::LinkShape& shape = *shape_;
   switch (shape.kind) {
     case robot::ShapeKind::kBox:
       return HitBox(shape, ray);
@@ -161,9 +191,11 @@ std::optional<Hit> FirstHit(const robot::LinkShape& shape, const Ray& ray) {
     case robot::ShapeKind::kCylinder:
       return HitCylinder(shape, ray);
     case robot::ShapeKind::kSphere:
+      return HitSphere(Vector3d::Zero(), shape.radius, ray);
+    case robot::ShapeKind::kConvex:
       break;
   }
-  return HitSphere(Vector3d::Zero(), shape.radius, ray);
+  return HitConvex(hull_, ray);
 }
 
 double EdgeRadius(const robot::LinkShape& box) {
@@ -179,9 +211,14 @@ double BoundingRadius(const robot::LinkShape& shape) {
     case robot::ShapeKind::kCylinder:
       return std::hypot(shape.radius, shape.length / 2);
     case robot::ShapeKind::kSphere:
+      return shape.radius;
+    case robot::ShapeKind::kConvex:
       break;
   }
-  return shape.radius;
+  double farthest = 0;
+  for (const robot::Vector3& point : shape.points)
+    farthest = std::max(farthest, Vector3d(point.data()).norm());
+  return farthest;
 }
 
 double BoundingRadiusOfLink(const robot::LinkShape& shape) {

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "runtime/analysis/picture/shapes.h"
+#include "runtime/core/shape/convex_hull.h"
 #include "runtime/training/simulation/spatial.h"
 #include "runtime/training/simulation/world.h"
 
@@ -24,9 +25,11 @@ double VolumeOf(const robot::LinkShape& shape) {
     case robot::ShapeKind::kCylinder:
       return disk * shape.length;
     case robot::ShapeKind::kSphere:
+      return ball;
+    case robot::ShapeKind::kConvex:
       break;
   }
-  return ball;
+  return MassOf(HullOf(shape.points)).volume;
 }
 
 // All angles 0, the base at the origin.
@@ -111,7 +114,7 @@ class Masses {
 
 JointProperties PropertiesOf(double inertia, const robot::Gains& gains) {
   JointProperties joint = {.inertia = inertia};
-  if (gains.max_torque <= 0) return joint;
+  if (!gains.HasMotor()) return joint;
   joint.frequency = std::sqrt(gains.stiffness / inertia) / (2 * std::numbers::pi);
   joint.damping_ratio = gains.damping / (2 * std::sqrt(gains.stiffness * inertia));
   return joint;

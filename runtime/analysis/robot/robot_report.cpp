@@ -71,7 +71,7 @@ std::string JointTable(const RobotReport& report) {
     const robot::Joint& joint = report.robot.joints[i];
     const JointProperties& properties = report.body.joints[i];
     const robot::Gains gains = report.robot.GainsOf(joint);
-    const bool has_motor = gains.max_torque > 0;
+    const bool has_motor = gains.HasMotor();
     const auto number = [&](double value) {
       return has_motor ? fmt::format("{:.3g}", value) : std::string("-");
     };

@@ -6,6 +6,7 @@
 #include "runtime/analysis/robot/pose_pictures.h"
 #include "runtime/analysis/robot/robot_report.h"
 #include "runtime/trainer/commands.h"
+#include "runtime/trainer/robot/hull_command.h"
 #include "runtime/trainer/robot/import_command.h"
 #include "runtime/trainer/setup/task_setup.h"
 #include "runtime/training/run/run_files.h"
@@ -73,6 +74,7 @@ void AddRobotCommand(command_line::Command& program) {
       program.AddCommand("robot", "Checks robots, and makes them of other programs' files.");
   AddShowRobotCommand(robot);
   AddImportRobotCommand(robot);
+  AddHullCommand(robot);
 }
 
 }  // namespace runtime

@@ -25,7 +25,7 @@ constexpr const char* kAll = "all";
 // Those of these joints that have a motor.
 std::vector<int> Driven(const robot::RobotDescription& robot, std::vector<int> joints) {
   std::erase_if(joints, [&](int joint) {
-    return robot.GainsOf(robot.joints[static_cast<size_t>(joint)]).max_torque == 0;
+    return !robot.GainsOf(robot.joints[static_cast<size_t>(joint)]).HasMotor();
   });
   return joints;
 }

@@ -28,7 +28,7 @@ JointOffsets::JointOffsets(std::string name, const Context& context)
                 .minimum = 0,
                 .unit = "rad"});
   for (size_t i = 0; i < robot_.joints.size(); ++i) {
-    const bool has_motor = robot_.GainsOf(robot_.joints[i]).max_torque > 0;
+    const bool has_motor = robot_.GainsOf(robot_.joints[i]).HasMotor();
     if (has_motor && !robot_.joints[i].HasStops()) wheels_.push_back(static_cast<int>(i));
   }
   if (wheels_.empty()) return;

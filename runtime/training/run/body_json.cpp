@@ -12,7 +12,7 @@ namespace {
 
 std::optional<robot::ShapeKind> ShapeKindOf(const std::string& name) {
   using enum robot::ShapeKind;
-  for (const auto kind : {kBox, kCapsule, kCylinder, kSphere}) {
+  for (const auto kind : {kBox, kCapsule, kCylinder, kSphere, kConvex}) {
     if (name == NameOf(kind)) return kind;
   }
   return std::nullopt;
@@ -21,6 +21,13 @@ std::optional<robot::ShapeKind> ShapeKindOf(const std::string& name) {
 bool IsLength(double value) {
   constexpr double kLongest = 1000;  // [m]: of no robot's link
   return 0 <= value && value <= kLongest;
+}
+
+bool AreCorners(const std::vector<robot::Vector3>& points) {
+  const auto is_near = [](const robot::Vector3& point) {
+    return std::ranges::all_of(point, [](double value) { return IsLength(std::abs(value)); });
+  };
+  return std::ranges::all_of(points, is_near) && robot::IsSolid(points);
 }
 
 // Throws json's exceptions where a value is missing or of another type.
@@ -36,12 +43,14 @@ std::optional<robot::Link> ParseLink(const nlohmann::json& json) {
   link.shape.axis = json.at("axis");
   if (json.contains("position")) link.shape.position = json.at("position");
   if (json.contains("orientation")) link.shape.orientation = json.at("orientation");
+  if (json.contains("points")) link.shape.points = json.at("points");
   const auto is_place = [](double value) { return IsLength(std::abs(value)); };
   const bool is_sound = std::ranges::all_of(link.shape.size, IsLength) &&
                         std::ranges::all_of(link.shape.position, is_place) &&
                         std::ranges::all_of(link.shape.orientation, is_place) &&
                         IsLength(link.shape.radius) && IsLength(link.shape.length) &&
-                        0 <= link.shape.axis && link.shape.axis <= 2;
+                        0 <= link.shape.axis && link.shape.axis <= 2 &&
+                        (*kind != robot::ShapeKind::kConvex || AreCorners(link.shape.points));
   return is_sound ? std::optional(std::move(link)) : std::nullopt;
 }
 
@@ -52,6 +61,9 @@ nlohmann::ordered_json PartJson(const std::string& name, const robot::LinkShape&
   if (shape.IsMoved()) {
     json["position"] = shape.position;
     json["orientation"] = shape.orientation;
+  }
+  if (!shape.points.empty()) {
+    json["points"] = shape.points;
   }
   return json;
 }

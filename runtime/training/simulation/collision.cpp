@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "plugins/robot/shape_radius.h"
+#include "runtime/training/simulation/convex_ground.h"
 
 namespace runtime {
 namespace {
@@ -62,7 +63,8 @@ void Collision::AddSolids(const robot::RobotDescription& robot, const RobotBody&
   for (size_t i = 0; i < links_; ++i) {
     const robot::Link& link = robot.links[i];
     const int index = static_cast<int>(i);
-    solids_.push_back({body.geom(index), index, robot::RadiusAround(link.shape), link.friction});
+    solids_.push_back({body.geom(index), index, robot::RadiusAround(link.shape), link.friction,
+                       body.corners(index)});
   }
   const std::span<const world::Thing> things = around.things();
   for (size_t i = 0; i < things.size(); ++i) {
@@ -126,10 +128,19 @@ bool Collision::MayTouch(const Pair& pair) const {
   return x * x + y * y + z * z <= pair.reach * pair.reach;
 }
 
+int Collision::FindContacts(const Solid& first, const Solid& second,
+                            std::span<dContactGeom> found) {
+  constexpr size_t kMostCorners = 6;
+  if (!second.corners.empty() && dGeomGetClass(first.geom) == dPlaneClass)
+    return CornersBelow(first.geom, second.geom, second.corners, found.first(kMostCorners));
+  return dCollide(first.geom, second.geom, static_cast<int>(found.size()), found.data(),
+                  sizeof found.front());
+}
+
 bool Collision::AddContacts(const Solid& first, const Solid& second) {
   dContactGeom found[kMaxContacts];
   const double friction = std::min(first.friction, second.friction);
-  const int count = dCollide(first.geom, second.geom, kMaxContacts, found, sizeof *found);
+  const int count = FindContacts(first, second, found);
   for (int i = 0; i < count; ++i) {
     const bool swapped = found[i].g1 != first.geom;
     contacts_.push_back({swapped ? second.body : first.body, swapped ? first.body : second.body,

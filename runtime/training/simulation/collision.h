@@ -50,6 +50,7 @@ class Collision {
     int body;       // or kGround
     double radius;  // of its bounding sphere
     double friction;
+    std::span<const Vector3> corners{};  // of a convex link
   };
   struct Part {
     const GroundPart* ground;
@@ -69,6 +70,7 @@ class Collision {
   void AddPairs(const AreJoined& are_joined);
   bool TouchesGround(size_t solid);
   bool MayTouch(const Pair& pair) const;
+  static int FindContacts(const Solid& first, const Solid& second, std::span<dContactGeom> found);
   // Returns whether there is any contact between the two.
   bool AddContacts(const Solid& first, const Solid& second);
 

@@ -31,9 +31,14 @@ double ReachDown(const robot::LinkShape& shape, const Eigen::Quaterniond& link) 
       return tilt * shape.length / 2 + shape.radius * std::sqrt(1 - tilt * tilt);
     }
     case robot::ShapeKind::kSphere:
+      return shape.radius;
+    case robot::ShapeKind::kConvex:
       break;
   }
-  return shape.radius;
+  double reach = -std::numeric_limits<double>::infinity();
+  for (const robot::Vector3& point : shape.points)
+    reach = std::max(reach, -(link * Eigen::Vector3d(point.data())).z());
+  return reach;
 }
 
 }  // namespace

@@ -35,7 +35,7 @@ JointController::JointController(const robot::RobotDescription& robot, const Rob
 }
 
 bool JointController::HasMotor(const robot::Gains& gains) const {
-  return has_motors_ && gains.max_torque > 0;
+  return has_motors_ && gains.HasMotor();
 }
 
 void JointController::Update(std::span<const double> targets) {

@@ -60,11 +60,18 @@ void RobotBody::AddLink(const robot::Link& link, dWorldID world) {
   const dMass mass = MassOf(link);
   dBodySetMass(body.get(), &mass);
   dBodySetPosition(body.get(), link.position[0], link.position[1], link.position[2]);
-  OdeGeom geom = GeomOf(link.shape);
+  const bool is_convex = link.shape.kind == robot::ShapeKind::kConvex;
+  convex_.push_back(is_convex ? std::make_unique<ConvexGeom>(link.shape.points) : nullptr);
+  OdeGeom geom = is_convex ? convex_.back()->Make() : GeomOf(link.shape);
   dGeomSetBody(geom.get(), body.get());
   PlaceShape(link.shape, geom.get());
   bodies_.push_back(std::move(body));
   geoms_.push_back(std::move(geom));
+}
+
+std::span<const Vector3> RobotBody::corners(int link) const {
+  if (convex_[link] == nullptr) return {};
+  return convex_[link]->corners();
 }
 
 void RobotBody::AddThing(OdeBody body, OdeGeom geom) {

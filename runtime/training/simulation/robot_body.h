@@ -3,12 +3,14 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "plugins/robot/robot_description.h"
 #include "plugins/robot/start_state.h"
 #include "runtime/training/simulation/body_joint.h"
 #include "runtime/training/simulation/ode_library.h"
+#include "runtime/training/simulation/solid_shape.h"
 
 namespace runtime {
 
@@ -26,6 +28,8 @@ class RobotBody {
   int joint_count() const { return static_cast<int>(joints_.size()); }
   dBodyID body(int index) const { return bodies_[index].get(); }
   dGeomID geom(int index) const { return geoms_[index].get(); }
+  // Of a convex link, in the frame of its shape; of others nothing.
+  std::span<const Vector3> corners(int link) const;
   BodyJoint& joint(int joint) const { return *joints_[joint]; }
 
   // A thing of the world that moves by the same physics, in the place where it is.
@@ -52,6 +56,7 @@ class RobotBody {
 
   int link_count_ = 0;
   std::vector<OdeBody> bodies_;
+  std::vector<std::unique_ptr<ConvexGeom>> convex_;  // for each link that is convex
   std::vector<OdeGeom> geoms_;
   std::vector<std::unique_ptr<BodyJoint>> joints_;
   std::vector<BodyMount> mounts_;

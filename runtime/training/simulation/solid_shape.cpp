@@ -1,5 +1,6 @@
 #include "runtime/training/simulation/solid_shape.h"
 
+#include <cstdlib>
 #include <numbers>
 
 namespace runtime {
@@ -37,6 +38,8 @@ dMass MassOfShape(const robot::LinkShape& shape, double total) {
     case robot::ShapeKind::kSphere:
       dMassSetSphereTotal(&mass, total, shape.radius);
       break;
+    case robot::ShapeKind::kConvex:
+      std::abort();  // says its inertia itself
   }
   return mass;
 }
@@ -50,9 +53,26 @@ OdeGeom GeomOf(const robot::LinkShape& shape) {
     case robot::ShapeKind::kCylinder:
       return OdeGeom(dCreateCylinder(nullptr, shape.radius, shape.length));
     case robot::ShapeKind::kSphere:
+      return OdeGeom(dCreateSphere(nullptr, shape.radius));
+    case robot::ShapeKind::kConvex:
       break;
   }
-  return OdeGeom(dCreateSphere(nullptr, shape.radius));
+  std::abort();
+}
+
+ConvexGeom::ConvexGeom(const std::vector<robot::Vector3>& points) : hull_(HullOf(points)) {
+  for (const HullFace& face : hull_.faces) {
+    planes_.insert(planes_.end(),
+                   {face.normal.x(), face.normal.y(), face.normal.z(), face.distance});
+    polygons_.push_back(3);
+    for (const int corner : face.corners) polygons_.push_back(static_cast<unsigned>(corner));
+  }
+}
+
+OdeGeom ConvexGeom::Make() const {
+  return OdeGeom(dCreateConvex(nullptr, planes_.data(), static_cast<unsigned>(hull_.faces.size()),
+                               hull_.corners.front().data(),
+                               static_cast<unsigned>(hull_.corners.size()), polygons_.data()));
 }
 
 void PlaceShape(const robot::LinkShape& shape, dGeomID geom) {

@@ -9,6 +9,8 @@
 #include "plugins/robot/robot_description.h"
 #include "runtime/analysis/robot/held_pose.h"
 #include "runtime/base/user_error.h"
+#include "runtime/core/shape/convex_hull.h"
+#include "runtime/import/mesh_hull.h"
 #include "tests/runtime/training/run/temporary_folder.h"
 
 namespace runtime {
@@ -98,6 +100,51 @@ TEST_F(ImportRobotTest, EveryTypeOfJointHasOneHere) {
   const robot::RobotDescription fixed = Read(TwoLinks("type=\"fixed\">"));
   EXPECT_THAT(fixed.joints, IsEmpty());
   EXPECT_EQ(fixed.mounts.size(), 1u);
+}
+
+// A wedge: half of the box of 0.4 x 0.2 x 0.6 at the origin's side.
+const std::string kWedge =
+    "v 0 0 0\nv 0.4 0 0\nv 0 0.2 0\nv 0.4 0.2 0\nv 0 0 0.6\nv 0 0.2 0.6\n"
+    "f 1 3 2\nf 2 3 4\nf 1 5 3\nf 3 5 6\nf 1 2 5\nf 3 6 4\nf 2 4 5\nf 4 6 5\n";
+
+TEST_F(ImportRobotTest, AMeshBecomesItsHull) {
+  std::ofstream(folder_.path() / "wedge.obj") << kWedge;
+  const robot::RobotDescription robot =
+      Read("<robot name=\"a\">" + Link("body", "<mesh filename=\"wedge.obj\"/>") + "</robot>");
+  const robot::LinkShape& shape = robot.links[0].shape;
+  ASSERT_EQ(shape.kind, robot::ShapeKind::kConvex);
+  EXPECT_EQ(shape.points.size(), 6u);
+  EXPECT_NEAR(MassOf(HullOf(shape.points)).volume, 0.5 * 0.4 * 0.2 * 0.6, 1e-6);
+}
+
+// V = 0.024; a wedge's center is a third of the way from the edge of its right angle.
+TEST_F(ImportRobotTest, AMeshIsALinkOfUniformDensity) {
+  std::ofstream(folder_.path() / "Wedge.OBJ") << kWedge;
+  const MeshHull hull = HullOfMesh({.file = folder_.path() / "Wedge.OBJ", .scale = 0.5, .mass = 2});
+  EXPECT_EQ(hull.vertices, 6);
+  EXPECT_NEAR(hull.volume, 0.024 / 8, 1e-8);
+  EXPECT_NEAR(hull.link.position[0], 0.2 / 3, 1e-7);
+  EXPECT_NEAR(hull.link.position[1], 0.05, 1e-7);
+  EXPECT_NEAR(hull.link.position[2], 0.1, 1e-7);
+  // About y the wedge's section is a right triangle of a = 0.2 by b = 0.3: m (a^2 + b^2) / 18.
+  EXPECT_NEAR(hull.link.inertia->yy, 2 * (0.04 + 0.09) / 18, 1e-7);
+  EXPECT_THAT(hull.text, AllOf(HasSubstr("shape = \"convex\""), HasSubstr("inertia = [")));
+}
+
+TEST_F(ImportRobotTest, WhatIsNoMeshIsRefusedAsOne) {
+  const auto error_of = [&](const std::string& name, const std::string& bytes) -> std::string {
+    std::ofstream(folder_.path() / name) << bytes;
+    try {
+      HullOfMesh({.file = folder_.path() / name});
+    } catch (const UserError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_THAT(error_of("mesh.dae", "<COLLADA/>"), HasSubstr("neither STL nor OBJ"));
+  EXPECT_THAT(error_of("mesh.stl", "solid nothing"), HasSubstr("mesh.stl: MuJoCo"));
+  EXPECT_THAT(error_of("flat.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 2 4 3\n"),
+              HasSubstr("flat.obj"));
 }
 
 TEST_F(ImportRobotTest, TheBaseIsAsTheUserSays) {

@@ -6,11 +6,12 @@ import type { Estimate } from "./estimate.ts";
 /** A link of the robot, or a thing of its world; lengths in meters, `axis` 0, 1, 2 = x, y, z of the link's own frame. */
 export interface BodyLink {
   name: string;
-  shape: "box" | "capsule" | "cylinder" | "sphere";
+  shape: "box" | "capsule" | "cylinder" | "sphere" | "convex";
   size: [number, number, number]; // box: full extents
   radius: number; // capsule, cylinder, sphere
   length: number; // capsule: total, both caps included; cylinder
   axis: number;
+  points?: [number, number, number][]; // convex: the shape is their hull
   // Of the shape in the link's frame, where it is not around the center and along the axes.
   position?: [number, number, number];
   orientation?: [number, number, number, number]; // w, x, y, z

@@ -9,8 +9,10 @@ import {
   MeshStandardMaterial,
   Quaternion,
   SphereGeometry,
+  Vector3,
   type BufferGeometry,
 } from "three";
+import { ConvexGeometry } from "three/examples/jsm/geometries/ConvexGeometry.js";
 import { RoundedBoxGeometry } from "three/examples/jsm/geometries/RoundedBoxGeometry.js";
 
 import type { BodyLink } from "../data/report_data.ts";
@@ -26,6 +28,9 @@ const kSideColors: Record<Side, string> = {
 
 function geometryOf(link: BodyLink): BufferGeometry {
   if (link.shape === "sphere") return new SphereGeometry(link.radius, 32, 20);
+  if (link.shape === "convex") {
+    return new ConvexGeometry((link.points ?? []).map((point) => new Vector3(...point)));
+  }
   if (link.shape === "box") {
     const [x, y, z] = link.size;
     return new RoundedBoxGeometry(x, y, z, 4, 0.14 * Math.min(x, y, z));

@@ -7,6 +7,10 @@
 namespace runtime {
 namespace {
 
+std::optional<Hit> FirstHit(const robot::LinkShape& shape, const Ray& ray) {
+  return Solid(shape).FirstHit(ray);
+}
+
 using Eigen::Vector3d;
 using robot::LinkShape;
 using robot::ShapeKind;
@@ -95,6 +99,21 @@ TEST(BoundingRadius, HoldsTheWholeShape) {
   EXPECT_EQ(BoundingRadius(kBall), 2);
   EXPECT_EQ(BoundingRadius(kRod), 3);
   EXPECT_DOUBLE_EQ(BoundingRadius(kBrick), std::sqrt(350.));
+}
+
+// An octahedron: the face between three axes has the normal (1, 1, 1) / sqrt(3).
+TEST(ShapesTest, AConvexShapeIsEnteredThroughItsFaces) {
+  robot::LinkShape shape;
+  shape.kind = robot::ShapeKind::kConvex;
+  shape.points = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+  const Eigen::Vector3d normal = Eigen::Vector3d::Ones().normalized();
+  const std::optional<Hit> hit = FirstHit(shape, {3 * normal, -normal});
+  ASSERT_TRUE(hit);
+  EXPECT_NEAR(hit->distance, 3 - 1 / std::sqrt(3.), 1e-12);
+  EXPECT_NEAR((hit->normal - normal).norm(), 0, 1e-12);
+  EXPECT_FALSE(FirstHit(shape, {{3, 1.01, 0}, {-1, 0, 0}}));
+  EXPECT_FALSE(FirstHit(shape, {{3, 0, 0}, {1, 0, 0}}));
+  EXPECT_EQ(BoundingRadius(shape), 1);
 }
 
 }  // namespace

@@ -63,6 +63,81 @@ TEST_P(LinkKindsTest, AStartPutsAnyShapeOnTheGround) {
   }
 }
 
+// The corners of a box, some points on its faces and within.
+robot::LinkShape CornersOfABox(const robot::Vector3& half) {
+  robot::LinkShape shape;
+  shape.kind = robot::ShapeKind::kConvex;
+  for (int corner = 0; corner < 8; ++corner) {
+    shape.points.push_back({corner & 1 ? half[0] : -half[0], corner & 2 ? half[1] : -half[1],
+                            corner & 4 ? half[2] : -half[2]});
+  }
+  for (int i = 0; i < 30; ++i) shape.points.push_back({half[0] * std::sin(i), 0, -half[2]});
+  return shape;
+}
+
+robot::RobotDescription ConvexBody(const robot::Vector3& half, double height) {
+  robot::RobotDescription robot = Body(CornersOfABox(half), height);
+  const auto moment = [&](double a, double b) { return robot.links[0].mass * (a * a + b * b) / 3; };
+  robot.links[0].inertia =
+      robot::Inertia{moment(half[1], half[2]), moment(half[0], half[2]), moment(half[0], half[1])};
+  return robot;
+}
+
+TEST_P(LinkKindsTest, AConvexLinkMovesAsTheBoxThatItIs) {
+  const robot::Vector3 half = {0.1, 0.2, 0.05};
+  robot::RobotDescription convex = ConvexBody(half, 0.4);
+  robot::RobotDescription box = Body({robot::ShapeKind::kBox, {0.2, 0.4, 0.1}}, 0.4);
+  for (robot::RobotDescription* robot : {&convex, &box})
+    robot->poses[0].orientation = {std::cos(0.2), std::sin(0.2), 0, 0};
+  World one = Make(convex);
+  World other = Make(box);
+  StepFor(one, 0.2, {});  // in the air
+  StepFor(other, 0.2, {});
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_NEAR(dBodyGetPosition(one.body().body(0))[i], dBodyGetPosition(other.body().body(0))[i],
+                1e-9);
+  }
+  StepFor(one, 1.5, {});  // fallen on its flat side
+  StepFor(other, 1.5, {});
+  EXPECT_NEAR(dBodyGetPosition(one.body().body(0))[2], 0.05, 1e-3);
+  EXPECT_NEAR(dBodyGetPosition(other.body().body(0))[2], 0.05, 1e-3);
+  EXPECT_NEAR(dBodyGetRotation(one.body().body(0))[10], 1, 1e-4);  // z is up again
+}
+
+TEST_P(LinkKindsTest, AConvexLinkStartsOnTheGround) {
+  robot::RobotDescription robot = ConvexBody({0.1, 0.2, 0.05}, 0);
+  robot.links[0].shape.position = {0, 0, -0.3};
+  EXPECT_NEAR(LowestPoint(robot, robot.poses[0]), -0.35, 1e-12);
+}
+
+TEST_P(LinkKindsTest, ConvexLinksTouchEachOtherAndOtherShapes) {
+  for (const robot::LinkShape& other :
+       {CornersOfABox({0.1, 0.1, 0.1}), robot::LinkShape{robot::ShapeKind::kSphere, {}, 0.1},
+        robot::LinkShape{robot::ShapeKind::kCapsule, {}, 0.1, 0.3, 0},
+        robot::LinkShape{robot::ShapeKind::kCylinder, {}, 0.1, 0.2, 2},
+        robot::LinkShape{robot::ShapeKind::kBox, {0.2, 0.2, 0.2}}}) {
+    robot::RobotDescription robot = ConvexBody({0.1, 0.2, 0.05}, 5);
+    robot.links.resize(2, robot.links[0]);
+    robot.links[1].shape = other;
+    robot.links[1].inertia = robot.links[0].inertia;
+    robot.links[1].position = {0, 0, 0.14};  // 1 cm within the first
+    robot.mounts = {{.name = "pin",
+                     .kind = robot::MountKind::kBall,
+                     .parent = 0,
+                     .child = 1,
+                     .anchor = {0, 0, 0.1}}};
+    robot.links.push_back(robot.links[1]);  // a third hangs on the second and touches the first
+    robot.mounts.push_back(
+        {.name = "weld", .kind = robot::MountKind::kFixed, .parent = 1, .child = 2});
+    World world = Make(robot);
+    StepFor(world, 0.01, {});
+    bool touches = false;
+    for (const Contact& contact : world.collision().contacts())
+      touches = touches || (contact.first == 0 && contact.second == 2);
+    EXPECT_TRUE(touches) << static_cast<int>(other.kind);
+  }
+}
+
 // A body whose shape hangs beside its center of mass falls without turning, and turns in the air as
 // its own inertia says.
 TEST_P(LinkKindsTest, AnOffCenterBodyFallsAndTurnsAboutItsCenterOfMass) {
