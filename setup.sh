@@ -20,7 +20,7 @@ programs=(
   gnuplot-nox                                      # curves in documents
   libnlopt-cxx-dev                                 # fitting weights to preferences
   libpng-dev                                       # still pictures of robots
-  libmujoco-dev                                    # robots from URDF and MJCF files
+  libmujoco-dev                                    # URDF and MJCF files; a second engine
   libgtest-dev libgmock-dev libbenchmark-dev
 )
 # A real browser, a real debugger, the format check; for the Python package, which the programs do without.

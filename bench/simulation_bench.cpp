@@ -142,12 +142,13 @@ void TimeStep(benchmark::State& state, Situation situation) {
   const double time_step = Humanoid().controller.time_step;
   std::vector<std::unique_ptr<Episode>> episodes;
   for (const Profile& profile : kProfiles) {
+    if (!profile.IsBuilt()) continue;
     episodes.push_back(std::make_unique<Episode>(profile.name, situation));
   }
   for (auto _ : state) {
     for (const auto& episode : episodes) episode->RunTimeStep();
   }
-  for (size_t i = 0; i < kProfiles.size(); ++i) {
+  for (size_t i = 0; i < episodes.size(); ++i) {
     const std::string name(kProfiles[i].name);
     const double seconds = episodes[i]->seconds() / static_cast<double>(state.iterations());
     state.counters[name + "_us"] = 1e6 * seconds / kProfiles[i].PhysicsStepsPerTimeStep(time_step);
@@ -164,6 +165,7 @@ void Sensors(benchmark::State& state, const std::vector<std::string>& more) {
   std::vector<std::unique_ptr<Episode>> without;
   std::vector<std::unique_ptr<Episode>> with;
   for (const Profile& profile : kProfiles) {
+    if (!profile.IsBuilt()) continue;
     without.push_back(std::make_unique<Episode>(profile.name, kCrawling));
     with.push_back(std::make_unique<Episode>(profile.name, kCrawling, all));
   }
@@ -171,7 +173,7 @@ void Sensors(benchmark::State& state, const std::vector<std::string>& more) {
     for (const auto& episode : without) episode->RunTimeStep();
     for (const auto& episode : with) episode->RunTimeStep();
   }
-  for (size_t i = 0; i < kProfiles.size(); ++i) {
+  for (size_t i = 0; i < with.size(); ++i) {
     state.counters[std::string(kProfiles[i].name)] = with[i]->seconds() / without[i]->seconds();
   }
 }

@@ -146,6 +146,7 @@ void RegisterTraining() {
   for (const char* task :
        {"crawling", "handstanding", "jumping", "forward_rolling", "backward_rolling", "turning"}) {
     for (const Profile& profile : kProfiles) {
+      if (!profile.IsBuilt()) continue;
       const bool slow = profile.solver == SolverKind::kOde;
       const int episodes = slow ? 5 : 20;
       benchmark::RegisterBenchmark(fmt::format("Train/{}/{}", task, profile.name).c_str(), Train,

@@ -79,7 +79,7 @@ const std::map<std::string, Folders> kMayInclude = {
      {"base/cache", "base/file", "base/seal", "plugins/robot", "runtime/base",
       "runtime/core/module"}},
     {"runtime/training/simulation",
-     {"plugins/robot", "plugins/world", "runtime/core/module", "runtime/core/shape",
+     {"plugins/robot", "plugins/world", "runtime/base", "runtime/core/module", "runtime/core/shape",
       "runtime/core/task"}},
     {"runtime/training/signal",
      {"base/file", "plugins/robot", "runtime/base", "runtime/core/module"}},

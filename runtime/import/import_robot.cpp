@@ -1,7 +1,6 @@
 #include "runtime/import/import_robot.h"
 
 #include <fmt/format.h>
-#include <mujoco/mujoco.h>
 
 #include "plugins/robot/robot_description.h"
 #include "runtime/base/user_error.h"

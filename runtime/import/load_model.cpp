@@ -8,41 +8,12 @@
 #include <array>
 #include <cctype>
 #include <cerrno>
-#include <cstring>
 
 #include "base/file/read.h"
 #include "runtime/base/user_error.h"
 
 namespace runtime {
 namespace {
-
-// MuJoCo ends the program where it is told nothing else, and writes warnings to a file.
-void TellAsOurs() {
-  mju_user_error = [](const char* message) { throw UserError(fmt::format("MuJoCo: {}", message)); };
-  mju_user_warning = [](const char*) {};
-}
-
-// Files in memory, as MuJoCo takes them.
-class MemoryFiles {
- public:
-  MemoryFiles() : files_(std::make_unique<mjVFS>()) { mj_defaultVFS(files_.get()); }
-  ~MemoryFiles() { mj_deleteVFS(files_.get()); }
-  MemoryFiles(const MemoryFiles&) = delete;
-  MemoryFiles& operator=(const MemoryFiles&) = delete;
-
-  void Add(const std::string& name, const std::string& bytes) {
-    if (mj_makeEmptyFileVFS(files_.get(), name.c_str(), static_cast<int>(bytes.size())) != 0) {
-      throw UserError(fmt::format("the model has more than {} meshes", mjMAXVFS - 1));
-    }
-    const int index = mj_findFileVFS(files_.get(), name.c_str());
-    std::memcpy(files_->filedata[index], bytes.data(), bytes.size());
-  }
-  void Remove(const char* name) { mj_deleteFileVFS(files_.get(), name); }
-  const mjVFS* get() const { return files_.get(); }
-
- private:
-  std::unique_ptr<mjVFS> files_;
-};
 
 // A cube of 5 cm as binary STL, for a mesh that is not there.
 std::string CubeOf5Centimeters() {
@@ -136,7 +107,7 @@ UserError NoModel(const std::filesystem::path& file, const std::string& message)
 MujocoModel LoadModel(ModelFile& file) {
   constexpr int kMostAttempts = 1000;
   constexpr const char* kName = "model.xml";
-  TellAsOurs();
+  UseMujoco();
   MemoryFiles files;
   for (const auto& [name, place] : file.meshes()) files.Add(name, BytesOf(place));
   for (int attempt = 0;; ++attempt) {
@@ -156,7 +127,7 @@ MujocoModel LoadMesh(const std::filesystem::path& file, double scale) {
   std::string extension = file.extension().string();
   std::ranges::transform(extension, extension.begin(),
                          [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  TellAsOurs();
+  UseMujoco();
   if (extension != ".stl" && extension != ".obj") {
     throw UserError(fmt::format("{}: neither STL nor OBJ: convert it", file.string()));
   }

@@ -82,7 +82,7 @@ command_line::Option AddProfileOption(command_line::Command& command, std::strin
   return command
       .AddOption("--profile", profile,
                  "how to simulate: `paper` faithfully, `fast` with longer steps; with `-tree` the "
-                 "same equations are solved several times as fast")
+                 "same equations are solved several times as fast; `mujoco`: another engine")
       .OneOf(profiles);
 }
 

@@ -45,6 +45,18 @@ class Joined {
 
 }  // namespace
 
+std::vector<std::array<int, 2>> CollidingLinks(const robot::RobotDescription& robot) {
+  const Joined are_joined(robot);
+  const int count = static_cast<int>(robot.links.size());
+  std::vector<std::array<int, 2>> pairs;
+  for (int i = 0; i < count; ++i) {
+    for (int j = i + 1; j < count; ++j) {
+      if (!are_joined(i, j)) pairs.push_back({i, j});
+    }
+  }
+  return pairs;
+}
+
 Collision::Collision(const robot::RobotDescription& robot, const RobotBody& body,
                      const Surroundings& around)
     : links_(robot.links.size()), first_movable_(robot.has_fixed_base ? 1 : 0) {

@@ -1,6 +1,7 @@
 // Finds where a robot touches the ground, itself and the things around it.
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -19,6 +20,9 @@ struct Contact {
   dContactGeom geometry;
   double friction;  // coefficient; infinity where nothing slides
 };
+
+// The links of a robot that collide with each other, as pairs in ascending order.
+std::vector<std::array<int, 2>> CollidingLinks(const robot::RobotDescription& robot);
 
 // Walks a fixed list of pairs in a fixed order, which is faster for a few links than any of ODE's
 // spaces, and gives the same bits in every run. Links connected by a joint do not collide.

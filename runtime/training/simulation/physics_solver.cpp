@@ -2,6 +2,7 @@
 
 #include <cassert>
 
+#include "runtime/training/simulation/mujoco_solver.h"
 #include "runtime/training/simulation/ode_solver.h"
 #include "runtime/training/simulation/tree_solver.h"
 
@@ -16,6 +17,8 @@ std::unique_ptr<PhysicsSolver> MakeSolver(const robot::RobotDescription& robot,
       return std::make_unique<OdeSolver>(robot, settings, controller, body, world);
     case SolverKind::kTree:
       return std::make_unique<TreeSolver>(robot, settings, controller, body);
+    case SolverKind::kMujoco:
+      return MakeMujocoSolver(robot, settings, controller, body);
   }
   assert(!"a solver");
   return nullptr;

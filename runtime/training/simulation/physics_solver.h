@@ -23,6 +23,10 @@ class PhysicsSolver {
   // that changes nothing in the step. Throws OdeFailure if it cannot be computed.
   virtual void Step(std::span<const Contact> contacts, const JointController& controller,
                     std::span<Vector3> impulses) = 0;
+
+  // For each link 1 if it touched the ground in the last step, where the solver looks for contacts
+  // by itself; else nothing, and the contacts that it was given say so.
+  virtual std::span<const unsigned char> ground() const { return {}; }
 };
 
 // The constants of the equations that every solver solves.

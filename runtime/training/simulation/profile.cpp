@@ -3,12 +3,16 @@
 #include <cassert>
 #include <cmath>
 
+#include "runtime/training/simulation/mujoco_solver.h"
+
 namespace runtime {
 
 int Profile::PhysicsStepsPerTimeStep(double time_step) const {
   // A step may be longer by a rounding error.
   return static_cast<int>(std::ceil(time_step / longest_time_step * (1 - 1e-9)));
 }
+
+bool Profile::IsBuilt() const { return solver != SolverKind::kMujoco || HasMujoco(); }
 
 Softness Profile::ContactSoftness(double time_step) const {
   constexpr double kStiffness = 1e6;  // N / m

@@ -13,9 +13,10 @@ enum class JointDrive {
 };
 
 enum class SolverKind {
-  kOde,   // ODE's dWorldStep
-  kTree,  // the same equations along the tree of the links
-          // (runtime/training/simulation/tree_solver.h)
+  kOde,     // ODE's dWorldStep
+  kTree,    // the same equations along the tree of the links
+            // (runtime/training/simulation/tree_solver.h)
+  kMujoco,  // other equations: those of MuJoCo (runtime/training/simulation/mujoco_solver.h)
 };
 
 // The two numbers that make a constraint of ODE act as a spring and a damper.
@@ -28,17 +29,20 @@ struct Profile {
   std::string_view name;
   double longest_time_step;  // [s]
   JointDrive drive;
-  double contact_damping;  // [N s / m]
+  double contact_damping;  // [N s / m]; MuJoCo has its own
   SolverKind solver;
 
   // Physics steps in one time step: the fewest that are no longer than allowed.
   int PhysicsStepsPerTimeStep(double time_step) const;
 
-  // All profiles have contacts of the same stiffness.
+  // Whether this program was built with what the profile needs.
+  bool IsBuilt() const;
+
+  // All profiles of ODE's equations have contacts of the same stiffness.
   Softness ContactSoftness(double time_step) const;
 };
 
-inline constexpr std::array<Profile, 4> kProfiles = {{
+inline constexpr std::array<Profile, 5> kProfiles = {{
     // Contacts of ERP 0.2 and CFM 0.001.
     {"paper", 0.0002, JointDrive::kTorque, 800, SolverKind::kOde},
     // With this damping the robot touches the ground as often as in the paper's profile.
@@ -46,6 +50,8 @@ inline constexpr std::array<Profile, 4> kProfiles = {{
     // The same two, solved faster; their motions differ from those above by rounding only.
     {"paper-tree", 0.0002, JointDrive::kTorque, 800, SolverKind::kTree},
     {"fast-tree", 0.005 / 3, JointDrive::kMotor, 1500, SolverKind::kTree},
+    // A second opinion: another engine's equations, contacts and collisions.
+    {"mujoco", 0.0025, JointDrive::kMotor, 1500, SolverKind::kMujoco},
 }};
 
 // Precondition: `name` is that of a profile.

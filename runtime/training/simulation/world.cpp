@@ -1,8 +1,11 @@
 #include "runtime/training/simulation/world.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
+#include "runtime/base/user_error.h"
 #include "runtime/training/simulation/ground_height.h"
 
 namespace runtime {
@@ -44,6 +47,11 @@ World::World(const robot::RobotDescription& robot, const Profile& profile,
       contact_filter_(body_.link_count(), physics_time_step()),
       means_(body_),
       solver_(MakeSolver(robot, profile, settings_, controller_, body_, world_.get())) {
+  if (around != nullptr && profile.solver == SolverKind::kMujoco) {
+    throw UserError(fmt::format(
+        "the profile `{}` knows no worlds: it simulates robots on flat ground; choose another",
+        profile.name));
+  }
   if (!surroundings_.IsFlat() && !robot.has_fixed_base) PutOnGround(robot, start);
   collision_.Update();
   contact_filter_.Start(collision_.ground());
@@ -102,7 +110,8 @@ void World::Step(std::span<const double> targets) {
     throw;
   }
   body_.CountTurns();
-  contact_filter_.Update(collision_.ground());
+  const std::span<const unsigned char> found = solver_->ground();
+  contact_filter_.Update(found.empty() ? collision_.ground() : found);
   for (size_t i = 0; i < thing_contacts_.size(); ++i) {
     thing_contacts_[i].Update(collision_.touches(i));
   }

@@ -15,9 +15,7 @@ class JointControllerTest : public testing::TestWithParam<const char*> {
   const Profile& profile() const { return FindProfile(GetParam()); }
 };
 
-INSTANTIATE_TEST_SUITE_P(, JointControllerTest,
-                         testing::Values("paper", "fast", "paper-tree", "fast-tree"),
-                         ProfileInName);
+INSTANTIATE_TEST_SUITE_P(, JointControllerTest, testing::ValuesIn(BuiltProfiles()), ProfileInName);
 
 TEST_P(JointControllerTest, TorqueIsThatOfTheSpringAndTheDamper) {
   World world(Humanoid(), profile(), Humanoid().poses[0]);

@@ -18,9 +18,7 @@ class LinkKindsTest : public testing::TestWithParam<const char*> {
   }
 };
 
-INSTANTIATE_TEST_SUITE_P(, LinkKindsTest,
-                         testing::Values("paper", "fast", "paper-tree", "fast-tree"),
-                         ProfileInName);
+INSTANTIATE_TEST_SUITE_P(, LinkKindsTest, testing::ValuesIn(BuiltProfiles()), ProfileInName);
 
 // One link in a pose at this height.
 robot::RobotDescription Body(const robot::LinkShape& shape, double height) {

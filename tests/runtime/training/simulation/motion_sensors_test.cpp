@@ -100,14 +100,20 @@ class MotionSensorsTest : public testing::TestWithParam<const char*> {
 TEST_P(MotionSensorsTest, ContactForcesAreWhatChangesTheMomentum) {
   Start("lying");
   int with_force = 0;
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (int i = 0; i < 100; ++i) {
     const Eigen::Vector3d before = i == 0 ? Eigen::Vector3d::Zero().eval() : Momentum();
     Run(1, true);
     const Eigen::Vector3d forces = reader_->Vectors("contact_force").rowwise().sum();
     const Eigen::Vector3d change = (Momentum() - before) / kTimeStep;
-    EXPECT_NEAR((forces - change - Eigen::Vector3d(0, 0, Weight())).norm(), 0, 1e-6) << i;
+    const Eigen::Vector3d difference = forces - change - Eigen::Vector3d(0, 0, Weight());
+    sum += difference;
+    // MuJoCo's links are where their joints are after a step, so that their momentum is not quite
+    // what the step gave them; on average it is.
+    EXPECT_NEAR(difference.norm(), 0, IsMujoco(GetParam()) ? 0.3 * Weight() : 1e-6) << i;
     with_force += forces.norm() > 1;
   }
+  EXPECT_NEAR(sum.norm() / 100, 0, 0.01 * Weight());
   EXPECT_GT(with_force, 50);
 }
 
@@ -143,8 +149,8 @@ TEST_P(MotionSensorsTest, LinksMoveByTheirVelocities) {
   const double h = world.physics_time_step();
   const Links after(by_name["link.position"]->Read().reals());
   const Links velocity(by_name["link.velocity"]->Read().reals());
-  // Positions are moved by the new velocities.
-  EXPECT_NEAR(((after - before) / h - velocity).norm(), 0, 1e-9);
+  // Positions are moved by the new velocities; MuJoCo's joints, by which their links go on circles.
+  EXPECT_NEAR(((after - before) / h - velocity).norm(), 0, IsMujoco(GetParam()) ? 0.01 : 1e-9);
   const Links rotation(by_name["link.angular_velocity"]->Read().reals());
   const double* now = by_name["link.orientation"]->Read().reals();
   for (int i = 0; i < 18; ++i) {
@@ -199,8 +205,7 @@ TEST_P(MotionSensorsTest, ChangeNothing) {
   EXPECT_EQ(reader_->Read("joint.angle", 17), with);
 }
 
-INSTANTIATE_TEST_SUITE_P(Profiles, MotionSensorsTest,
-                         testing::Values("paper", "fast", "paper-tree", "fast-tree"),
+INSTANTIATE_TEST_SUITE_P(Profiles, MotionSensorsTest, testing::ValuesIn(BuiltProfiles()),
                          ProfileInName);
 
 }  // namespace

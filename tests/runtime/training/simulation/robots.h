@@ -45,6 +45,19 @@ inline robot::RobotDescription Rotor() {
   return robot;
 }
 
+// The names of all profiles that there are in this build.
+inline std::vector<const char*> BuiltProfiles() {
+  std::vector<const char*> names;
+  for (const Profile& profile : kProfiles) {
+    if (profile.IsBuilt()) names.push_back(profile.name.data());
+  }
+  return names;
+}
+
+inline bool IsMujoco(const char* profile) {
+  return FindProfile(profile).solver == SolverKind::kMujoco;
+}
+
 // Names a test after its profile.
 inline std::string ProfileInName(const testing::TestParamInfo<const char*>& info) {
   std::string name = info.param;

@@ -29,9 +29,7 @@ class SoundnessTest : public testing::TestWithParam<const char*> {
   static std::vector<double> Still() { return Zeros(Humanoid()); }
 };
 
-INSTANTIATE_TEST_SUITE_P(, SoundnessTest,
-                         testing::Values("paper", "fast", "paper-tree", "fast-tree"),
-                         ProfileInName);
+INSTANTIATE_TEST_SUITE_P(, SoundnessTest, testing::ValuesIn(BuiltProfiles()), ProfileInName);
 
 // A lift of 5 cm takes 0.49 J for each kg: a push to 0.9 m/s gives less, one to 1.1 m/s more.
 TEST_P(SoundnessTest, EnergyFromNothingIsAFailureFromALiftOfFiveCentimetersOn) {

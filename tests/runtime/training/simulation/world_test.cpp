@@ -38,8 +38,7 @@ class WorldTest : public testing::TestWithParam<const char*> {
   }
 };
 
-INSTANTIATE_TEST_SUITE_P(, WorldTest, testing::Values("paper", "fast", "paper-tree", "fast-tree"),
-                         ProfileInName);
+INSTANTIATE_TEST_SUITE_P(, WorldTest, testing::ValuesIn(BuiltProfiles()), ProfileInName);
 
 TEST_P(WorldTest, TheRobotWeighsWhatItsDescriptionSays) {
   const World world = Make(Humanoid(), Humanoid().poses[0]);
@@ -115,8 +114,10 @@ TEST_P(WorldTest, MomentumIsKeptInTheAir) {
     x += Humanoid().links[i].mass * velocity[0];
     y += Humanoid().links[i].mass * velocity[1];
   }
-  EXPECT_NEAR(x, 0, 1e-9);
-  EXPECT_NEAR(y, 0, 1e-9);
+  // That of MuJoCo's, whose joints do not give, is kept but for the bend of their ways in a step.
+  const double tolerance = IsMujoco(GetParam()) ? 0.005 : 1e-9;
+  EXPECT_NEAR(x, 0, tolerance);
+  EXPECT_NEAR(y, 0, tolerance);
 }
 
 TEST_P(WorldTest, AnglesHaveTheSignsOfThePaper) {
@@ -209,7 +210,7 @@ TEST_P(WorldTest, AJointThatGivesWayBeyondHalfATurnComesBack) {
 
 TEST_P(WorldTest, AnAbsurdStateIsAFailure) {
   World world = Make(Humanoid(), Humanoid().poses[0]);
-  dBodySetLinearVel(world.body().body(3), 1e6, 0, 0);
+  dBodySetLinearVel(world.body().body(0), 1e6, 0, 0);
   EXPECT_THROW(world.Step(Zeros(Humanoid())), OdeFailure);
 }
 

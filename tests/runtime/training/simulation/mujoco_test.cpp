@@ -1,0 +1,125 @@
+// What only the second engine has: its model of a robot, and how far it agrees with the paper's
+// simulation. What all engines share is tested with the others, by profile.
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "runtime/base/user_error.h"
+#include "runtime/training/simulation/mujoco_model.h"
+#include "tests/runtime/training/simulation/robots.h"
+
+namespace runtime {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Property;
+
+const Profile& Mujoco() { return FindProfile("mujoco"); }
+
+std::string MjcfOf(const robot::RobotDescription& robot) {
+  const World world(robot, FindProfile("fast-tree"), robot.poses[0]);
+  return Mjcf(robot, {.time_step = 0.0025, .contacts = {}}, world.body());
+}
+
+TEST(Mujoco, TheModelHasTheNamesOfTheRobot) {
+  const auto model = CompiledModel(MjcfOf(Humanoid()));
+  EXPECT_EQ(model->nv, 6 + 17);
+  EXPECT_EQ(model->nu, 0);
+  EXPECT_EQ(mj_name2id(model.get(), mjOBJ_JOINT, "left_knee_pitch"), 1 + 11 - 1);
+  double mass = 0;
+  for (const robot::Link& link : Humanoid().links) {
+    const int id = mj_name2id(model.get(), mjOBJ_BODY, link.name.c_str());
+    ASSERT_GE(id, 1) << link.name;
+    EXPECT_DOUBLE_EQ(model->body_mass[id], link.mass) << link.name;
+    mass += model->body_mass[id];
+  }
+  EXPECT_NEAR(mass, 1.2, 1e-9);
+}
+
+TEST(Mujoco, TheSameModelIsMadeOnce) {
+  const auto model = CompiledModel(MjcfOf(Humanoid()));
+  EXPECT_EQ(CompiledModel(MjcfOf(Humanoid())), model);
+  EXPECT_NE(CompiledModel(MjcfOf(Hopper())), model);
+}
+
+TEST(Mujoco, AnImpossibleInertiaIsNamedAndAThinPlateIsNone) {
+  robot::RobotDescription robot = Rotor();
+  robot.links[1].inertia = robot::Inertia{0.01, 0.02, 0.03};
+  EXPECT_NO_THROW(World(robot, Mujoco(), robot.poses[0]));
+  robot.links[1].inertia = robot::Inertia{0.01, 0.02, 0.04};
+  EXPECT_THAT([&] { World(robot, Mujoco(), robot.poses[0]); },
+              testing::Throws<UserError>(Property(
+                  &UserError::what,
+                  AllOf(HasSubstr("the link `wheel`"), HasSubstr("0.01, 0.02 and 0.04")))));
+}
+
+TEST(Mujoco, WhatItRefusesIsSaidInItsWords) {
+  robot::RobotDescription robot = Rotor();
+  robot.links[1].name = "world";
+  EXPECT_THAT([&] { World(robot, Mujoco(), robot.poses[0]); },
+              testing::Throws<UserError>(Property(
+                  &UserError::what,
+                  AllOf(HasSubstr("MuJoCo cannot simulate this robot"), HasSubstr("world")))));
+}
+
+// The joints' angles of a robot in the air that follows its targets.
+TEST(Mujoco, MovesAsThePaperDoesInTheAir) {
+  robot::Pose pose = Humanoid().poses[0];
+  pose.position[2] = 100;
+  World paper(Humanoid(), FindProfile("paper-tree"), pose);
+  World other(Humanoid(), Mujoco(), pose);
+  std::vector<double> targets = Zeros(Humanoid());
+  for (const int j : {1, 4, 8, 13}) targets[j] = 0.4;
+  for (const int j : {9, 14}) targets[j] = -0.4;
+  for (int i = 0; i < 10; ++i) {
+    StepFor(paper, 0.05, targets);
+    StepFor(other, 0.05, targets);
+    for (int j = 0; j < 17; ++j) {
+      EXPECT_NEAR(other.body().JointAngle(j), paper.body().JointAngle(j), 0.03)
+          << i << " " << Humanoid().joints[j].name;
+    }
+  }
+}
+
+// The force of the ground on each foot, once the robot stands still.
+TEST(Mujoco, CarriesTheWeightAsThePaperDoes) {
+  const auto forces = [](const Profile& profile) {
+    World world(Humanoid(), profile, Humanoid().poses[0]);
+    StepFor(world, 2, Zeros(Humanoid()));
+    world.StartTimeStep({.contact_forces = true});
+    for (int i = 0; i < world.physics_steps_per_time_step(); ++i) world.Step(Zeros(Humanoid()));
+    return std::array{world.means().ContactForce(Humanoid().FindLink("left_foot").value()),
+                      world.means().ContactForce(Humanoid().FindLink("right_foot").value())};
+  };
+  const auto paper = forces(FindProfile("paper-tree"));
+  const auto other = forces(Mujoco());
+  const double weight = 1.2 * robot::kGravity;
+  EXPECT_NEAR(other[0].z() + other[1].z(), weight, 1e-3 * weight);
+  for (size_t foot = 0; foot < 2; ++foot) {
+    EXPECT_NEAR(other[foot].z(), paper[foot].z(), 0.01 * weight) << foot;
+  }
+}
+
+// No single fall is the same, as each is chaotic; on average they are.
+TEST(Mujoco, FallsAsThePaperDoesOnAverage) {
+  const auto mean_height = [](const Profile& profile) {
+    constexpr int kFalls = 16;
+    double sum = 0;
+    for (int fall = 0; fall < kFalls; ++fall) {
+      robot::StartState start = robot::RestIn(Humanoid().poses[0]);
+      const double direction = 2 * M_PI * fall / kFalls;
+      start.velocity = {0.6 * std::cos(direction), 0.6 * std::sin(direction), 0};
+      World world(Humanoid(), profile, start);
+      StepFor(world, 1.5, Zeros(Humanoid()));
+      sum += dBodyGetPosition(world.body().body(0))[2];
+    }
+    return sum / kFalls;
+  };
+  const double paper = mean_height(FindProfile("paper-tree"));
+  EXPECT_LT(paper, 0.15);
+  EXPECT_NEAR(mean_height(Mujoco()), paper, 0.02);
+}
+
+}  // namespace
+}  // namespace runtime
