@@ -259,12 +259,13 @@ std::shared_ptr<const mjModel> CompiledModel(const std::string& mjcf) {
   static std::mutex mutex;
   static std::map<std::string, std::weak_ptr<const mjModel>> models;
   const std::lock_guard lock(mutex);
-  std::weak_ptr<const mjModel>& known = models[mjcf];
-  std::shared_ptr<const mjModel> model = known.lock();
-  if (!model) {
-    model = Compile(mjcf);
-    known = model;
+  if (const auto known = models.find(mjcf); known != models.end()) {
+    if (std::shared_ptr<const mjModel> model = known->second.lock()) return model;
   }
+  // Robots that are made anew for each episode leave models that nobody asks for again.
+  std::erase_if(models, [](const auto& entry) { return entry.second.expired(); });
+  std::shared_ptr<const mjModel> model = Compile(mjcf);
+  models[mjcf] = model;
   return model;
 }
 
