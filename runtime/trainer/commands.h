@@ -13,6 +13,7 @@ void AddTrainCommand(command_line::Command& program);
 void AddResumeCommand(command_line::Command& program);
 void AddAgentCommand(command_line::Command& program);
 void AddRobotCommand(command_line::Command& program);
+void AddEnvironmentCommand(command_line::Command& program);
 void AddServeCommand(command_line::Command& program);
 void AddStudyCommand(command_line::Command& program);
 void AddProbeCommand(command_line::Command& program);

@@ -30,6 +30,7 @@ void Declare(command_line::Command& program) {
   AddPreferCommand(program);
   AddAgentCommand(program);
   AddRobotCommand(program);
+  AddEnvironmentCommand(program);
   AddCompletionCommand(program);
   program.Version(kVersion);
   for (const auto& command : program.commands()) command->Version(kVersion);

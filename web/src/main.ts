@@ -88,6 +88,7 @@ function makeViewer(report: Report): Viewer | undefined {
     byId("replay", HTMLElement).classList.add("unavailable");
     return undefined;
   };
+  if (!report.run["robot"]) return refuse("Without a robot there is nothing to replay.");
   if (report.recordings.length === 0) return refuse("No episode has been recorded yet.");
   if (!hasWebGl()) {
     return refuse(

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "runtime/base/user_error.h"
+#include "runtime/training/run/run_settings.h"
 
 namespace runtime {
 namespace {
@@ -61,9 +62,7 @@ std::string NameOf(const StudyExperiment& experiment, const std::filesystem::pat
   const std::filesystem::path parent = experiment.runs.front().folder.parent_path();
   const std::string folder = parent.lexically_relative(study).string();
   const bool has_folder = !folder.empty() && folder[0] != '.';  // else "." or ".."
-  const std::string stem =
-      has_folder ? folder
-                 : fmt::format("{}-{}", experiment.task().task, experiment.record().profile);
+  const std::string stem = has_folder ? folder : NameOfRuns(experiment.record());
   std::string name = stem;
   for (int count = 2; !taken.insert(name).second; ++count) {
     name = fmt::format("{} ({})", stem, count);

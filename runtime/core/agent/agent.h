@@ -104,6 +104,8 @@ Agent ReadAgent(const std::filesystem::path& file, const std::filesystem::path& 
 constexpr std::string_view kAgentEnding = ".agent.toml";
 // The folder of those that come with the trainer for any robot.
 std::filesystem::path AgentsOfAnyRobot();
+// Of those for tasks without a robot.
+std::filesystem::path AgentsWithoutRobot();
 // Whether this names a file, and not one of the robot's agents.
 bool IsAgentFile(const std::string& agent);
 

@@ -305,6 +305,8 @@ Agent ParseAgent(std::string_view text, const std::string& name) {
 
 std::filesystem::path AgentsOfAnyRobot() { return file::SharedFolder() / "agents"; }
 
+std::filesystem::path AgentsWithoutRobot() { return AgentsOfAnyRobot() / "without_robot"; }
+
 bool IsAgentFile(const std::string& agent) {
   return agent.find('/') != std::string::npos || agent.ends_with(".toml");
 }

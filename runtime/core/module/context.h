@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
 
 #include "plugins/robot/robot_description.h"
 
@@ -11,9 +12,14 @@ namespace runtime {
 class Plugin;  // runtime/core/task/plugin.h
 
 struct Context {
-  const robot::RobotDescription* robot = nullptr;  // outlives the modules
-  std::shared_ptr<const Plugin> task = {};         // what the task modules begin with
+  // Outlives the modules. Of a run without a robot: a description without anything, and no name.
+  const robot::RobotDescription* robot = nullptr;
+  std::shared_ptr<const Plugin> task = {};  // what the task modules begin with
   uint64_t seed = 0;
 };
+
+// For modules that are made for a robot. Throws UserError, which calls the module by its name, in a
+// run without one.
+const robot::RobotDescription& RobotOf(const Context& context, const std::string& module);
 
 }  // namespace runtime

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <span>
 #include <string>
 #include <string_view>
@@ -14,6 +13,7 @@
 #include "runtime/base/suggestion.h"
 #include "runtime/base/user_error.h"
 #include "runtime/core/module/sensor_data.h"
+#include "runtime/core/module/sensor_type.h"
 #include "runtime/core/task/task_world.h"
 
 namespace runtime {
@@ -34,24 +34,6 @@ std::string TypeWithCount(const robot::SensorDescription& sensor,
   return fmt::format("{}[{}]", sensor.type.substr(0, bracket), count);
 }
 
-// How many elements a value of the type has, as `taskc` writes it; 0: there is no such type.
-size_t ElementsOf(std::string_view type, const robot::RobotDescription& robot) {
-  constexpr std::pair<std::string_view, size_t> kTypes[] = {
-      {"bool", 1}, {"int", 1},  {"real", 1}, {"vec2", 2}, {"vec3", 3},
-      {"vec4", 4}, {"quat", 4}, {"mat2", 4}, {"mat3", 9}, {"mat4", 16}};
-  const size_t bracket = std::min(type.find('['), type.size());
-  const auto* entry = std::ranges::find(kTypes, type.substr(0, bracket),
-                                        [](const auto& each) { return each.first; });
-  if (entry == std::end(kTypes)) return 0;
-  if (bracket == type.size()) return entry->second;
-  const std::string_view index = type.substr(bracket);
-  size_t count = 0;
-  if (index == "[joint]") count = robot.joints.size();
-  if (index == "[link]") count = robot.links.size();
-  if (count == 0) std::from_chars(index.data() + 1, index.data() + index.size() - 1, count);
-  return entry->second * count;
-}
-
 // The module that offers a sensor of this type has as many elements.
 void CheckOwnSensor(const Plugin& plugin, const taskc_sensor& sensor,
                     const robot::RobotDescription& robot) {
@@ -60,7 +42,7 @@ void CheckOwnSensor(const Plugin& plugin, const taskc_sensor& sensor,
                              : type.starts_with("int") ? TASKC_INT
                                                        : TASKC_REAL;
   const size_t elements = size_t{sensor.rows} * sensor.columns;
-  if (scalar == sensor.scalar && ElementsOf(type, robot) == elements) return;
+  if (scalar == sensor.scalar && ElementsOfType(type, robot) == elements) return;
   Refuse(plugin, fmt::format("the task was built for another `{}`: its sensor `{}` has {} "
                              "elements, which no `{}` has; build it again with `taskc build`",
                              robot.name, sensor.name, elements, type));
@@ -70,7 +52,7 @@ void CheckOwnSensor(const Plugin& plugin, const taskc_sensor& sensor,
 void CheckSensor(const Plugin& plugin, const taskc_sensor& wanted,
                  const robot::RobotDescription& robot) {
   const robot::SensorDescription* known = robot::FindSensor(wanted.name);
-  if (known == nullptr) return CheckOwnSensor(plugin, wanted, robot);
+  if (known == nullptr || robot.name.empty()) return CheckOwnSensor(plugin, wanted, robot);
   const robot::SensorDescription& offered = *known;
   const int count = robot::ElementCount(offered, robot);
   const bool same_type =
@@ -130,6 +112,10 @@ void CheckStartValue(const Plugin& plugin, const taskc_start_value& value,
 void CheckFitsRobot(const Plugin& plugin, const robot::RobotDescription& robot) {
   const taskc_plugin& table = plugin.table();
   const std::string_view wanted_robot = table.robot;
+  if (!wanted_robot.empty() && robot.name.empty()) {
+    Refuse(plugin, fmt::format("the task `{}` is for the robot `{}`, and this run has no robot",
+                               table.name, wanted_robot));
+  }
   if (!wanted_robot.empty() && wanted_robot != robot.name) {
     Refuse(plugin,
            fmt::format("the task `{}` is for the robot `{}`, and this run has the robot `{}`",

@@ -111,6 +111,9 @@ void UniversalTask::Set(std::string_view parameter, const ParameterValue& value)
     Module::Set(parameter, value);
     return instance_->PassParams();
   }
+  // What is written where nothing is told, as a run's record has it.
+  const auto* list = std::get_if<std::vector<double>>(&value);
+  if (list != nullptr && list->empty() && !told().IsTold(*sensor)) return;
   Module::Set(parameter,
               told().ElementsIn(*sensor, value, fmt::format("{}.{}", name(), parameter)));
   told().Pass(*sensor);

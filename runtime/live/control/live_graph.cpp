@@ -34,7 +34,7 @@ LiveGraph::LiveGraph(ModuleGraph& graph, const ModuleTypes& types, const Context
     : graph_(graph),
       types_(types),
       context_(context),
-      environment_(graph.FindOnly<RobotEnvironment>()),
+      environment_(graph.FindOnly<Environment>()),
       learner_(graph.FindOnly<Learner>()) {}
 
 UniversalTask& LiveGraph::FindTask(std::string_view name) const {

@@ -8,9 +8,9 @@
 
 #include "runtime/core/module/context.h"
 #include "runtime/core/module/module_graph.h"
+#include "runtime/training/environment/environment.h"
 #include "runtime/training/learning/learner.h"
 #include "runtime/training/run/task_modules.h"
-#include "runtime/training/simulation/robot_environment.h"
 
 namespace runtime {
 
@@ -22,7 +22,7 @@ class LiveGraph {
   LiveGraph(ModuleGraph& graph, const ModuleTypes& types, const Context& context);
 
   ModuleGraph& graph() const { return graph_; }
-  const RobotEnvironment& environment() const { return environment_; }
+  const Environment& environment() const { return environment_; }
   Learner& learner() const { return learner_; }
   UniversalTask& FindTask(std::string_view name) const;
   UniversalTask& active_task() const;
@@ -96,7 +96,7 @@ class LiveGraph {
   ModuleGraph& graph_;
   const ModuleTypes& types_;
   const Context& context_;
-  const RobotEnvironment& environment_;
+  const Environment& environment_;
   Learner& learner_;
   std::map<std::string, std::string> not_started_;  // modules, and why
 };

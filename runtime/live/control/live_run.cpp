@@ -127,7 +127,7 @@ void LiveRun::WaitInPause() {
     if (position_.step == 0) continue;
     const TaskModules tasks = FindTaskModules(graph_.graph(), graph_.learner());
     view_.AfterStep(position_.episode, position_.step,
-                    {run_.graph.FindOnly<RobotEnvironment>(), graph_.learner(), tasks});
+                    {run_.graph.FindOnly<Environment>(), graph_.learner(), tasks});
   }
   if (state_ == State::kPaused) SetState(State::kRunning);  // to the end of the episode
 }

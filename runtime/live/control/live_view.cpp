@@ -47,7 +47,7 @@ void LiveView::Wish(const ViewWish& wish) {
   SetWatching(wish.instants || wish.episode);
 }
 
-void LiveView::BreakOff(const RobotEnvironment& environment) {
+void LiveView::BreakOff(const Environment& environment) {
   const std::lock_guard lock(mutex_);
   if (looked_at_ != &environment) return;
   looked_at_ = nullptr;
@@ -71,7 +71,7 @@ void LiveView::Look(int64_t episode, int64_t steps, const EpisodeModules& module
   if (kept_ && is_over) ShowEpisode(steps, modules);
 }
 
-bool LiveView::Claim(const RobotEnvironment& environment, int64_t steps, Clock::time_point now) {
+bool LiveView::Claim(const Environment& environment, int64_t steps, Clock::time_point now) {
   if (looked_at_ != &environment) {
     const bool is_free = looked_at_ == nullptr || now - last_look_ > kPatience;
     if (!is_free || (!wish_.instants && steps > 0)) return false;

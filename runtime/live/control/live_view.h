@@ -28,7 +28,7 @@ class LiveView : public EpisodeWatcher {
   // Any thread. What is wanted from now on.
   void Wish(const ViewWish& wish);
 
-  void BreakOff(const RobotEnvironment& environment) override;
+  void BreakOff(const Environment& environment) override;
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -43,7 +43,7 @@ class LiveView : public EpisodeWatcher {
 
   void Look(int64_t episode, int64_t steps, const EpisodeModules& modules) override;
   // Whether it is this environment's episode that is looked at.
-  bool Claim(const RobotEnvironment& environment, int64_t steps, Clock::time_point now);
+  bool Claim(const Environment& environment, int64_t steps, Clock::time_point now);
   void RefreshLayout(const EpisodeModules& modules);
   void ShowInstant(int64_t episode, int64_t steps, const EpisodeModules& modules);
   void StartEpisode(int64_t episode, const EpisodeModules& modules);
@@ -56,7 +56,7 @@ class LiveView : public EpisodeWatcher {
 
   std::mutex mutex_;  // guards all of the following
   ViewWish wish_;
-  const RobotEnvironment* looked_at_ = nullptr;
+  const Environment* looked_at_ = nullptr;
   Clock::time_point last_look_;
   Clock::time_point last_instant_;
   std::optional<ViewLayout> layout_;

@@ -36,9 +36,11 @@ std::string WithoutEnd(std::string text) {
 
 TaskLoader::TaskLoader(std::filesystem::path run_folder, const RunRecord& run)
     : run_folder_(std::move(run_folder)) {
-  const std::filesystem::path robot = scratch_.path() / run.robot;
-  std::filesystem::create_directory(robot);
-  WriteFile(robot / "robot.toml", run.robot_description);
+  if (!run.robot.empty()) {
+    const std::filesystem::path robot = scratch_.path() / run.robot;
+    std::filesystem::create_directory(robot);
+    WriteFile(robot / "robot.toml", run.robot_description);
+  }
   thread_ = std::thread([this] { Run(); });
 }
 

@@ -114,7 +114,7 @@ void WriteTask(const TaskInstance& task, int64_t steps, std::span<const double> 
 }  // namespace
 
 ViewLayout::ViewLayout(const EpisodeModules& modules, const Context& context)
-    : links_(modules.environment.link_count()) {
+    : links_(modules.environment.link_count()), poses_(modules.environment.pose_count()) {
   const UniversalTask& active = *modules.tasks.active;
   tasks_.emplace_back(&active, active.instance().id());
   Json values = Json::array();
@@ -123,12 +123,13 @@ ViewLayout::ViewLayout(const EpisodeModules& modules, const Context& context)
     tasks_.emplace_back(shadow, shadow->instance().id());
     values.push_back(Single("shadow", shadow->name().c_str(), "", shadow->plugin().name));
   }
-  size_ = kOfEpisode + static_cast<size_t>(links_) * (Recorder::kFloatsPerLink + 1);
+  size_ = kOfEpisode + static_cast<size_t>(poses_ * Recorder::kFloatsPerLink + links_);
   for (const Json& value : values) size_ += value["size"].get<size_t>();
   const Json json = {{"module", active.name()},
                      {"task", active.plugin().name},
                      {"hash", active.plugin().source_hash},
                      {"links", links_},
+                     {"poses", poses_},
                      {"size", size_},
                      {"values", std::move(values)}};
   json_ = json.dump(-1, ' ', false, Json::error_handler_t::replace);
@@ -170,7 +171,7 @@ bool ViewLayout::Fits(const EpisodeModules& modules) const {
   };
   return is_same(tasks_.front(), modules.tasks.active) &&
          std::ranges::equal(std::span(tasks_).subspan(1), modules.tasks.shadows, is_same) &&
-         links_ == modules.environment.link_count();
+         links_ == modules.environment.link_count() && poses_ == modules.environment.pose_count();
 }
 
 void ViewLayout::Write(const EpisodeModules& modules, int64_t steps, std::span<float> out) const {
@@ -179,7 +180,7 @@ void ViewLayout::Write(const EpisodeModules& modules, int64_t steps, std::span<f
   row.Add(modules.environment.time());
   row.Add(modules.learner.episode_return());
   row.Add(modules.learner.action_count());
-  modules.environment.CapturePose(row.Take(static_cast<size_t>(links_ * Recorder::kFloatsPerLink)));
+  modules.environment.CapturePose(row.Take(static_cast<size_t>(poses_ * Recorder::kFloatsPerLink)));
   modules.environment.CaptureContacts(row.Take(static_cast<size_t>(links_)));
   WriteTask(active.instance(), steps, active.MeasureNow(), row);
   for (const UniversalTask* shadow : modules.tasks.shadows) row.Add(shadow->episode_return());

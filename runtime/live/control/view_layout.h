@@ -39,6 +39,7 @@ class ViewLayout {
 
   size_t size_ = 0;
   int links_ = 0;
+  int poses_ = 0;  // the links, and then the things around the robot
   std::string json_;
   std::vector<std::pair<const UniversalTask*, int64_t>> tasks_;  // with TaskInstance::id()
 };

@@ -70,9 +70,9 @@ std::string NextCommand(const ExperimentResult& experiment, const fs::path& task
   const size_t runs = experiment.runs.size();
   uint64_t seed = record.seed;
   for (const RunResult& run : experiment.runs) seed = std::min(seed, run.run->record.seed);
-  return fmt::format("trainer train {} --profile {} --episodes {} --seed {}{} --out {}",
-                     task.string(), record.profile, record.episodes_planned, seed,
-                     runs > 1 ? fmt::format(" --runs {}", runs) : "",
+  return fmt::format("trainer train {}{} --episodes {} --seed {}{} --out {}", task.string(),
+                     record.profile.empty() ? "" : " --profile " + record.profile,
+                     record.episodes_planned, seed, runs > 1 ? fmt::format(" --runs {}", runs) : "",
                      (fs::path("runs") / task.stem()).string());
 }
 

@@ -2,7 +2,7 @@
 
 namespace runtime {
 
-DecisionRecorder::DecisionRecorder(const RobotEnvironment& environment, Module& learner,
+DecisionRecorder::DecisionRecorder(const Environment& environment, Module& learner,
                                    Port& joint_targets)
     : Module("recorder"),
       environment_(environment),

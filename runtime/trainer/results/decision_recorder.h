@@ -4,7 +4,7 @@
 
 #include "runtime/core/module/module_graph.h"
 #include "runtime/core/module/values.h"
-#include "runtime/training/simulation/robot_environment.h"
+#include "runtime/training/environment/environment.h"
 
 namespace runtime {
 
@@ -13,7 +13,7 @@ namespace runtime {
 class DecisionRecorder : public Module {
  public:
   // Connects itself. `joint_targets`: out port of the action space. All outlive this object.
-  DecisionRecorder(const RobotEnvironment& environment, Module& learner, Port& joint_targets);
+  DecisionRecorder(const Environment& environment, Module& learner, Port& joint_targets);
   ~DecisionRecorder() override;  // connects the learner as it was before
 
   // For each decision: the time in the episode [s], the observation that it was made for, the
@@ -24,7 +24,7 @@ class DecisionRecorder : public Module {
   const Eigen::VectorXd& Observe();
   void Note(const Eigen::VectorXd& action);
 
-  const RobotEnvironment& environment_;
+  const Environment& environment_;
   Port& learners_in_;
   Port& learners_source_;
   Eigen::VectorXd seen_;  // last

@@ -12,6 +12,7 @@
 #include "runtime/trainer/runs/many_runs.h"
 #include "runtime/trainer/runs/run_session.h"
 #include "runtime/trainer/setup/task_setup.h"
+#include "runtime/training/run/run_database.h"
 
 namespace runtime {
 namespace {
@@ -104,9 +105,10 @@ int EvaluateMany(const EvaluateOptions& options, const std::vector<std::filesyst
   const ProgressStyle style = options.output.style();
   const int jobs = JobsOrCores(options.jobs);
   const auto words = [&](const RunProgress& run) {
-    return std::vector<std::string>{
-        "evaluate",   run.folder.string(),           "--profile", plan.profile,
-        "--episodes", std::to_string(plan.episodes), "--json"};
+    std::vector<std::string> call = {"evaluate", run.folder.string(), "--episodes",
+                                     std::to_string(plan.episodes), "--json"};
+    if (!plan.profile.empty()) call.insert(call.end(), {"--profile", plan.profile});
+    return call;
   };
   RunTablePrinter printer(style, jobs, stdout, stderr);
   Supervisor supervisor(RunsToEvaluate(options, runs), words, jobs, printer);
@@ -122,8 +124,17 @@ int EvaluateMany(const EvaluateOptions& options, const std::vector<std::filesyst
   return kStoppedBySignal + stop.signal();
 }
 
+void CheckProfile(const EvaluateOptions& options, const std::filesystem::path& run) {
+  const bool has_profiles = !RunDatabase::OpenToRead(run).ReadRun().profile.empty();
+  if (has_profiles == !options.plan.profile.empty()) return;
+  if (has_profiles) throw command_line::CallError("--profile is required");
+  throw command_line::CallError(fmt::format(
+      "{}: the environment of this run has no profiles: leave --profile away", run.string()));
+}
+
 int Evaluate(const EvaluateOptions& options) {
   const std::vector<std::filesystem::path> runs = FindRuns(options.folder);
+  CheckProfile(options, runs.empty() ? options.folder : runs.front());
   return runs.empty() ? EvaluateOne(options) : EvaluateMany(options, runs);
 }
 
@@ -136,7 +147,7 @@ void AddEvaluateCommand(command_line::Command& program) {
                          "Runs the learned policy of a run, or of all runs in a folder, in a "
                          "profile without learning: how much of the return remains.");
   command.AddOption("DIR", options->folder, "folder of the run, or of many runs").Required();
-  AddProfileOption(command, options->plan.profile).Required();
+  AddProfileOption(command, options->plan.profile);
   command.AddOption("--episodes", options->plan.episodes, "how many episodes for each run")
       .Range(1, 1'000'000)
       .ShowDefault();

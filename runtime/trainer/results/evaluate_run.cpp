@@ -85,9 +85,12 @@ std::optional<PolicyEvaluation> EvaluateRun(const std::filesystem::path& folder,
   RunRecord planned = run.record;
   planned.episodes_planned = plan.episodes;
   Progress progress(style, planned, stdout, stderr);
-  progress.Note(fmt::format(
-      "{}: what {} learned in {}, up to episode {}, acts in {} without learning", folder.string(),
-      run.record.tasks.front().task, run.record.profile, run.checkpoint.episode, plan.profile));
+  const auto in = [](const std::string& profile) {
+    return profile.empty() ? "" : " in " + profile;
+  };
+  progress.Note(fmt::format("{}: what {} learned{}, up to episode {}, acts{} without learning",
+                            folder.string(), run.record.tasks.front().task, in(run.record.profile),
+                            run.checkpoint.episode, in(plan.profile)));
   Performer performer(folder, run, *database, plan.profile, progress, stop, types);
   database.reset();  // a run that is being trained is left alone as soon as possible
   const std::vector<EpisodeRecord> episodes = RunEpisodes(performer, plan.episodes, progress, stop);

@@ -43,7 +43,7 @@ const PolicyPart& LearnersPart(const KeptRun& kept, const Learner& learner) {
 }
 
 // The module that makes joint targets of the learner's actions.
-Module& FindActionSpace(const RobotEnvironment& environment, const Learner& learner) {
+Module& FindActionSpace(const Environment& environment, const Learner& learner) {
   Module* space = SourceOf(environment, "joint_targets");
   const bool is_part = dynamic_cast<const PolicyPart*>(space) != nullptr &&
                        space->FindPort("execute").IsConnectedTo(learner.FindPort("execute"));
@@ -104,12 +104,18 @@ void AddColumns(const char* group, const std::vector<PolicyElement>& elements,
 LearnedPolicy::LearnedPolicy(const std::filesystem::path& folder, const ModuleTypes& types) {
   RunDatabase database = RunDatabase::OpenToRead(folder);
   LearnedRun run(folder, database, "to export");
+  if (run.record.robot.empty()) {
+    throw UserError(
+        fmt::format("{}: the policy cannot be exported: the run has no robot, whose joint targets "
+                    "it would give",
+                    folder.string()));
+  }
   Progress progress(ProgressStyle::kQuiet, run.record, stdout, stderr);
   const StopRequest stop;
   performer_ =
       std::make_unique<Performer>(folder, run, database, run.record.profile, progress, stop, types);
   const KeptRun& kept = performer_->kept();
-  const RobotEnvironment& environment = performer_->environment();
+  const Environment& environment = performer_->environment();
   const Learner& learner = performer_->learner();
   const PolicyPart& part = LearnersPart(kept, learner);
   action_space_ = &FindActionSpace(environment, learner);

@@ -37,9 +37,9 @@ Performer::Performer(const std::filesystem::path& folder, LearnedRun& run, RunDa
                      const std::string& profile, Progress& progress, const StopRequest& stop,
                      const ModuleTypes& types)
     : kept_(folder, run.record, scratch_.path(), types),
-      environment_(kept_.graph.FindOnly<RobotEnvironment>()),
+      environment_(kept_.graph.FindOnly<Environment>()),
       learner_(kept_.graph.FindOnly<Learner>()) {
-  environment_.Set("profile", profile);
+  if (!profile.empty()) environment_.Set("profile", profile);
   kept_.graph.Start();
   // What was changed while the run learned is changed again.
   LiveRun changes({folder, run.record, database, kept_.graph, kept_.types, kept_.context}, progress,

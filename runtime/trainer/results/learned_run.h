@@ -38,13 +38,13 @@ class Performer {
   }
 
   const KeptRun& kept() const { return kept_; }
-  const RobotEnvironment& environment() const { return environment_; }
+  const Environment& environment() const { return environment_; }
   Learner& learner() { return learner_; }
 
  private:
   const ScratchFolder scratch_;
   KeptRun kept_;
-  RobotEnvironment& environment_;
+  Environment& environment_;
   Learner& learner_;
   TaskModules tasks_;
 };

@@ -32,6 +32,10 @@ std::string WhatIsRecorded(const std::vector<int64_t>& recorded, int64_t episode
 }  // namespace
 
 RecordedBody ReadBody(const std::filesystem::path& folder, const RunRecord& run) {
+  if (run.robot.empty()) {
+    throw UserError(
+        fmt::format("{}: the run has no robot, and so records no motion", folder.string()));
+  }
   RecordedBody body = ParseBody(run.body).value();
   if (body.parts.empty()) {
     throw UserError(

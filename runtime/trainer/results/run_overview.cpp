@@ -238,7 +238,7 @@ std::string OverviewText(const RunOverview& overview) {
   const RunRecord& run = overview.run;
   Lines lines;
   lines.Add("task", "{} ({})", overview.task.task, overview.task.task_file);
-  lines.Add("robot", "{}, profile {}", run.robot, run.profile);
+  if (!run.robot.empty()) lines.Add("robot", "{}, profile {}", run.robot, run.profile);
   lines.Add("seed", "{}", run.seed);
   lines.Add("state", "{}, since {}", overview.state,
             overview.finished_at.empty() ? overview.started_at : overview.finished_at);

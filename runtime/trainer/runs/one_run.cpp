@@ -7,6 +7,7 @@
 #include "runtime/trainer/runs/kept_run.h"
 #include "runtime/trainer/setup/start_check.h"
 #include "runtime/training/run/run_database.h"
+#include "runtime/training/run/run_settings.h"
 
 namespace runtime {
 namespace {
@@ -35,8 +36,7 @@ int TrainOneRun(const TaskOptions& options, const RunPlan& plan,
   RunRecord run = RecordOf(setup, plan);
   const std::filesystem::path folder =
       named_folder.empty()
-          ? std::filesystem::path("runs") /
-                fmt::format("{}-{}-seed{}", run.tasks.front().task, run.profile, run.seed)
+          ? std::filesystem::path("runs") / fmt::format("{}-seed{}", NameOfRuns(run), run.seed)
           : named_folder;
   RunDatabase::CheckIsFree(folder);
   setup.graph.Start();  // the last that can be wrong: only now the folder is made

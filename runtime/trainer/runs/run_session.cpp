@@ -12,6 +12,7 @@
 #include "runtime/trainer/commands.h"
 #include "runtime/trainer/runs/many_runs.h"
 #include "runtime/training/run/record_error.h"
+#include "runtime/training/run/run_settings.h"
 #include "runtime/training/run/stop_request.h"
 #include "runtime/training/run/training.h"
 
@@ -118,10 +119,9 @@ int RunSession(const RunParts& run, const SessionOptions& options) {
   RunSideBySide(training, run, options, progress);
   const std::unique_ptr<Server> server = StartServer(run, options, live, progress);
   live.PublishTo(server.get());
-  progress.Note(fmt::format("{}: task {}, robot {}, profile {}, seed {}, episodes {} to {}", name,
-                            run.record.tasks.front().task, run.record.robot, run.record.profile,
-                            run.record.seed, training.episodes_done() + 1,
-                            run.record.episodes_planned));
+  progress.Note(fmt::format("{}: task {}, {}, seed {}, episodes {} to {}", name,
+                            run.record.tasks.front().task, RobotText(run.record), run.record.seed,
+                            training.episodes_done() + 1, run.record.episodes_planned));
   if (options.when_done == LiveRun::WhenDone::kWait) {
     progress.Note(fmt::format("{} (`trainer ctl --run {} status`)", server->page_address(), name));
   }

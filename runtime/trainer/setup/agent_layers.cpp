@@ -9,6 +9,7 @@
 #include "base/command_line/command.h"
 #include "runtime/base/user_error.h"
 #include "runtime/trainer/setup/agent_presets.h"
+#include "runtime/training/environment/socket_environment.h"
 #include "runtime/training/simulation/robot_environment.h"
 
 namespace runtime {
@@ -47,21 +48,22 @@ Agent SettingOf(const std::string& name, const std::string& value, const SourceP
   return change;
 }
 
-// The module that simulates the robot. `origin`: who needs it.
-const ModuleSetting& EnvironmentOf(const Agent& agent, const std::string& origin) {
-  const auto environment =
-      std::ranges::find(agent.modules, std::string(RobotEnvironment::kType), &ModuleSetting::type);
+// The environment, which is of this type. `origin`: who needs it.
+const ModuleSetting& EnvironmentOf(const Agent& agent, const std::string& type,
+                                   const std::string& origin) {
+  const auto environment = std::ranges::find(agent.modules, type, &ModuleSetting::type);
   if (environment != agent.modules.end()) return *environment;
-  throw UserError(fmt::format("{}: the agent has no module of the type `{}` to set it in", origin,
-                              RobotEnvironment::kType));
+  throw UserError(
+      fmt::format("{}: the agent has no module of the type `{}` to set it in", origin, type));
 }
 
 // `agent` with a parameter of its environment. `origin`: where it comes from, as messages name it.
-Agent WithEnvironment(const Agent& agent, const std::string& parameter, const std::string& value,
-                      const std::string& origin) {
+Agent WithEnvironment(const Agent& agent, const std::string& type, const std::string& parameter,
+                      const std::string& value, const std::string& origin) {
   const SourcePlace place{origin};
   Agent change;
-  change.modules = {{EnvironmentOf(agent, origin).name, "", place, {{parameter, value, place}}}};
+  change.modules = {
+      {EnvironmentOf(agent, type, origin).name, "", place, {{parameter, value, place}}}};
   return Changed(agent, change);
 }
 
@@ -102,12 +104,12 @@ Agent ParseSetting(const std::string& setting) {
 }
 
 Agent AgentLayers::Read(const std::filesystem::path& file) const {
-  return ReadAgent(file, robot_file.parent_path());
+  return ReadAgent(file, robot_folder);
 }
 
 bool AgentLayers::IsOfRobot(const SourcePlace& place) const {
   const std::filesystem::path folder = std::filesystem::path(place.file).parent_path();
-  return folder == robot_file.parent_path() || folder == AgentsOfAnyRobot();
+  return folder == robot_folder || folder == AgentsOfAnyRobot();
 }
 
 void AgentLayers::AddTaskFile(const std::string& extension, Agent& merged) const {
@@ -117,16 +119,21 @@ void AgentLayers::AddTaskFile(const std::string& extension, Agent& merged) const
 }
 
 Agent AgentLayers::Merge() const {
-  const std::filesystem::path own = robot_file.parent_path() / "agent.toml";
+  const std::filesystem::path own = robot_folder / "agent.toml";
   Agent merged =
-      Read(std::filesystem::exists(own) ? own : FindAgentFile(kAgentOfAnyRobot, robot_file));
+      Read(std::filesystem::exists(own) ? own : FindAgentFile(kAgentOfAnyRobot, robot_folder));
   AddTaskFile(".agent.toml", merged);
   if (!agent.empty()) {
-    merged = Changed(std::move(merged), Read(FindAgentFile(agent, robot_file)));
+    merged = Changed(std::move(merged), Read(FindAgentFile(agent, robot_folder)));
     if (!IsAgentFile(agent)) AddTaskFile(fmt::format(".{}.agent.toml", agent), merged);
   }
   if (!profile.empty()) {
-    merged = WithEnvironment(merged, "profile", profile, "--profile " + profile);
+    merged = WithEnvironment(merged, RobotEnvironment::kType, "profile", profile,
+                             "--profile " + profile);
+  }
+  if (!environment_socket.empty()) {
+    merged = WithEnvironment(merged, SocketEnvironment::kType, "path", environment_socket,
+                             "--environment-socket");
   }
   for (const std::string& setting : settings) {
     merged = Changed(std::move(merged), ParseSetting(setting));

@@ -15,15 +15,16 @@ namespace runtime {
 Agent ParseSetting(const std::string& setting);
 
 // In this order, later ones win: robot's agent.toml or, where it has none, kAgentOfAnyRobot, agent
-// file of the task (NAME.agent.toml beside
-// NAME.task, if it is there), `agent` as FindAgentFile() finds it ("": none), where that is one of
-// the robot's what the task changes in it (NAME.AGENT.agent.toml beside NAME.task, if it is there),
-// `profile` ("": none), `settings`.
+// file of the task (NAME.agent.toml beside NAME.task, if it is there), `agent` as FindAgentFile()
+// finds it ("": none), where that is one of the robot's what the task changes in it
+// (NAME.AGENT.agent.toml beside NAME.task, if it is there), `profile` ("": none),
+// `environment_socket` ("": none), `settings`.
 struct AgentLayers {
-  std::filesystem::path robot_file;
-  std::filesystem::path task_file;  // .task or .so
+  std::filesystem::path robot_folder;  // AgentsWithoutRobot() where there is none
+  std::filesystem::path task_file;     // .task or .so
   std::string agent;
   std::string profile;
+  std::string environment_socket;  // path of a SocketEnvironment
   std::vector<std::string> settings;
 
   // Throws UserError, or CallError where there is no such agent.

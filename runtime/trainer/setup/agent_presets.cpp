@@ -36,23 +36,23 @@ void AddPresetsIn(const std::filesystem::path& folder, std::vector<AgentPreset>&
 
 }  // namespace
 
-std::vector<AgentPreset> AgentPresetsOf(const std::filesystem::path& robot_file) {
+std::vector<AgentPreset> AgentPresetsOf(const std::filesystem::path& robot_folder) {
   std::vector<AgentPreset> presets;
-  AddPresetsIn(robot_file.parent_path(), presets);
+  AddPresetsIn(robot_folder, presets);
   AddPresetsIn(AgentsOfAnyRobot(), presets);
   std::ranges::sort(presets, {}, &AgentPreset::name);
   return presets;
 }
 
 std::filesystem::path FindAgentFile(const std::string& agent,
-                                    const std::filesystem::path& robot_file) {
+                                    const std::filesystem::path& robot_folder) {
   if (agent.empty()) return {};
   if (IsAgentFile(agent)) {
     if (std::filesystem::is_regular_file(agent)) return agent;
     throw CallError(fmt::format("--agent {}: there is no such file", agent));
   }
   std::vector<std::string> names;
-  for (const AgentPreset& preset : AgentPresetsOf(robot_file)) {
+  for (const AgentPreset& preset : AgentPresetsOf(robot_folder)) {
     if (preset.name == agent) return preset.file;
     names.push_back(preset.name);
   }

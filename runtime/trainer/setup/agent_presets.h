@@ -18,11 +18,11 @@ struct AgentPreset {
 inline constexpr const char* kAgentOfAnyRobot = "ppo";
 
 // In alphabetical order.
-std::vector<AgentPreset> AgentPresetsOf(const std::filesystem::path& robot_file);
+std::vector<AgentPreset> AgentPresetsOf(const std::filesystem::path& robot_folder);
 
 // What `--agent` names: one of the robot's agents or, where there is a '/' in it or ".toml" at its
 // end, a file. "" for none. Throws CallError where there is neither.
 std::filesystem::path FindAgentFile(const std::string& agent,
-                                    const std::filesystem::path& robot_file);
+                                    const std::filesystem::path& robot_folder);
 
 }  // namespace runtime

@@ -4,12 +4,12 @@
 
 #include "runtime/core/task/task_world.h"
 #include "runtime/core/task/universal_task.h"
+#include "runtime/training/environment/environment.h"
 #include "runtime/training/run/body_json.h"
 #include "runtime/training/run/run_files.h"
 #include "runtime/training/run/run_settings.h"
 #include "runtime/training/run/task_modules.h"
 #include "runtime/training/run/task_record.h"
-#include "runtime/training/simulation/robot_environment.h"
 
 namespace runtime {
 namespace {
@@ -35,6 +35,7 @@ std::vector<std::string> CallOf(const TaskOptions& options, const RunPlan& plan)
   if (!options.agent.empty()) {
     add("--agent", std::filesystem::path(options.agent).lexically_normal().string());
   }
+  if (!options.environment_socket.empty()) add("--environment-socket", options.environment_socket);
   for (const std::string& setting : options.settings) add("--set", setting);
   if (plan.record_every != RunPlan{}.record_every) {
     add("--record-every", std::to_string(plan.record_every));
@@ -77,12 +78,12 @@ RunRecord RecordOf(const TaskSetup& setup, const RunPlan& plan) {
   run.tasks.front().id = 1;
   FindTaskModules(setup.graph, setup.graph.FindOnly<Learner>());  // throws where none pays it
   run.robot = setup.robot.name;
-  run.robot_description = ReadText(setup.robot_file);
+  if (!setup.robot_file.empty()) run.robot_description = ReadText(setup.robot_file);
   run.body = BodyJson(setup.robot, WorldOf(setup.plugin->table()).get());
   run.agent = ToToml(KeptAgent(setup.agent));
   run.settings = SettingsText(setup.settings);
   run.call = CallText(CallOf(setup.options, plan));
-  run.profile = setup.graph.FindOnly<RobotEnvironment>().profile();
+  run.profile = setup.graph.FindOnly<Environment>().profile();
   run.version = TASKC_VERSION;
   run.seed = plan.seed;
   run.episodes_planned = plan.episodes;

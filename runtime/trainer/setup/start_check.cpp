@@ -21,12 +21,13 @@ std::vector<const robot::Pose*> StartPosesOf(const TaskSetup& setup,
 }  // namespace
 
 void WarnOfStart(const TaskSetup& setup) {
-  const auto& environment = setup.graph.FindOnly<RobotEnvironment>();
-  const Profile& profile = FindProfile(environment.profile());
-  for (const robot::Pose* pose : StartPosesOf(setup, environment)) {
-    for (const RobotProblem& problem :
-         ProblemsOf(setup.robot, HoldPose(setup.robot, profile, *pose)))
-      text::Print(stderr, "{}", ToText(problem));
+  for (const RobotEnvironment* environment : setup.graph.FindAll<RobotEnvironment>()) {
+    const Profile& profile = FindProfile(environment->profile());
+    for (const robot::Pose* pose : StartPosesOf(setup, *environment)) {
+      for (const RobotProblem& problem :
+           ProblemsOf(setup.robot, HoldPose(setup.robot, profile, *pose)))
+        text::Print(stderr, "{}", ToText(problem));
+    }
   }
 }
 

@@ -46,13 +46,9 @@ void CheckHasEnd(const taskc_plugin& plugin) {
                   plugin.sources[0].file, plugin.name));
 }
 
+// "": none.
 std::string RobotName(const TaskOptions& options, const taskc_plugin& plugin) {
-  const std::string name = options.robot.empty() ? plugin.robot : options.robot;
-  if (name.empty()) {
-    throw CallError(fmt::format(
-        "task `{}` names no robot; name one, for example `--robot humanoid`", plugin.name));
-  }
-  return name;
+  return options.robot.empty() ? plugin.robot : options.robot;
 }
 
 // As the compiler looks for it, which does so beside the file that names it: that may be another
@@ -64,8 +60,26 @@ std::vector<std::filesystem::path> RobotFoldersOf(const TaskOptions& options,
   return robot::RobotFolders(files, options.robots);
 }
 
+// Of a task without a robot: "".
+std::filesystem::path RobotFile(const TaskOptions& options, const taskc_plugin& plugin) {
+  const std::string name = RobotName(options, plugin);
+  return name.empty() ? "" : robot::FindRobotFile(name, RobotFoldersOf(options, plugin));
+}
+
+robot::RobotDescription ReadRobot(const TaskOptions& options, const taskc_plugin& plugin,
+                                  const std::filesystem::path& file) {
+  return file.empty() ? robot::RobotDescription{}
+                      : robot::ReadRobotCalled(RobotName(options, plugin), file);
+}
+
 AgentLayers LayersOf(const TaskOptions& options, const std::filesystem::path& robot_file) {
-  return {robot_file, options.task, options.agent, options.profile, options.settings};
+  const std::string& socket = options.environment_socket;
+  return {robot_file.empty() ? AgentsWithoutRobot() : robot_file.parent_path(),
+          options.task,
+          options.agent,
+          options.profile,
+          socket.empty() ? "" : std::filesystem::absolute(socket).string(),
+          options.settings};
 }
 
 std::shared_ptr<const Plugin> Load(const std::filesystem::path& file) {
@@ -101,6 +115,10 @@ void TaskOptions::AddTo(command_line::Command& command) {
   command.AddOption("--robot", robot, "the robot, for a task that names none");
   AddRobotsOption(command, robots);
   command
+      .AddOption("--environment-socket", environment_socket,
+                 "the environment of a task without a robot is the program that listens there")
+      .ValueName("PATH");
+  command
       .AddOption("--set", settings, "change a parameter, MODULE.PARAMETER=VALUE; may be repeated")
       .OneAtATime();
 }
@@ -122,9 +140,8 @@ TaskSetup::TaskSetup(const TaskOptions& wanted, const std::filesystem::path& fil
     : options(wanted),
       plugin_file(file),
       plugin(Load(file)),
-      robot_file(robot::FindRobotFile(RobotName(options, plugin->table()),
-                                      RobotFoldersOf(options, plugin->table()))),
-      robot(robot::ReadRobotCalled(RobotName(options, plugin->table()), robot_file)),
+      robot_file(RobotFile(options, plugin->table())),
+      robot(ReadRobot(options, plugin->table(), robot_file)),
       agent(LayersOf(options, robot_file).Merge()),
       context{&robot, plugin, seed},
       types(WithComposites(WithLibraries(program_types, agent), agent)),

@@ -32,6 +32,7 @@ struct TaskOptions {
   std::string robot;
   std::filesystem::path robots{};  // where to look for robots first; may be empty
   std::vector<std::string> settings;
+  std::string environment_socket{};  // at which another program is the environment; may be empty
 
   void AddTo(command_line::Command& command);
 };
@@ -61,10 +62,10 @@ struct TaskSetup {
   TaskOptions options;
   std::filesystem::path plugin_file;
   std::shared_ptr<const Plugin> plugin;
-  std::filesystem::path robot_file;
-  robot::RobotDescription robot;
-  Agent agent;                    // resolved
-  std::vector<Setting> settings;  // what the user has set in it
+  std::filesystem::path robot_file;  // "": a task without a robot
+  robot::RobotDescription robot;     // of such a task: empty (context.h)
+  Agent agent;                       // resolved
+  std::vector<Setting> settings;     // what the user has set in it
   Context context;
   ModuleTypes types;  // also those of the agent's libraries, and its own composites
   ModuleGraph graph;

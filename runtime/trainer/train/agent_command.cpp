@@ -73,7 +73,8 @@ int ListAgents(const ListOptions& options) {
       options.robot.empty() ? robot::RobotNames(folders) : std::vector{options.robot};
   auto list = nlohmann::ordered_json::array();
   for (const std::string& robot : robots) {
-    for (const AgentPreset& preset : AgentPresetsOf(robot::FindRobotFile(robot, folders))) {
+    for (const AgentPreset& preset :
+         AgentPresetsOf(robot::FindRobotFile(robot, folders).parent_path())) {
       list.push_back(ToJson(preset, robot));
       if (!options.json) text::Print("{:<16} {:<16} {}\n", preset.name, robot, preset.doc);
     }

@@ -11,6 +11,7 @@
 #include "runtime/trainer/setup/start_check.h"
 #include "runtime/trainer/setup/study_file.h"
 #include "runtime/trainer/train/prepare_runs.h"
+#include "runtime/training/run/run_settings.h"
 
 namespace runtime {
 namespace {
@@ -31,9 +32,7 @@ std::vector<std::filesystem::path> Prepare(const Experiment& experiment,
   if (!task.plugin()) throw UserError(fmt::format("{}: its task has errors", experiment.place));
   TaskSetup setup(experiment.task, *task.plugin(), experiment.seeds.front());
   const RunRecord run = RecordOf(setup, experiment.plan);
-  const std::string name = experiment.name.empty()
-                               ? fmt::format("{}-{}", run.tasks.front().task, run.profile)
-                               : experiment.name;
+  const std::string name = experiment.name.empty() ? NameOfRuns(run) : experiment.name;
   if (!names.insert(name).second) {
     throw UserError(fmt::format("{}: two experiments are called `{}`; give this one another `name`",
                                 experiment.place, name));

@@ -10,6 +10,7 @@
 #include "runtime/trainer/setup/start_check.h"
 #include "runtime/trainer/setup/task_setup.h"
 #include "runtime/training/run/run_database.h"
+#include "runtime/training/run/run_settings.h"
 
 namespace runtime {
 namespace {
@@ -38,9 +39,7 @@ int TrainMany(const TrainOptions& options) {
   TaskSetup setup(options.task, *task.plugin(), options.plan.seed);
   const RunRecord run = RecordOf(setup, options.plan);
   const std::filesystem::path folder =
-      options.out.empty() ? std::filesystem::path("runs") /
-                                fmt::format("{}-{}", run.tasks.front().task, run.profile)
-                          : options.out;
+      options.out.empty() ? std::filesystem::path("runs") / NameOfRuns(run) : options.out;
   setup.graph.Start();
   const uint64_t end = run.seed + static_cast<uint64_t>(options.runs);
   for (uint64_t seed = run.seed; seed < end; ++seed) {

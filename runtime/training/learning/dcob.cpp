@@ -15,7 +15,7 @@ constexpr const char* kState = "state";
 }  // namespace
 
 Dcob::Dcob(std::string name, const Context& context)
-    : Module(std::move(name)), robot_(*context.robot) {
+    : Module(std::move(name)), robot_(RobotOf(context, this->name())) {
   AddParameter({.name = "intervals",
                 .doc = "paces of the motions [s/rad], each greater than 0",
                 .target = &interval_parameter_,
@@ -41,16 +41,9 @@ const int& Dcob::ActionCount() {
 
 void Dcob::Prepare() {
   RequireConnections(*this);
-  if (interval_parameter_.empty()) {
-    throw UserError(fmt::format("`{}.intervals` is empty: it needs at least one number", name()));
-  }
-  for (const double interval : interval_parameter_) {
-    if (interval > 0) continue;
-    throw UserError(
-        fmt::format("`{}.intervals` must be greater than 0, and {} is not", name(), interval));
-  }
   const robot::DofConfiguration& dof = state_in_().dof();
   const GaussianNet& net = net_in_();
+  actions_ = DcobActions(name(), interval_parameter_, net.units());
   if (net.dimensions() != dof.dof()) {
     throw UserError(
         fmt::format("`{}` gets a net over {} coordinates and a state with {}: take both from the "
@@ -63,31 +56,20 @@ void Dcob::Prepare() {
   target_.setZero(dof.dof());
   difference_.setZero(State::Size(dof.dof()));
   joint_targets_.setZero(mapping_.joints());
-  intervals_ = interval_parameter_;
-  action_count_ = static_cast<int>(intervals_.size()) * net.units();
+  action_count_ = actions_.count();
 }
 
 void Dcob::Execute(int action) {
-  if (action < 0 || action >= action_count_) {
-    throw UserError(fmt::format("`{}` gets action {} and has {} actions: take their number from it",
-                                name(), action, action_count_));
-  }
-  const auto paces = static_cast<int>(intervals_.size());
+  actions_.CheckAction(name(), action);
   const Eigen::VectorXd& state = state_in_().Read();
   const GaussianNet& net = net_in_();
   const Eigen::VectorXd& features = features_in_();
-  if (features.size() != net.units()) ThrowForeignFeatures();
+  DcobActions::CheckFeatures(name(), features.size(), net.units());
   start_ = state.segment(State::kAngles, start_.size());
-  target_ = net.centers().row(action / paces).transpose();
-  motion_.Start(start_, target_, intervals_[action % paces], Distance(state),
+  target_ = net.centers().row(actions_.UnitOf(action)).transpose();
+  motion_.Start(start_, target_, actions_.IntervalOf(action), Distance(state),
                 features.dot(net.neighbor_distances()), abbreviation_scale_);
   moving_ = true;
-}
-
-void Dcob::ThrowForeignFeatures() const {
-  throw UserError(
-      fmt::format("`{}` gets {} features and a net of {} units: take both from the same module",
-                  name(), features_in_().size(), net_in_().units()));
 }
 
 double Dcob::Distance(const Eigen::VectorXd& state) {

@@ -6,6 +6,7 @@
 #include "runtime/core/module/context.h"
 #include "runtime/core/module/module.h"
 #include "runtime/core/module/values.h"
+#include "runtime/training/learning/dcob_actions.h"
 #include "runtime/training/learning/dcob_motion.h"
 #include "runtime/training/learning/dof_mapping.h"
 #include "runtime/training/learning/gaussian_net.h"
@@ -37,7 +38,6 @@ class Dcob : public Module {
   // may be started in any order.
   void Prepare();
   double Distance(const Eigen::VectorXd& state);
-  [[noreturn]] void ThrowForeignFeatures() const;
 
   const robot::RobotDescription& robot_;
   std::vector<double> interval_parameter_ = {0.075, 0.1, 0.2};
@@ -45,7 +45,7 @@ class Dcob : public Module {
   bool max_norm_ = false;
   std::string target_parameter_ = "angles";
 
-  std::vector<double> intervals_;  // those in use
+  DcobActions actions_;
   int action_count_ = 0;
   DofMapping mapping_;
   DcobMotion motion_;

@@ -10,7 +10,7 @@ namespace runtime {
 
 DofState::DofState(std::string name, const Context& context)
     : Module(std::move(name)),
-      robot_(*context.robot),
+      robot_(RobotOf(context, this->name())),
       base_position_(MakeSensorIn(this, robot::SensorId::kBasePosition)),
       base_orientation_(MakeSensorIn(this, robot::SensorId::kBaseOrientation)),
       joint_angle_(MakeSensorIn(this, robot::SensorId::kJointAngle)),

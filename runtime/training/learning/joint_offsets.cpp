@@ -11,7 +11,7 @@
 namespace runtime {
 
 JointOffsets::JointOffsets(std::string name, const Context& context)
-    : Module(std::move(name)), robot_(*context.robot) {
+    : Module(std::move(name)), robot_(RobotOf(context, this->name())) {
   AddParameter({.name = "dof",
                 .doc = "what the elements of an action move: a DoF configuration of the robot, or "
                        "\"all\" joints",

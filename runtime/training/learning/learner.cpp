@@ -4,11 +4,15 @@ namespace runtime {
 
 void Learner::Follow(const Learner& leader, int64_t number) {
   follows_ = true;
-  phase_ = Phase::kOver;
-  early_end_.reset();
+  Abandon();
   episode_ = number;
   ActLike(leader);
   SetNextEpisode(number);
+}
+
+void Learner::Abandon() {
+  phase_ = Phase::kOver;
+  early_end_.reset();
 }
 
 void Learner::TakeOver(const Learner& follower) {

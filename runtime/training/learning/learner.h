@@ -73,6 +73,8 @@ class Learner : public Module {
   virtual void StopLearning() = 0;
   // The number in the run of the episode that starts next; else it is one more than the last.
   void SetNextEpisode(int64_t number) { episode_ = number - 1; }
+  // The episode that runs will not come to its end: another one starts next.
+  void Abandon();
 
   // ---- episodes side by side
   //

@@ -1,7 +1,10 @@
 #include "runtime/training/learning/module_types.h"
 
+#include "runtime/training/learning/action_table.h"
+#include "runtime/training/learning/box_actions.h"
 #include "runtime/training/learning/dcob.h"
 #include "runtime/training/learning/dof_state.h"
+#include "runtime/training/learning/grid_features.h"
 #include "runtime/training/learning/joint_offsets.h"
 #include "runtime/training/learning/motion_generator.h"
 #include "runtime/training/learning/motion_player.h"
@@ -9,6 +12,7 @@
 #include "runtime/training/learning/ng_net.h"
 #include "runtime/training/learning/observation.h"
 #include "runtime/training/learning/peng_q_lambda.h"
+#include "runtime/training/learning/point_dcob.h"
 #include "runtime/training/learning/ppo.h"
 
 namespace runtime {
@@ -24,6 +28,10 @@ void AddLearningModules(ModuleTypes& types) {
   types.Add<MotionGenerator>("MotionGenerator");
   types.Add<MotionPlayer>("MotionPlayer");
   types.Add<MotionSearch>("MotionSearch");
+  types.Add<GridFeatures>("GridFeatures");
+  types.Add<ActionTable>("ActionTable");
+  types.Add<BoxActions>("BoxActions");
+  types.Add<PointDcob>("PointDcob");
 }
 
 }  // namespace runtime

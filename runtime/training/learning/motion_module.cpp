@@ -21,7 +21,7 @@ constexpr const char* kAlternating = "alternating";
 
 MotionModule::MotionModule(std::string name, const Context& context)
     : Module(std::move(name)),
-      robot_(*context.robot),
+      robot_(RobotOf(context, this->name())),
       joint_angle_(MakeSensorIn(this, robot::SensorId::kJointAngle)) {
   AddParameter(
       {.name = "dof",

@@ -32,7 +32,7 @@ GaussianNet MakeNet(const robot::NetDescription& net, int seed, Norm norm) {
 }  // namespace
 
 NgNet::NgNet(std::string name, const Context& context)
-    : Module(std::move(name)), robot_(*context.robot) {
+    : Module(std::move(name)), robot_(RobotOf(context, this->name())) {
   AddParameter({.name = "net",
                 .doc = "Gaussian network of the robot",
                 .target = &net_name_,

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "runtime/base/user_error.h"
 #include "runtime/core/module/connections.h"
 
 namespace runtime {
@@ -12,8 +13,9 @@ const ObservedValue kPhase{
 
 }  // namespace
 
-Observation::Observation(std::string name, const Context& context)
-    : Module(std::move(name)), robot_(this, *context.robot) {}
+Observation::Observation(std::string name, const Context& context) : Module(std::move(name)) {
+  if (!context.robot->name.empty()) robot_.emplace(this, *context.robot);
+}
 
 void Observation::Start() { Layout(); }
 
@@ -24,8 +26,14 @@ const ObservationLayout& Observation::Layout() {
   layout_ = task_().observation_layout();
   is_of_task_ = !layout_.values.empty();
   if (!is_of_task_) {
-    robot_.RequireSensors();
-    layout_ = robot_.layout();
+    if (!robot_) {
+      throw UserError(
+          "the task observes nothing, and names no robot: say what a learner is to see, for "
+          "example "
+          "`observe car.position`");
+    }
+    robot_->RequireSensors();
+    layout_ = robot_->layout();
     of_robot_.setZero(static_cast<Eigen::Index>(layout_.size()));
   }
   if (phase_.connected()) layout_.values.push_back(kPhase);
@@ -39,7 +47,7 @@ const Eigen::VectorXd& Observation::Read() {
   if (is_of_task_) {
     values_.head(others) = Eigen::VectorXd::Map(task_().Observe().data(), others);
   } else {
-    robot_.Compute(of_robot_);
+    robot_->Compute(of_robot_);
     values_.head(others) = of_robot_;
   }
   if (phase > 0) values_.tail(phase) = phase_();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 
 #include "runtime/core/module/context.h"
@@ -12,7 +13,8 @@
 
 namespace runtime {
 
-// What the task observes or, where it observes nothing, the robot (RobotObservation).
+// What the task observes or, where it observes nothing, the robot (RobotObservation). Without a
+// robot it has to observe something.
 //
 //   in   task: what the task that pays the learner observes
 //        one port for each of the robot's sensors that RobotObservation reads; to be connected
@@ -32,12 +34,13 @@ class Observation : public Module {
 
   void Start() override;
 
+  // Throws UserError where there is nothing to see.
   const ObservationLayout& Layout();
   const Eigen::VectorXd& Read();
 
  private:
   In<TaskObservations> task_{this, "task"};
-  RobotObservation robot_;
+  std::optional<RobotObservation> robot_;  // where there is a robot
   In<Eigen::VectorXd> phase_{this, "phase", "", In<Eigen::VectorXd>::Need::kOptional};
   Out<Eigen::VectorXd> observation_{this, "observation", Bind<&Observation::Read>{}};
   Out<ObservationLayout> layout_port_{this, "layout", Bind<&Observation::Layout>{}};

@@ -14,7 +14,7 @@ struct IsUnwanted {};
 
 Collector::Collector(ModuleGraph graph, EpisodeWatcher* watcher)
     : graph_(std::move(graph)),
-      environment_(graph_.FindOnly<RobotEnvironment>()),
+      environment_(graph_.FindOnly<Environment>()),
       learner_(graph_.FindOnly<Learner>()),
       tasks_(FindTaskModules(graph_, learner_)),
       watcher_(watcher),

@@ -6,12 +6,12 @@
 #include <exception>
 
 #include "runtime/core/module/module_graph.h"
+#include "runtime/training/environment/environment.h"
 #include "runtime/training/learning/learner.h"
 #include "runtime/training/run/episode_watcher.h"
 #include "runtime/training/run/recorder.h"
 #include "runtime/training/run/run_records.h"
 #include "runtime/training/run/task_modules.h"
-#include "runtime/training/simulation/robot_environment.h"
 
 namespace runtime {
 
@@ -39,7 +39,7 @@ class Collector {
 
  private:
   ModuleGraph graph_;
-  RobotEnvironment& environment_;
+  Environment& environment_;
   Learner& learner_;
   TaskModules tasks_;
   EpisodeWatcher* watcher_;

@@ -26,14 +26,13 @@ EpisodeRecord RecordOf(const EpisodeModules& modules) {
 
 }  // namespace
 
-void NoteLearner(const Learner& learner, const RobotEnvironment& environment,
-                 EpisodeRecord& episode) {
+void NoteLearner(const Learner& learner, const Environment& environment, EpisodeRecord& episode) {
   episode.active.faults += learner.passed_over_count();
   episode.learner.clear();
   for (const LearnerCurve& curve : learner.curves()) {
     episode.learner.push_back({curve.name, *curve.value});
   }
-  for (const Randomization::Shown& drawn : environment.drawn()) {
+  for (const DrawnValue& drawn : environment.drawn()) {
     episode.learner.push_back({drawn.name, drawn.value});
   }
 }

@@ -4,16 +4,16 @@
 #include <cstdint>
 #include <functional>
 
+#include "runtime/training/environment/environment.h"
 #include "runtime/training/learning/learner.h"
 #include "runtime/training/run/run_records.h"
 #include "runtime/training/run/task_modules.h"
-#include "runtime/training/simulation/robot_environment.h"
 
 namespace runtime {
 
 // What an episode needs of a graph, which outlives this.
 struct EpisodeModules {
-  RobotEnvironment& environment;
+  Environment& environment;
   Learner& learner;
   const TaskModules& tasks;
 };
@@ -28,8 +28,7 @@ EpisodeRecord RunEpisode(int64_t number, const EpisodeModules& modules,
 
 // What the learner shows of the episode that ran last, and what it has passed over in it; and what
 // was random in that.
-void NoteLearner(const Learner& learner, const RobotEnvironment& environment,
-                 EpisodeRecord& episode);
+void NoteLearner(const Learner& learner, const Environment& environment, EpisodeRecord& episode);
 
 // [s] of CPU time that this thread has used.
 double ThreadSeconds();

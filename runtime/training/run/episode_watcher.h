@@ -19,7 +19,7 @@ class EpisodeWatcher {
     if (is_watching_.load(std::memory_order_relaxed)) Look(episode, steps, modules);
   }
   // No more time steps of the episode that runs with this environment, before its end.
-  virtual void BreakOff(const RobotEnvironment& environment) = 0;
+  virtual void BreakOff(const Environment& environment) = 0;
 
  protected:
   virtual void Look(int64_t episode, int64_t steps, const EpisodeModules& modules) = 0;

@@ -66,7 +66,8 @@ EpisodeRecord EpisodesAhead::TakeOver(Collector& collector) {
   return collector.HandOver(graph_, learner_);
 }
 
-std::string WhyNotAhead(const Learner& learner, const TaskModules& tasks) {
+std::string WhyNotAhead(const Environment& environment, const Learner& learner,
+                        const TaskModules& tasks) {
   if (learner.learns_within_episodes()) {
     return fmt::format("`{}` learns within episodes", learner.name());
   }
@@ -74,7 +75,7 @@ std::string WhyNotAhead(const Learner& learner, const TaskModules& tasks) {
     return fmt::format("the task `{}` remembers something from episode to episode",
                        task->plugin().name);
   }
-  return "";
+  return environment.WhyOnlyOne();
 }
 
 }  // namespace runtime

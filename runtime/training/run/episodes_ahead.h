@@ -6,6 +6,7 @@
 
 #include "runtime/core/module/context.h"
 #include "runtime/core/module/module_graph.h"
+#include "runtime/training/environment/environment.h"
 #include "runtime/training/learning/learner.h"
 #include "runtime/training/run/collector_pool.h"
 #include "runtime/training/run/task_modules.h"
@@ -46,6 +47,7 @@ class EpisodesAhead {
 };
 
 // Why episodes of these cannot be run ahead, as a sentence; "" where they can.
-std::string WhyNotAhead(const Learner& learner, const TaskModules& tasks);
+std::string WhyNotAhead(const Environment& environment, const Learner& learner,
+                        const TaskModules& tasks);
 
 }  // namespace runtime

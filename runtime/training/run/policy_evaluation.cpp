@@ -14,7 +14,7 @@ namespace {
 
 using OrderedJson = nlohmann::ordered_json;
 
-constexpr std::string_view kPrefix = "evaluation-";
+constexpr std::string_view kPrefix = "evaluation";
 constexpr std::string_view kSuffix = ".json";
 // What is not a number is null in JSON.
 double Number(const OrderedJson& json) { return json.is_null() ? kNoNumber : json.get<double>(); }
@@ -86,7 +86,7 @@ std::vector<PolicyEvaluation> ReadEvaluations(const std::filesystem::path& run,
 }
 
 std::filesystem::path EvaluationFile(const std::filesystem::path& run, const std::string& profile) {
-  return run / fmt::format("{}{}{}", kPrefix, profile, kSuffix);
+  return run / fmt::format("{}{}{}{}", kPrefix, profile.empty() ? "" : "-", profile, kSuffix);
 }
 
 PolicyEvaluation ReadEvaluation(const std::filesystem::path& file) {

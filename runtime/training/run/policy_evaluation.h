@@ -1,5 +1,6 @@
 // What a run had learned at a checkpoint, acting in some profile without learning on: the file
-// evaluation-PROFILE.json in the run's folder (docs/trainer.md).
+// evaluation-PROFILE.json in the run's folder (docs/trainer.md), evaluation.json where its
+// environment has no profiles.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +13,7 @@
 namespace runtime {
 
 struct PolicyEvaluation {
-  std::string profile;
+  std::string profile;  // "": the environment has none
   std::string learned_profile;
   std::string version;  // of the trainer
   int64_t checkpoint_episode = 0;

@@ -35,7 +35,7 @@ std::span<float> Recorder::NextFrame() {
   return std::span(poses_).subspan(frame_size_ * frames_++, frame_size_);
 }
 
-void Recorder::Capture(const RobotEnvironment& environment) {
+void Recorder::Capture(const Environment& environment) {
   const std::span<float> frame = NextFrame();
   if (!frame.empty()) environment.CapturePose(frame);
 }

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "runtime/training/environment/environment.h"
 #include "runtime/training/run/run_records.h"
-#include "runtime/training/simulation/robot_environment.h"
 
 namespace runtime {
 
@@ -28,7 +28,7 @@ class Recorder {
   std::span<float> NextFrame();
 
   // The same with what the environment is like now for the frame.
-  void Capture(const RobotEnvironment& environment);
+  void Capture(const Environment& environment);
 
   // The episode up to now, compressed.
   Recording Finish(bool is_best) const;

@@ -147,6 +147,7 @@ std::filesystem::path FindKeptPlugin(const std::filesystem::path& folder, const 
 
 robot::RobotDescription ReadKeptRobot(const std::filesystem::path& folder,
                                       const std::string& description) {
+  if (description.empty()) return {};
   const std::filesystem::path file = folder / "robot.toml";
   WriteFile(file, description);
   return robot::ReadRobot(file);

@@ -25,7 +25,8 @@ std::string KeptPluginName(const std::filesystem::path& plugin);
 // The plugin in the run's folder. Throws RecordError where it is gone or was changed.
 std::filesystem::path FindKeptPlugin(const std::filesystem::path& folder, const std::string& name);
 
-// The robot with this description, which is written to `folder`/robot.toml for that.
+// The robot with this description, which is written to `folder`/robot.toml for that; an empty one
+// for "", that of a run without a robot.
 robot::RobotDescription ReadKeptRobot(const std::filesystem::path& folder,
                                       const std::string& description);
 

@@ -68,14 +68,22 @@ std::vector<Setting> SettingsOf(const RunRecord& run) {
 
 OrderedJson SettingsJson(const RunRecord& run) { return ToJson(SettingsOf(run)); }
 
+std::string NameOfRuns(const RunRecord& run) {
+  const std::string& task = run.tasks.front().task;
+  return run.profile.empty() ? task : fmt::format("{}-{}", task, run.profile);
+}
+
+std::string RobotText(const RunRecord& run) {
+  return run.robot.empty() ? "no robot"
+                           : fmt::format("robot {}, profile {}", run.robot, run.profile);
+}
+
 std::string TrainCommand(const RunRecord& run, int64_t runs) {
   std::vector<std::string> words = WordsOf(run.call);
   if (words.empty()) return "";
-  for (const std::string& word :
-       {std::string("--profile"), run.profile, std::string("--episodes"),
-        std::to_string(run.episodes_planned), std::string("--seed"), std::to_string(run.seed)}) {
-    words.push_back(word);
-  }
+  if (!run.profile.empty()) words.insert(words.end(), {"--profile", run.profile});
+  words.insert(words.end(), {"--episodes", std::to_string(run.episodes_planned), "--seed",
+                             std::to_string(run.seed)});
   if (runs > 1) words.insert(words.end(), {"--runs", std::to_string(runs)});
   std::string command = "trainer train";
   for (const std::string& word : words) command += " " + ShellWord(word);

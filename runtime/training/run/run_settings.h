@@ -26,6 +26,12 @@ std::vector<Setting> SettingsOf(const RunRecord& run);
 // [{"name", "value", "origin"}], for programs and pages.
 nlohmann::ordered_json SettingsJson(const RunRecord& run);
 
+// "TASK-PROFILE", or "TASK" where the environment has no profiles: how folders of such runs are
+// called.
+std::string NameOfRuns(const RunRecord& run);
+// "robot humanoid, profile fast", "no robot"
+std::string RobotText(const RunRecord& run);
+
 // For a shell: "trainer train tasks/crawling.task --set task.weight=2 --profile fast --episodes
 // 1000
 // --seed 1". It makes the run again, as it was before clients changed it, from the same text of the

@@ -8,12 +8,12 @@
 namespace runtime {
 namespace {
 
-std::vector<CurveRecord> CurvesOf(const Learner& learner, const RobotEnvironment& environment) {
+std::vector<CurveRecord> CurvesOf(const Learner& learner, const Environment& environment) {
   std::vector<CurveRecord> curves;
   for (const LearnerCurve& curve : learner.curves()) {
     curves.push_back({curve.name, curve.unit, "", curve.doc});
   }
-  for (const Randomization::Shown& drawn : environment.drawn()) {
+  for (const DrawnValue& drawn : environment.drawn()) {
     curves.push_back({drawn.name, drawn.unit, "", drawn.doc});
   }
   return curves;
@@ -32,7 +32,7 @@ Training::Training(ModuleGraph& graph, const RunRecord& run, RunDatabase& databa
       database_(database),
       progress_(progress),
       hooks_(hooks),
-      environment_(graph.FindOnly<RobotEnvironment>()),
+      environment_(graph.FindOnly<Environment>()),
       learner_(graph.FindOnly<Learner>()),
       tasks_(FindTaskModules(graph, learner_)),
       recorder_(environment_.pose_count(), environment_.time_step()),
@@ -42,7 +42,7 @@ Training::Training(ModuleGraph& graph, const RunRecord& run, RunDatabase& databa
       }) {}
 
 void Training::RunSideBySide(int jobs, const ModuleTypes& types, const Context& context) {
-  if (learner_.learns_within_episodes()) return;
+  if (learner_.learns_within_episodes() || !environment_.WhyOnlyOne().empty()) return;
   ahead_ = std::make_unique<EpisodesAhead>(graph_, types, context, learner_, hooks_, jobs);
 }
 
@@ -159,6 +159,7 @@ void Training::NoteStop(const StopRequest& stop) {
 
 std::optional<Recording> Training::RecordingOf(const EpisodeRecord& episode,
                                                const Recorder& recorder) const {
+  if (environment_.pose_count() == 0) return std::nullopt;  // there is nothing to see
   const bool is_best = statistics_.IsBest(episode);
   const bool is_due = run_.record_every > 0 && episode.number % run_.record_every == 0;
   const bool is_last = episode.number == run_.episodes_planned;  // what the run led to

@@ -9,6 +9,7 @@
 
 #include "runtime/core/module/module_graph.h"
 #include "runtime/core/task/universal_task.h"
+#include "runtime/training/environment/environment.h"
 #include "runtime/training/learning/learner.h"
 #include "runtime/training/run/episode_warnings.h"
 #include "runtime/training/run/episodes_ahead.h"
@@ -19,7 +20,6 @@
 #include "runtime/training/run/stop_request.h"
 #include "runtime/training/run/task_modules.h"
 #include "runtime/training/run/training_hooks.h"
-#include "runtime/training/simulation/robot_environment.h"
 
 namespace runtime {
 
@@ -35,7 +35,7 @@ class Training {
   // of them is the same. `types` and `context`, which the graph was made of, outlive the training.
   void RunSideBySide(int jobs, const ModuleTypes& types, const Context& context);
   // Why no two episodes are run at a time whatever is asked for; "" where they can be.
-  std::string WhyNotSideBySide() const { return WhyNotAhead(learner_, tasks_); }
+  std::string WhyNotSideBySide() const { return WhyNotAhead(environment_, learner_, tasks_); }
 
   // Goes back to the last checkpoint (the start, if there is none): loads the modules' state and
   // deletes the episodes that came after it. They will come again, bit for bit.
@@ -73,7 +73,7 @@ class Training {
   RunDatabase& database_;
   Progress& progress_;
   TrainingHooks& hooks_;
-  RobotEnvironment& environment_;
+  Environment& environment_;
   Learner& learner_;
   TaskModules tasks_;
   Recorder recorder_;

@@ -133,8 +133,8 @@ Randomization::Draw Randomization::DrawFor(const EpisodeRandom& random) const {
   return draw;
 }
 
-std::vector<Randomization::Shown> Randomization::Show(const Draw& draw) const {
-  std::vector<Shown> shown;
+std::vector<DrawnValue> Randomization::Show(const Draw& draw) const {
+  std::vector<DrawnValue> shown;
   if (!friction_.empty())
     shown.push_back({"friction", "", "coefficient of the ground's friction", draw.friction});
   if (!mass_.empty())

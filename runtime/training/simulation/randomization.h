@@ -9,6 +9,7 @@
 
 #include "plugins/world/world_description.h"
 #include "runtime/core/module/module.h"
+#include "runtime/training/environment/environment.h"
 
 namespace runtime {
 
@@ -46,13 +47,7 @@ class Randomization {
   };
   Draw DrawFor(const EpisodeRandom& random) const;
   // The names and units of what is drawn, and the values, in one order: only of what is randomized.
-  struct Shown {
-    const char* name;
-    const char* unit;
-    const char* doc;
-    double value;
-  };
-  std::vector<Shown> Show(const Draw& draw) const;
+  std::vector<DrawnValue> Show(const Draw& draw) const;
 
   // The robot and the world of an episode.
   robot::RobotDescription Change(const robot::RobotDescription& robot, const Draw& draw) const;

@@ -28,8 +28,8 @@ std::vector<std::string> PoseNames(const robot::RobotDescription& robot) {
 }  // namespace
 
 RobotEnvironment::RobotEnvironment(std::string name, const Context& context)
-    : Module(std::move(name)),
-      robot_(*context.robot),
+    : Environment(std::move(name)),
+      robot_(RobotOf(context, this->name())),
       around_(context.task == nullptr ? nullptr : WorldOf(context.task->table())),
       seed_(context.seed),
       sensors_(robot_, around_.get()) {
@@ -81,12 +81,13 @@ void RobotEnvironment::Start() {
 }
 
 void RobotEnvironment::StartEpisode(const std::optional<robot::StartState>& start) {
+  CountEpisode();
   Randomize();
   Place(start);
   Begin();
 }
 
-void RobotEnvironment::StartDrawnEpisode(const StartDraw& draw) {
+void RobotEnvironment::BeginEpisode(const StartDraw& draw) {
   Randomize();
   const std::optional<LinkOverlap> overlap = PlaceDrawn(draw);
   Begin();
@@ -132,7 +133,7 @@ void RobotEnvironment::Place(const std::optional<robot::StartState>& start) {
 }
 
 void RobotEnvironment::Randomize() {
-  random_ = EpisodeRandom(seed_, ++episode_);
+  random_ = EpisodeRandom(seed_, episode());
   if (changed_robot_ != nullptr) world_.reset();  // before what it was made of
   changed_robot_.reset();
   changed_around_.reset();

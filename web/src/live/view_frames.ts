@@ -27,6 +27,7 @@ export interface Layout {
   task: string;
   hash: string;
   links: number;
+  poses: number; // links, then things
   size: number; // of a frame
   values: ViewValue[];
 }
@@ -48,7 +49,7 @@ const kOfEpisode = 3; // time, return, actions
 const kOfPose = 7;
 
 export const poseOffset = kOfEpisode;
-export const poseSize = (layout: Layout): number => layout.links * kOfPose;
+export const poseSize = (layout: Layout): number => layout.poses * kOfPose;
 export const contactOffset = (layout: Layout): number => kOfEpisode + poseSize(layout);
 
 export function decodeLayout(text: string): Layout {

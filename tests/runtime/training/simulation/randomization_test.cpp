@@ -64,7 +64,7 @@ struct Randomized {
     return static_cast<SensorOut&>(environment.FindPort(sensor))().reals();
   }
   double Drawn(const std::string& name) {
-    for (const Randomization::Shown& drawn : environment.drawn())
+    for (const DrawnValue& drawn : environment.drawn())
       if (drawn.name == name) return drawn.value;
     return NAN;
   }

@@ -1,0 +1,28 @@
+#include "runtime/core/module/sensor_type.h"
+
+#include <algorithm>
+#include <charconv>
+#include <iterator>
+#include <utility>
+
+namespace runtime {
+
+size_t ElementsOfType(std::string_view type, const robot::RobotDescription& robot) {
+  constexpr std::pair<std::string_view, size_t> kTypes[] = {
+      {"bool", 1}, {"int", 1},  {"real", 1}, {"vec2", 2}, {"vec3", 3},
+      {"vec4", 4}, {"quat", 4}, {"mat2", 4}, {"mat3", 9}, {"mat4", 16}};
+  const size_t bracket = std::min(type.find('['), type.size());
+  const auto* entry = std::ranges::find(kTypes, type.substr(0, bracket),
+                                        [](const auto& each) { return each.first; });
+  if (entry == std::end(kTypes)) return 0;
+  if (bracket == type.size()) return entry->second;
+  const std::string_view index = type.substr(bracket);
+  if (index.size() < 3 || !index.ends_with(']')) return 0;
+  size_t count = 0;
+  if (index == "[joint]") count = robot.joints.size();
+  if (index == "[link]") count = robot.links.size();
+  if (count == 0) std::from_chars(index.data() + 1, index.data() + index.size() - 1, count);
+  return entry->second * count;
+}
+
+}  // namespace runtime
