@@ -338,10 +338,8 @@ struct CheckedSensor {
   // Of what is known of the robot and need not be sensed, which no CheckedTask has: one for each
   // element.
   std::vector<double> constant{};
-  // Of a thing of the world: its elements when an episode begins, empty where they are 0; what it
-  // is.
+  // Of a thing of the world: its elements when an episode begins, empty where they are 0.
   std::vector<double> at_rest{};
-  std::string doc{};
 };
 struct CheckedParam {
   std::string name;

@@ -90,14 +90,14 @@ void SensorCatalog::AddThings(const world::WorldDescription& world,
     const Type type = TypeOf(sensor.type, enumerations);
     const bool is_flag = type.scalar == Scalar::kBool;
     Add({.name = sensor.name,
+         .doc = std::string(sensor.doc),
          .type = type,
          .unit = UnitOf(sensor.unit),
          .minimum = std::vector<double>(type.size(), is_flag ? 0 : -sensor.most),
          .maximum = std::vector<double>(type.size(), is_flag ? 1 : sensor.most),
          .is_nominal = !is_flag,
          .is_onboard = false,
-         .at_rest = sensor.at_rest,
-         .doc = std::string(sensor.doc)});
+         .at_rest = sensor.at_rest});
   }
 }
 

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "runtime/core/module/element_names.h"
-#include "runtime/core/task/scalar_bytes.h"
+#include "plugins/host/scalar_bytes.h"
 #include "runtime/training/run/recorder.h"
 
 namespace runtime {
