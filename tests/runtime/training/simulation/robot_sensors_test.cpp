@@ -14,7 +14,8 @@ namespace {
 class RobotSensorsTest : public testing::Test {
  protected:
   RobotSensorsTest()
-      : world_(Humanoid(), FindProfile("paper"), Humanoid().poses[1]), sensors_(Humanoid(), nullptr) {
+      : world_(Humanoid(), FindProfile("paper"), Humanoid().poses[1]),
+        sensors_(Humanoid(), nullptr) {
     for (RobotSensor& sensor : sensors_.sensors()) by_name_[sensor.description().name] = &sensor;
     Move();
     sensors_.Refresh(world_, 0.25);
