@@ -144,8 +144,11 @@ void RobotEnvironment::Randomize() {
   draw_ = randomization_.DrawFor(random_);
   changed_robot_ =
       std::make_unique<const robot::RobotDescription>(randomization_.Change(robot_, draw_));
-  changed_around_ =
-      std::make_unique<const world::WorldDescription>(randomization_.Change(around_.get(), draw_));
+  const bool changes_ground = draw_.friction < robot::kUnlimited;
+  if (changes_ground) {
+    changed_around_ = std::make_unique<const world::WorldDescription>(
+        randomization_.Change(around_.get(), draw_));
+  }
   past_targets_.resize(static_cast<size_t>(std::floor(draw_.delay / time_step() + 0.5)));
   pushes_ = 0;
   next_push_ = 0;
