@@ -166,6 +166,16 @@ TEST_F(InstallTest, AProgramInCppIsBuiltAgainWithItsTaskWhenAnImportChanges) {
               testing::HasSubstr("episode 1: return 19.86"));
 }
 
+#if HAS_MUJOCO
+TEST_F(InstallTest, ATaskPaysForARobotThatMujocoSimulates) {
+  CopyExample("tasks");
+  BuildExample("mujoco_host");
+  EXPECT_EQ(
+      Run("mujoco_host/build/swing_up mujoco_host/build/swing_up.so mujoco_host/cart_pole.xml"),
+      "paid 2.481 in 10.01 s\n");
+}
+#endif
+
 TEST_F(InstallTest, PythonFindsWhatItWasInstalledWith) {
   const std::string python = PYTHON;
   if (python.empty()) GTEST_SKIP() << "there is no Python with NumPy";

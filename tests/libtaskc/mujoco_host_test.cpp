@@ -75,7 +75,7 @@ class Twins {
   }
 
   World world_{Humanoid(), FindProfile("mujoco"), Humanoid().poses[1]};
-  RobotSensors sensors_{Humanoid()};
+  RobotSensors sensors_{Humanoid(), nullptr};
   std::shared_ptr<const mjModel> model_;
   MujocoData data_;
   std::vector<double> targets_ = Zeros(Humanoid());

@@ -63,6 +63,13 @@ TEST(Mujoco, WhatItRefusesIsSaidInItsWords) {
                   AllOf(HasSubstr("MuJoCo cannot simulate this robot"), HasSubstr("world")))));
 }
 
+TEST(Mujoco, RefusesAWorldByName) {
+  const world::WorldDescription around;
+  EXPECT_THAT([&] { World(Humanoid(), Mujoco(), Humanoid().poses[0], &around); },
+              testing::Throws<UserError>(
+                  Property(&UserError::what, HasSubstr("the profile `mujoco` knows no worlds"))));
+}
+
 // The joints' angles of a robot in the air that follows its targets.
 TEST(Mujoco, MovesAsThePaperDoesInTheAir) {
   robot::Pose pose = Humanoid().poses[0];
