@@ -294,9 +294,8 @@ typedef struct taskc_evaluation {
 
 // What a task pays for recorded episodes, each for itself and from its beginning, in as many
 // threads as `threads` says; 0: one for each processor. The result is the same for any number of
-// them. With the params, the discount and the held goals of `instance`, which has no episode that
-// runs; it is not changed. Fails as taskc_bind(), with NOT_BOUND and OUT_OF_RANGE, before anything
-// is written.
+// them. With the params, the discount and the held goals of `instance`, which is not changed. Fails
+// as taskc_bind(), with NOT_BOUND and OUT_OF_RANGE, before anything is written.
 TASKC_API taskc_status taskc_evaluate(const taskc_instance* instance,
                                       const taskc_recording* recordings, size_t count,
                                       taskc_uint32 threads, taskc_evaluation* evaluations);
