@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <cstdio>
+#include <system_error>
+
 #include "base/command_line/command.h"
 #include "compiler/driver/crash_report.h"
 #include "compiler/driver/print_error.h"
@@ -55,6 +58,13 @@ ExitStatus RunGuarded(const Action& action, Session& session) {
     return ExitStatus::kWrongCall;
   } catch (const InternalError& error) {
     ReportMistake(error.what(), error.evidence(), session);
+  } catch (const std::system_error& error) {
+    // What is longer than the stream's buffer fails before main() looks at the stream.
+    if (std::ferror(stdout) != 0) {
+      session.Fail(fmt::format("cannot write to standard output: {}", error.code().message()));
+      return ExitStatus::kWrongCall;
+    }
+    ReportMistake(error.what(), CrashFolder(), session);
   } catch (const std::exception& error) {
     ReportMistake(error.what(), CrashFolder(), session);
   }
