@@ -32,13 +32,17 @@ void CheckEvent(const taskc_instance& instance, taskc_int32 event, double time_s
   }
 }
 
-// Of the table's numbers, the one called `name`.
-template <class Entry>
-taskc_status Get(const taskc_instance* instance, const Entry* entries, taskc_uint32 count,
-                 std::span<const double> numbers, const char* name, const char* what,
-                 double* value) {
+// Of the numbers that `numbers_of` gives, the one called `name`.
+template <class Entry, class NumbersOf>
+taskc_status Get(const taskc_instance* instance, const Entry* taskc_plugin::*table,
+                 taskc_uint32 taskc_plugin::*size, NumbersOf numbers_of, const char* name,
+                 const char* what, double* value) {
   return Guarded([&] {
+    RequirePointer(instance, "the instance");
     RequirePointer(value, "the place for the value");
+    const Entry* const entries = instance->task().*table;
+    const taskc_uint32 count = instance->task().*size;
+    const std::span<const double> numbers = numbers_of(*instance);
     *value = numbers[IndexOf(instance->task(), std::span(entries, count), name, what)];
   });
 }
@@ -114,21 +118,20 @@ const double* taskc_logs(const taskc_instance* instance) {
 }
 
 taskc_status taskc_get_term(const taskc_instance* instance, const char* term, double* value) {
-  const taskc_plugin& task = instance->task();
-  return Get(instance, task.terms, task.term_count, instance->frame().terms(), term, "reward term",
+  const auto terms = [](const taskc_instance& of) { return of.frame().terms(); };
+  return Get(instance, &taskc_plugin::terms, &taskc_plugin::term_count, terms, term, "reward term",
              value);
 }
 
 taskc_status taskc_get_metric(const taskc_instance* instance, const char* metric, double* value) {
-  const taskc_plugin& task = instance->task();
-  return Get(instance, task.metrics, task.metric_count, instance->episode.counts().metrics(),
-             metric, "metric", value);
+  const auto metrics = [](const taskc_instance& of) { return of.episode.counts().metrics(); };
+  return Get(instance, &taskc_plugin::metrics, &taskc_plugin::metric_count, metrics, metric,
+             "metric", value);
 }
 
 taskc_status taskc_get_log(const taskc_instance* instance, const char* log, double* value) {
-  const taskc_plugin& task = instance->task();
-  return Get(instance, task.logs, task.log_count, instance->episode.counts().logs(), log, "log",
-             value);
+  const auto logs = [](const taskc_instance& of) { return of.episode.counts().logs(); };
+  return Get(instance, &taskc_plugin::logs, &taskc_plugin::log_count, logs, log, "log", value);
 }
 
 taskc_int32 taskc_present_phase(const taskc_instance* instance) {

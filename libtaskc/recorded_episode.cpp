@@ -94,7 +94,8 @@ void RecordedEpisode::Start() {
 void RecordedEpisode::StartTimeStep(taskc_int64 row) {
   row_reward_ = 0;
   if (StartsAction(row)) {
-    next_action_ += recording_.action_length > 0 ? recording_.action_length : recording_.rows;
+    const taskc_int64 length = recording_.action_length;
+    next_action_ += length > 0 ? std::min(length, recording_.rows) : recording_.rows;
     Tell(TASKC_START_OF_ACTION, 0);
   }
   Tell(TASKC_START_OF_TIME_STEP, recording_.time_step);

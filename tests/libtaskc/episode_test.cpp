@@ -57,6 +57,7 @@ TEST_F(EpisodeTest, CountsAsTheTrainerDoes) {
   EXPECT_EQ(height, 2);
   EXPECT_EQ(ways, 3);
   EXPECT_EQ(taskc_terms(instance_)[0], 0.5);
+  EXPECT_EQ(taskc_get_term(nullptr, "moved", &moved), TASKC_ERROR_NULL);
   EXPECT_EQ(taskc_get_term(instance_, "movd", &moved), TASKC_ERROR_UNKNOWN_NAME);
   EXPECT_THAT(taskc_error(), HasSubstr("has no reward term `movd`: did you mean `moved`?"));
 }

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -105,6 +106,14 @@ TEST_F(EvaluateTest, OrWithTheActionInWhichItDoes) {
   record.recording.new_actions = new_actions;
   record.recording.ends_with_action = 1;
   EXPECT_EQ(Evaluate(record).time_steps, 3);
+}
+
+TEST_F(EvaluateTest, AnActionMayBeLongerThanAnyRecording) {
+  Record record({1, 2});
+  record.recording.begins_with_start = 1;
+  record.recording.action_length = std::numeric_limits<taskc_int64>::max();
+  Evaluate(record);
+  EXPECT_THAT(record.rewards, ElementsAre(0, 3.25));
 }
 
 TEST_F(EvaluateTest, TheFirstRowMayBeTheStart) {

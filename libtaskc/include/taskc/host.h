@@ -143,7 +143,7 @@ TASKC_API taskc_status taskc_bind(taskc_instance* instance, const char* sensor, 
                                   taskc_view view);
 
 // Writes the elements of a sensor, or of an entry of it, row by row, as the task has them: doubles,
-// `taskc_int64`s, or bytes that are 0 or 1.
+// `taskc_int64`s, or bytes that are 0 or 1. Must not throw, nor call the instance.
 typedef void (*taskc_sensor_function)(void* user, void* elements);
 
 // The same with a function that is called before each event that reads the sensor.
