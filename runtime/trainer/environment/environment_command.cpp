@@ -1,8 +1,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cstdio>
 #include <list>
 #include <memory>
+#include <optional>
 #include <string>
 #include <thread>
 
