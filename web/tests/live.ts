@@ -120,7 +120,7 @@ async function numbersAreThoseOfTheApi(page: Page, run: Run): Promise<void> {
     const shown = numberIn(await textOf(page, `tr[data-term="${term}"] .sum`));
     assert.ok(isAbout(shown, sum), `${term}: ${shown} is ${sum}`);
   }
-  assert.ok(isAbout(numberIn(await textOf(page, `tr[data-module="${tasks[0].task}"] .sum`)), tasks[0].return));
+  assert.ok(isAbout(numberIn(await textOf(page, `tr[data-sum-of="${tasks[0].task}"] .sum`)), tasks[0].return));
   await page.getByRole("button", { name: "Resume" }).click();
   await page.locator('#state[data-state="running"]').waitFor();
 }
@@ -157,7 +157,7 @@ async function aTaskIsEdited(page: Page, run: Run): Promise<void> {
   await page.locator("#editor-try:not([disabled])").waitFor();
   await page.keyboard.press("Control+s");
   await page.locator('.task-card[data-module="edited"]').waitFor();
-  await page.locator('tr[data-module="edited"]').waitFor();
+  await page.locator('tr[data-sum-of="edited"]').waitFor();
   await page.locator("#curve-key", { hasText: "shadow edited" }).waitFor();
   const card = page.locator('.task-card[data-module="edited"]');
   await card.getByRole("button", { name: "Promote" }).click();

@@ -165,11 +165,13 @@ class LivePage {
 
   private draw(now: number): void {
     requestAnimationFrame((next) => this.draw(next));
-    const passed = Math.min(now - (this.lastDraw ?? now), 250) / 1000;
+    // A page that was in the background goes on from where it was.
+    const passed = Math.min(now - (this.lastDraw ?? now), 1000) / 1000;
     this.lastDraw = now;
     const shown = this.source.advance(passed);
-    if (shown?.isNew) {
-      if (this.history.add(shown.frame)) this.showLayout();
+    if (shown && shown.passed.length > 0) {
+      const isOther = shown.passed.map((frame) => this.history.add(frame)).some(Boolean);
+      if (isOther) this.showLayout();
       this.rewards.update(this.history);
       this.values.update(this.history);
       const { last } = this.history;

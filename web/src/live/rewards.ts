@@ -34,9 +34,9 @@ export class Rewards {
     this.shadows = shadows.map((value) => ({ value, sum: element("output", { class: "sum" }) }));
     const body = element("tbody");
     for (const row of this.rows) body.append(this.rowElement(row));
-    const foot = element("tfoot", {}, this.sumRow(layout.task, "return", this.total));
+    const foot = element("tfoot", {}, this.sumRow("return", layout.task, "what the learner is paid", this.total));
     for (const { value, sum } of this.shadows) {
-      foot.append(this.sumRow(value.name, "shadow, on the same motion", sum));
+      foot.append(this.sumRow(value.name, value.name, "shadow, on the same motion", sum));
     }
     this.host.replaceChildren(element("table", { class: "rewards-table" }, this.head(), body, foot));
   }
@@ -107,10 +107,10 @@ export class Rewards {
     return element("tr", { "data-term": term.name }, name, ...cells);
   }
 
-  private sumRow(name: string, words: string, sum: HTMLElement): HTMLElement {
+  private sumRow(name: string, of: string, words: string, sum: HTMLElement): HTMLElement {
     return element(
       "tr",
-      { "data-module": name },
+      { "data-sum-of": of },
       element("th", { scope: "row" }, name),
       element("td", { colspan: "4" }, words),
       element("td", {}, sum),

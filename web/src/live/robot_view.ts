@@ -71,7 +71,8 @@ export class RobotView {
   }
 
   /** Draws what is shown, if that or the camera has changed. */
-  draw({ frame, time, isNew }: Shown, state: string): void {
+  draw({ frame, time, passed }: Shown, state: string): void {
+    const isNew = passed.length > 0;
     if (isNew) this.describe(frame, state);
     if (!this.stage || !(isNew || this.mustDraw || this.source.isPlaying)) return;
     const { clip } = frame;

@@ -5,6 +5,8 @@ import { commentStart } from "../data/task_source.ts";
 import { element } from "../page/dom.ts";
 import type { Layout, ViewValue } from "./view_frames.ts";
 
+const kAbove = 60; // the first line that pays is seen with what stands before it [px]
+
 export class TaskLines {
   private lines: HTMLElement[][] = []; // of each source
   private terms: { term: ViewValue; line: HTMLElement }[] = [];
@@ -33,6 +35,8 @@ export class TaskLines {
       );
     });
     this.host.replaceChildren(...texts);
+    const first = this.terms[0]?.line;
+    if (first) this.host.scrollTop = first.offsetTop - kAbove;
   }
 
   /** `shareOf`: how strongly a term pays, from -1 to 1. */

@@ -12,7 +12,7 @@ const kAhead = 3; // the next episode is asked for so long before this one is ov
 export interface Shown {
   frame: Frame;
   time: number; // of the picture, which may lie between two frames [s]
-  isNew: boolean; // another frame than the one before
+  passed: Frame[]; // those that came since the last call, this one the last; none: it is the same
 }
 
 export class ViewSource {
@@ -63,9 +63,11 @@ export class ViewSource {
     if (!clip) return undefined;
     const index = clip.isEpisode ? Math.floor(this.time / clip.interval + 1e-6) : 0;
     const frame = new Frame(clip, Math.min(index, clip.frames - 1));
-    const isNew = this.shown?.clip !== clip || this.shown.index !== frame.index;
+    const first = this.shown?.clip === clip ? this.shown.index + 1 : 0;
+    const passed: Frame[] = [];
+    for (let i = first; i <= frame.index; ++i) passed.push(new Frame(clip, i));
     this.shown = frame;
-    return { frame, time: clip.isEpisode ? this.time : 0, isNew };
+    return { frame, time: clip.isEpisode ? this.time : 0, passed };
   }
 
   private get left(): number {
