@@ -208,16 +208,6 @@ void TaskInstance::EndEpisode() {
   episode_.End();
 }
 
-std::span<const double> TaskInstance::MeasureNow() {
-  const auto is_stale = [](const taskc_sensor& sensor) {
-    const bool is_measured = (sensor.read_by >> TASKC_MEASURE & 1) != 0;
-    return is_measured && (sensor.read_by >> TASKC_END_OF_TIME_STEP & 1) == 0;
-  };
-  if (std::ranges::any_of(std::span(table().sensors, table().sensor_count), is_stale)) return {};
-  Measure();
-  return host_.metrics();
-}
-
 std::span<const double> TaskInstance::Observe() {
   if (table().observe == nullptr) return {};
   Enter(table().observe);

@@ -87,12 +87,10 @@ class TaskInstance {
   bool needs_measuring() const { return episode_.needs_measuring(); }
   void EndTimeStep();
   void EndEpisode();
-
-  // What it works on, to look at between two events.
-  const host::TaskFrame& frame() const { return host_; }
-  // The metrics as they are now, between two time steps; empty where one of them reads a sensor
-  // that the end of a time step does not bring up to date.
-  std::span<const double> MeasureNow();
+  // Brings measured() up to date between two time steps.
+  void Measure();
+  // What each metric was when it was measured last.
+  std::span<const double> measured() const { return host_.metrics(); }
 
   // What the learner sees now. A number that is not finite is 0 in it, and counted.
   std::span<const double> Observe();
@@ -103,6 +101,9 @@ class TaskInstance {
   void ReleaseGoal(size_t goal) { goals_.Release(goal); }
 
   const TaskPhases& phases() const { return phases_; }
+
+  // What it works on, to look at between two events.
+  const host::TaskFrame& frame() const { return host_; }
 
   // Whether an episode can depend on those before it.
   bool remembers_episodes() const { return memory_.outlives_episodes(); }

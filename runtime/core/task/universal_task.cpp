@@ -327,6 +327,14 @@ std::span<const double> UniversalTask::Observe() const {
   return instance_->Observe();
 }
 
+std::span<const double> UniversalTask::MeasureNow() {
+  if (!instance_->needs_measuring() && !episode_is_over_) {
+    Sense(TASKC_MEASURE);
+    instance_->Measure();
+  }
+  return instance_->measured();
+}
+
 void UniversalTask::Sense(int reader) const {
   for (const SensorRead& read : reads_[static_cast<size_t>(reader)]) {
     *read.data = (*read.port)().data;

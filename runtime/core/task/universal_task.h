@@ -158,8 +158,9 @@ class UniversalTask : public Module, public TaskObservations {
   // told of; one value for each metric, and one for each log.
   const TaskEnd& end() const { return end_; }
   std::span<const double> metrics() const { return instance_->metrics(); }
-  // Between two time steps of an episode; see TaskInstance.
-  std::span<const double> MeasureNow() { return instance_->MeasureNow(); }
+  // What each metric is at the end of the last time step, before it is reduced over the episode.
+  // Not from inside an event, and not before the first time step.
+  std::span<const double> MeasureNow();
   std::span<const double> logs() const { return instance_->logs(); }
 
  private:

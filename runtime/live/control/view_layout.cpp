@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
-#include "runtime/core/module/element_names.h"
 #include "plugins/host/scalar_bytes.h"
+#include "runtime/core/module/element_names.h"
 #include "runtime/training/run/recorder.h"
 
 namespace runtime {
@@ -82,16 +82,13 @@ std::span<const Entry> Table(const Entry* entries, taskc_uint32 count) {
   return {entries, count};
 }
 
-void WriteTask(const TaskInstance& task, int64_t steps, std::span<const double> metrics, Row& row) {
+// `metrics`: empty where there is none yet.
+void WriteTask(const TaskInstance& task, std::span<const double> metrics, Row& row) {
   const taskc_plugin& table = task.table();
   const host::TaskFrame& frame = task.frame();
   row.Add(frame.terms());
-  const bool are_measured = steps > 0 && metrics.size() == table.metric_count;
-  if (are_measured) {
-    row.Add(metrics);
-  } else {
-    row.AddNothing(table.metric_count);
-  }
+  row.Add(metrics);
+  row.AddNothing(table.metric_count - metrics.size());
   for (const taskc_goal& goal : Table(table.goals, table.goal_count)) {
     row.Add(frame.Bytes(goal).data(), goal.scalar, SizeOf(goal));
   }
@@ -108,6 +105,14 @@ void WriteTask(const TaskInstance& task, int64_t steps, std::span<const double> 
   }
   for (const taskc_log_state& log : frame.logs()) {
     row.Add(log.count > 0 ? log.last : std::numeric_limits<double>::quiet_NaN());
+  }
+}
+
+void WriteContacts(const Environment& environment, Row& row) {
+  std::vector<uint8_t> bits((static_cast<size_t>(environment.link_count()) + 7) / 8);
+  environment.CaptureContacts(bits);
+  for (int i = 0; i < environment.link_count(); ++i) {
+    row.Add(bits[static_cast<size_t>(i / 8)] >> i % 8 & 1);
   }
 }
 
@@ -181,8 +186,9 @@ void ViewLayout::Write(const EpisodeModules& modules, int64_t steps, std::span<f
   row.Add(modules.learner.episode_return());
   row.Add(modules.learner.action_count());
   modules.environment.CapturePose(row.Take(static_cast<size_t>(poses_ * Recorder::kFloatsPerLink)));
-  modules.environment.CaptureContacts(row.Take(static_cast<size_t>(links_)));
-  WriteTask(active.instance(), steps, active.MeasureNow(), row);
+  WriteContacts(modules.environment, row);
+  const Environment::Peek peek(modules.environment);
+  WriteTask(active.instance(), steps > 0 ? active.MeasureNow() : std::span<const double>(), row);
   for (const UniversalTask* shadow : modules.tasks.shadows) row.Add(shadow->episode_return());
 }
 

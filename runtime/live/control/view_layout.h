@@ -17,8 +17,7 @@ namespace runtime {
 // Time [s], return, actions begun; of each link the pose (Recorder::kFloatsPerLink) and whether it
 // has contact; of the active task the terms, metrics, goals, phase, memory, sensors and logs; of
 // each shadow its return. What there is not is not a number. A sensor is what the task has read
-// last: nothing is read for the sake of looking, since a simulation that diverges leaves the
-// sensors as they were read.
+// last.
 class ViewLayout {
  public:
   ViewLayout(const EpisodeModules& modules, const Context& context);

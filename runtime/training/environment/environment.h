@@ -77,9 +77,25 @@ class Environment : public Module {
   virtual void CapturePose(std::span<float> /*out*/) const {}
   // The first of these that are links of a robot.
   virtual int link_count() const { return 0; }
-  // For each link 1 where its contact is felt, else 0. Reads no sensor: these keep what they have.
-  // Precondition: an element for each link; an episode was started.
-  virtual void CaptureContacts(std::span<float> /*out*/) const {}
+  // Which links touch something, as the sensor `contact` says: bit i % 8 of element i / 8 for link
+  // i. Precondition: an element for each 8 links that were begun; an episode was started.
+  virtual void CaptureContacts(std::span<uint8_t> /*out*/) const {}
+
+  // As long as it lives, whoever reads the sensors leaves no trace in the episode, not even in one
+  // that diverges later. Not from inside a signal.
+  class Peek {
+   public:
+    explicit Peek(Environment& environment) : environment_(environment) {
+      environment_.StartPeek();
+    }
+    Peek(const Peek&) = delete;
+    Peek& operator=(const Peek&) = delete;
+    ~Peek() { environment_.EndPeek(); }
+
+   private:
+    Environment& environment_;
+  };
+
   // What the present episode has drawn of its world, to be recorded with it.
   virtual std::vector<DrawnValue> drawn() const { return {}; }
 
@@ -107,6 +123,10 @@ class Environment : public Module {
   Signal<EpisodeEnd> end_of_episode_{this, "end_of_episode"};
 
  private:
+  // For what computes sensors when they are read.
+  virtual void StartPeek() {}
+  virtual void EndPeek() {}
+
   int64_t episode_ = 0;
 };
 

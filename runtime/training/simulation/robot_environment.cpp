@@ -240,6 +240,14 @@ void RobotEnvironment::Diverge(std::string why) {
   end_of_episode_({EndKind::kDiverged, why_diverged_.c_str()});
 }
 
+void RobotEnvironment::CaptureContacts(std::span<uint8_t> out) const {
+  std::ranges::fill(out, uint8_t{0});
+  for (int i = 0; i < link_count(); ++i) {
+    const int bit = world_->contacts().flag(i) ? 1 << i % 8 : 0;
+    out[static_cast<size_t>(i / 8)] |= static_cast<uint8_t>(bit);
+  }
+}
+
 void RobotEnvironment::CapturePose(std::span<float> out) const {
   assert(out.size() == 7 * static_cast<size_t>(pose_count()));
   if (!running_) {
@@ -262,13 +270,6 @@ void RobotEnvironment::CapturePose(std::span<float> out) const {
     } else {
       add(dBodyGetPosition(body.body(index)), dBodyGetQuaternion(body.body(index)));
     }
-  }
-}
-
-void RobotEnvironment::CaptureContacts(std::span<float> out) const {
-  assert(out.size() == robot_.links.size());
-  for (int i = 0; i < link_count(); ++i) {
-    out[static_cast<size_t>(i)] = world_->contacts().flag(i) ? 1.0F : 0.0F;
   }
 }
 

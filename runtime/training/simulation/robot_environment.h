@@ -69,9 +69,11 @@ class RobotEnvironment : public Environment {
 
   // In a diverged episode that of the last time step's start.
   void CapturePose(std::span<float> out) const override;
-  void CaptureContacts(std::span<float> out) const override;
+  void CaptureContacts(std::span<uint8_t> out) const override;
 
  private:
+  void StartPeek() override { sensors_.StartPeek(); }
+  void EndPeek() override { sensors_.EndPeek(); }
   void AddSensorPort(LazySensor& sensor, std::string_view name, std::string_view type,
                      std::string_view unit);
   void BeginEpisode(const StartDraw& draw) override;

@@ -149,4 +149,10 @@ void RobotSensors::Freeze() {
   for (ThingSensor& sensor : thing_sensors_) sensor.Freeze();
 }
 
+void RobotSensors::EndPeek() {
+  moment_.is_peeking = false;
+  for (RobotSensor& sensor : sensors_) sensor.EndPeek();
+  for (ThingSensor& sensor : thing_sensors_) sensor.EndPeek();
+}
+
 }  // namespace runtime

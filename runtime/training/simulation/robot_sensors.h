@@ -59,6 +59,10 @@ class RobotSensors {
   void SetNoise(const Randomization::Noise& noise, const EpisodeRandom& random);
   // From now on the sensors show what they showed when they were last read.
   void Freeze();
+  // Between the two, reading a sensor gives what it always gives and leaves no trace: it does not
+  // count for Freeze().
+  void StartPeek() { moment_.is_peeking = true; }
+  void EndPeek();
 
  private:
   SensorMoment moment_;

@@ -67,56 +67,66 @@ function frontPlate(link: BodyLink, material: MeshStandardMaterial): Mesh {
   return plate;
 }
 
+type Paint = Side | "joint_left" | "joint_right" | "plate" | "thing";
+type Materials = Record<Paint, MeshStandardMaterial>;
+
+const kShine = 0.55; // of what is lit
+
+function makeMaterials(): Materials {
+  const matte = (): MeshStandardMaterial =>
+    new MeshStandardMaterial({ roughness: 0.62, metalness: 0.05 });
+  return {
+    left: matte(),
+    right: matte(),
+    trunk: matte(),
+    joint_left: matte(),
+    joint_right: matte(),
+    plate: matte(),
+    thing: matte(),
+  };
+}
+
+function paintOf(link: BodyLink): Paint {
+  if (link.thing) return "thing";
+  const side = sideOf(link.name);
+  const isJoint = link.shape === "sphere" && side !== "trunk";
+  return isJoint ? `joint_${side}` : side;
+}
+
 export class RobotModel {
   readonly object = new Group();
   private readonly links: Mesh[];
-  private readonly plain: MeshStandardMaterial[]; // of each link
-  private readonly touching = new Map<MeshStandardMaterial, MeshStandardMaterial>();
-  private readonly materials: Record<
-    Side | "joint_left" | "joint_right" | "plate" | "thing",
-    MeshStandardMaterial
-  >;
+  private readonly materials = makeMaterials();
+  private readonly shining = makeMaterials();
 
-  constructor(body: BodyLink[]) {
-    const matte = (): MeshStandardMaterial =>
-      new MeshStandardMaterial({ roughness: 0.62, metalness: 0.05 });
-    this.materials = {
-      left: matte(),
-      right: matte(),
-      trunk: matte(),
-      joint_left: matte(),
-      joint_right: matte(),
-      plate: matte(),
-      thing: matte(),
-    };
+  constructor(private readonly body: BodyLink[]) {
     this.links = body.map((link, index) => this.makeLink(link, index));
-    this.plain = this.links.map((link) => link.material as MeshStandardMaterial);
-    for (const material of Object.values(this.materials)) this.touching.set(material, matte());
     this.object.add(...this.links);
     this.updateColors();
   }
 
   /** Takes the colors of the present theme. */
   updateColors(): void {
-    for (const side of ["left", "right", "trunk"] as const) {
-      this.materials[side].color = new Color(themeColor(kSideColors[side]));
+    for (const materials of [this.materials, this.shining]) {
+      for (const side of ["left", "right", "trunk"] as const) {
+        materials[side].color = new Color(themeColor(kSideColors[side]));
+      }
+      materials.joint_left.color = new Color(themeColor("--left")).multiplyScalar(0.55);
+      materials.joint_right.color = new Color(themeColor("--right")).multiplyScalar(0.55);
+      materials.plate.color = new Color(themeColor("--plate"));
+      materials.thing.color = new Color(themeColor("--thing"));
     }
-    this.materials.joint_left.color = new Color(themeColor("--left")).multiplyScalar(0.55);
-    this.materials.joint_right.color = new Color(themeColor("--right")).multiplyScalar(0.55);
-    this.materials.plate.color = new Color(themeColor("--plate"));
-    this.materials.thing.color = new Color(themeColor("--thing"));
-    for (const [material, touching] of this.touching) {
-      touching.color = material.color.clone().lerp(new Color(themeColor("--touch")), 0.7);
-      touching.emissive = new Color(themeColor("--touch"));
-      touching.emissiveIntensity = 0.35;
+    for (const material of Object.values(this.shining)) {
+      material.emissive = new Color(themeColor("--touch"));
+      material.emissiveIntensity = kShine;
     }
   }
 
-  /** Lights the links of which `contacts` is not 0. */
-  setContacts(contacts: ArrayLike<number>): void {
-    this.links.forEach((link, i) => {
-      const plain = this.plain[i] as MeshStandardMaterial;
-      link.material = contacts[i] ? (this.touching.get(plain) ?? plain) : plain;
+  /** Lets the links shine for which `isLit` holds. */
+  setLit(isLit: (link: number) => boolean): void {
+    this.links.forEach((mesh, i) => {
+      const materials = isLit(i) ? this.shining : this.materials;
+      mesh.material = materials[paintOf(this.body[i] as BodyLink)];
     });
   }
 
@@ -136,15 +146,13 @@ export class RobotModel {
     this.object.traverse((part) => {
       if (part instanceof Mesh) part.geometry.dispose();
     });
-    for (const material of this.touching.values()) material.dispose();
-    for (const material of Object.values(this.materials)) material.dispose();
+    for (const materials of [this.materials, this.shining]) {
+      for (const material of Object.values(materials)) material.dispose();
+    }
   }
 
   private makeLink(link: BodyLink, index: number): Mesh {
-    const side = sideOf(link.name);
-    const isJoint = link.shape === "sphere" && side !== "trunk";
-    const paint = isJoint ? (`joint_${side}` as const) : side;
-    const mesh = new Mesh(placedGeometryOf(link), this.materials[link.thing ? "thing" : paint]);
+    const mesh = new Mesh(placedGeometryOf(link), this.materials[paintOf(link)]);
     const hasFront =
       link.shape === "box" && link.position === undefined && (index === 0 || link.name === "head");
     if (hasFront) mesh.add(frontPlate(link, this.materials.plate));

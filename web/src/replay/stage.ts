@@ -116,7 +116,7 @@ export class Stage {
 
   /** Lights the links that have contact, one number for each. */
   setContacts(contacts: ArrayLike<number>): void {
-    this.robot.setContacts(contacts);
+    this.robot.setLit((link) => contacts[link] === 1);
   }
 
   setTime(time: number): void {
