@@ -149,6 +149,17 @@ TEST_F(CtlTest, SaysThatNoTrainerIsThere) {
   EXPECT_THAT(result.errors, AllOf(HasSubstr(folder().string()), HasSubstr("trainer resume")));
 }
 
+TEST_F(CtlTest, ThePageHasAnAddress) {
+  const ProgramResult page = Ctl({"page"});
+  EXPECT_EQ(page.exit_status, 0) << page.errors;
+  EXPECT_EQ(page.output, server_->page_address() + "\n");
+  EXPECT_EQ(json::parse(Ctl({"page", "--json"}).output)["value"], server_->page_address());
+  server_.reset();
+  const ProgramResult none = Ctl({"page"});
+  EXPECT_EQ(none.exit_status, 1);
+  EXPECT_THAT(none.errors, HasSubstr("no trainer is running there"));
+}
+
 TEST_F(CtlTest, EventsComeAsTheyHappenUntilTheTrainerEnds) {
   ChildProcess text({TRAINER, "ctl", "events", "--run", folder().string()});
   ChildProcess with_json({TRAINER, "ctl", "--run", folder().string(), "events", "--json"});

@@ -28,6 +28,18 @@ TEST_F(LiveTest, WhatWasChangedIsEvaluatedAsItWas) {
   EXPECT_LT(episode["steps"], Episodes().front().steps);
 }
 
+// As an editor does whose text is not saved.
+TEST_F(LiveTest, ATextIsBuiltInThePlaceOfAFile) {
+  Serve(100);
+  const std::string file = (folder() / "edited.task").string();  // is not there
+  const json swap = Ask({"swap", "task", file, "--text", ReadText(TaskFile("upright")), "--now"});
+  EXPECT_EQ(swap["task"], "upright");
+  EXPECT_THAT(Refusal({"swap", "task", file, "--text", "task"}), HasSubstr("edited.task:1:"));
+  EXPECT_THAT(Refusal({"swap", "task", (folder() / "a.so").string(), "--text", "task"}),
+              HasSubstr("a text is that of a .task file"));
+  EXPECT_FALSE(std::filesystem::exists(file));
+}
+
 TEST_F(LiveTest, ASwapTakesEffectWhenTheNextEpisodeStarts) {
   Serve(100);
   RunSteps(5);

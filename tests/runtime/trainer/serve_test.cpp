@@ -154,10 +154,26 @@ TEST_F(ServeTest, ThePageIsThatOfTheRunningRun) {
   ASSERT_TRUE(IsAnswering());
   while (ValueOf("status")["episodes_done"] < 1) usleep(10'000);
   RawClient client(ConnectToTrainer(OpenRunFolder(RunFolder("run"))));
+  client.Send(RequestText("GET", "/report", ""));
+  const RawResponse report = client.Receive();
+  EXPECT_EQ(report.status, 200) << report.body;
+  EXPECT_THAT(report.body, AllOf(HasSubstr("<html"), HasSubstr("leaning")));
   client.Send(RequestText("GET", "/", ""));
   const RawResponse page = client.Receive();
   EXPECT_EQ(page.status, 200) << page.body;
-  EXPECT_THAT(page.body, AllOf(HasSubstr("<html"), HasSubstr("leaning")));
+  EXPECT_THAT(page.body, AllOf(HasSubstr("<html"), HasSubstr("run – live")));
+}
+
+TEST_F(ServeTest, TheRecordIsThereBeforeTheFirstEpisodeIsOver) {
+  ChildProcess trainer(Words("train"));
+  ASSERT_TRUE(IsAnswering());
+  RawClient client(ConnectToTrainer(OpenRunFolder(RunFolder("run"))));
+  client.Send(RequestText("GET", "/api/record", ""));
+  const json record = json::parse(client.Receive().body);
+  ASSERT_TRUE(record["ok"]) << record;
+  EXPECT_EQ(record["value"]["tasks"][0]["name"], "leaning");
+  EXPECT_GT(record["value"]["body"].size(), 0u);
+  EXPECT_EQ(record["value"]["recordings"], json::array());
 }
 
 TEST_F(ServeTest, ManyRunsAnswerEachInItsFolder) {
