@@ -141,6 +141,18 @@ async function aSliderSetsAParameter(page: Page, run: Run): Promise<void> {
   assert.ok(isAbout(Number(shown), set.value));
 }
 
+/** The learner without a task: the trainer says why not, and nothing has changed. */
+async function aRewiringIsRefusedWithAReason(page: Page, run: Run): Promise<void> {
+  await page.locator('[data-port="task.reward"]').first().waitFor();
+  const before = await run.ask("graph", { format: "json" });
+  await page.getByText("Connections as a list").click();
+  const row = page.locator("#graph-list li", { hasText: "task.reward → learner.reward" });
+  await row.getByRole("button").click();
+  await page.locator("#graph-cut").click();
+  await page.locator("#graph-refusal", { hasText: "learner" }).waitFor();
+  assert.deepEqual(await run.ask("graph", { format: "json" }), before);
+}
+
 /** Edit, see the error, mend it, try it as a shadow, promote it, and go back. */
 async function aTaskIsEdited(page: Page, run: Run): Promise<void> {
   await page.locator("#editor-open").click();
@@ -188,6 +200,7 @@ try {
     await numbersAreThoseOfTheApi(page, run);
     await aSliderSetsAParameter(page, run);
     await screenshot(page, "live");
+    await aRewiringIsRefusedWithAReason(page, run);
     await aTaskIsEdited(page, run);
     await screenshot(page, "live-whole", true);
   });

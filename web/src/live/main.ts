@@ -14,6 +14,7 @@ import { agentInWords, formatRatio } from "../data/words.ts";
 import { byId, element, onThemeChange } from "../page/dom.ts";
 import { GrowingCurves } from "./growing_curves.ts";
 import { GrowingRecord, type EpisodeEvent } from "./growing_record.ts";
+import { GraphPanel, numbersInWords } from "./graph_panel.ts";
 import { History } from "./history.ts";
 import { Parameters, type Listing } from "./parameters.ts";
 import { Rewards } from "./rewards.ts";
@@ -47,6 +48,10 @@ class LivePage {
   private readonly lines = new TaskLines(byId("lines", HTMLElement));
   private readonly parameters = new Parameters(() => void this.refreshListing());
   private readonly tasks: TasksPanel;
+  private readonly graph = new GraphPanel(
+    (port) => this.valueOfPort(port),
+    () => void this.refreshListing(),
+  );
   private lastDraw: number | undefined;
   private lastTraces = 0;
   private lastCurves = 0;
@@ -127,7 +132,15 @@ class LivePage {
       const listing = await ask<Listing>("list");
       this.tasks.show(listing);
       await this.parameters.refresh(listing);
+      await this.graph.refresh();
     });
+  }
+
+  /** Of a sensor that the task reads. */
+  private valueOfPort(port: string): string | undefined {
+    const { last, layout } = this.history;
+    const value = layout?.values.find(({ kind, name }) => kind === "sensor" && name === port);
+    return value && last ? numbersInWords(last.frame.valuesOf(value)) : undefined;
   }
 
   private follow(status: Status): void {

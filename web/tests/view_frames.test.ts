@@ -1,0 +1,69 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+
+import { decodeClip, decodeLayout, Frame, type ViewValue } from "../src/live/view_frames.ts";
+import { History } from "../src/live/history.ts";
+
+const kLinks = 2;
+const kText = JSON.stringify({
+  module: "task",
+  task: "crawling",
+  hash: "a1",
+  links: kLinks,
+  size: 3 + 8 * kLinks + 1 + 3,
+  values: [
+    { kind: "term", name: "forward", type: "real", unit: "", doc: "", size: 1 },
+    { kind: "sensor", name: "v", type: "vec3", unit: "m/s", doc: "", size: 3 },
+  ],
+});
+
+/** As the trainer writes it: frames of time, actions and what the term has paid. */
+function bytesOf(isEpisode: boolean, frames: [number, number, number][], size: number): ArrayBuffer {
+  const bytes = new ArrayBuffer(7 * 8 + frames.length * size * 4);
+  new Float64Array(bytes, 0, 7).set([isEpisode ? 1 : 0, 5, 12, frames.length, 0.1, 1, 0.01]);
+  const numbers = new Float32Array(bytes, 7 * 8);
+  frames.forEach(([time, actions, paid], i) => {
+    numbers.set([time, paid, actions], i * size);
+    numbers.set([1, 0], i * size + 3 + 7 * kLinks);
+    numbers.set([paid, 0.1, 0.2, 0.3], i * size + 3 + 8 * kLinks);
+  });
+  return bytes;
+}
+
+test("a frame is read as it was written", () => {
+  const layout = decodeLayout(kText);
+  const clip = decodeClip(layout, bytesOf(true, [[0, 0, 0], [0.1, 1, 2.5]], layout.size));
+  assert.equal(clip.isEpisode, true);
+  assert.equal(clip.episode, 5);
+  assert.equal(clip.steps, 12);
+  const frame = new Frame(clip, 1);
+  assert.equal(frame.time, Math.fround(0.1));
+  assert.equal(frame.return, 2.5);
+  assert.equal(frame.actions, 1);
+  assert.deepEqual([...frame.contacts], [1, 0]);
+  assert.deepEqual([...frame.valuesOf(layout.values[1] as ViewValue)], [0.1, 0.2, 0.3].map(Math.fround));
+});
+
+test("what does not add up is refused", () => {
+  const layout = decodeLayout(kText);
+  assert.throws(() => decodeLayout(kText.replace('"links":2', '"links":3')));
+  assert.throws(() => decodeClip(layout, bytesOf(true, [[0, 0, 0]], layout.size - 1)));
+});
+
+test("a term's rate is what it has paid in a third of a second, its action's sum since that began", () => {
+  const layout = decodeLayout(kText);
+  const frames = Array.from({ length: 8 }, (_, i): [number, number, number] => [
+    i / 10,
+    i < 4 ? 1 : 2,
+    i, // 10 for each second
+  ]);
+  const clip = decodeClip(layout, bytesOf(true, frames, layout.size));
+  const history = new History();
+  assert.equal(history.add(new Frame(clip, 0)), true);
+  for (let i = 1; i < 8; ++i) assert.equal(history.add(new Frame(clip, i)), false);
+  const term = layout.values[0] as ViewValue;
+  assert.ok(Math.abs((history.last?.rates.get(term) ?? 0) - 10) < 1e-4);
+  assert.equal(history.last?.ofAction.get(term), 7 - 4);
+  assert.equal(history.entries[0]?.startsEpisode, true);
+  assert.equal(history.entries[1]?.startsEpisode, false);
+});
