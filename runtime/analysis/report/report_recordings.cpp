@@ -7,6 +7,7 @@
 #include "runtime/analysis/report/base64.h"
 #include "runtime/analysis/report/choose_recordings.h"
 #include "runtime/analysis/report/goals_told.h"
+#include "runtime/analysis/report/report_timeline.h"
 #include "runtime/base/user_error.h"
 #include "runtime/training/run/recorded_ground.h"
 #include "runtime/training/run/recorded_poses.h"
@@ -43,6 +44,26 @@ std::vector<RecordingEntry> WithSizes(std::vector<RecordingEntry> entries, size_
   return entries;
 }
 
+// What is shown beside the motion: its task, how it ended, what it was told and what it paid. A
+// timeline that is damaged is left out with a note.
+void AddCourse(const Recording& stored, const RunRecord& run, const EpisodeRecord& episode,
+               size_t link_count, json& recording, json& notes) {
+  const Evaluation& active = episode.active;
+  const TaskRecord& task = TaskWithId(run, active.task);
+  recording["episode"] = episode.number;
+  recording["task"] = active.task - 1;
+  recording["end"] = {{"kind", active.end_kind}, {"reason", active.end_reason}};
+  recording["goals"] = GoalsTold(task, active);
+  try {
+    const auto frames = recording["frames"].get<size_t>();
+    recording["timeline"] = EncodeTimeline(stored, frames, task, link_count);
+  } catch (const UserError& error) {
+    recording["timeline"] = nullptr;
+    notes.push_back(fmt::format("What episode {} paid from step to step is left out: {}.",
+                                episode.number, error.what()));
+  }
+}
+
 }  // namespace
 
 json EncodeRecording(const Recording& recording, size_t link_count) {
@@ -73,9 +94,8 @@ void AddRecordings(const RunDatabase& database, const RunRecord& run,
       const std::optional<Recording> stored = database.ReadRecording(episode);
       if (!stored) continue;  // deleted since it was listed
       json recording = EncodeRecording(*stored, data["body"].size());
-      recording["episode"] = episode;
-      const Evaluation& told = episodes[static_cast<size_t>(episode - 1)].active;
-      recording["goals"] = GoalsTold(TaskWithId(run, told.task), told);
+      AddCourse(*stored, run, episodes[static_cast<size_t>(episode - 1)], data["body"].size(),
+                recording, notes);
       recording["best"] = index == BestRecording(entries);
       recordings.push_back(std::move(recording));
     } catch (const UserError& error) {

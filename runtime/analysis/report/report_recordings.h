@@ -13,8 +13,9 @@ namespace runtime {
 nlohmann::json EncodeRecording(const Recording& recording, size_t link_count);
 
 // Sets data.body, data.recordings and data.notes: the links' shapes, as many recordings as fit into
-// the page, each with what the robot was told meanwhile, and in sentences what is missing from the
-// page. A recording that is damaged costs itself, never the page.
+// the page, each with its task, what the robot was told and paid meanwhile (report_timeline.h) and
+// how it ended, and in sentences what is missing from the page. A recording that is damaged costs
+// itself, never the page.
 void AddRecordings(const RunDatabase& database, const RunRecord& run,
                    const std::vector<EpisodeRecord>& episodes, nlohmann::json& data);
 

@@ -32,8 +32,7 @@ void Collector::Run(const std::atomic<bool>& is_unwanted) {
     const EpisodeModules modules = {environment_, learner_, tasks_};
     record_ = RunEpisode(episode_, modules, [&](int64_t steps) {
       if (is_unwanted.load(std::memory_order_relaxed)) throw IsUnwanted();
-      if (steps == 0) recorder_.StartEpisode();
-      recorder_.Capture(environment_);
+      recorder_.Capture(steps, modules);
       if (watcher_ != nullptr) watcher_->AfterStep(episode_, steps, modules);
     });
     return;

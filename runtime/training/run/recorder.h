@@ -1,13 +1,15 @@
-// Keeps the poses of the current episode, so that it can be stored if it turns out to be worth it.
+// Keeps the poses of the current episode, and what was paid and measured meanwhile, so that it can
+// be stored if it turns out to be worth it.
 #pragma once
 
 #include <cstddef>
-#include <optional>
+#include <cstdint>
 #include <span>
 #include <vector>
 
-#include "runtime/training/environment/environment.h"
+#include "runtime/training/run/episode.h"
 #include "runtime/training/run/run_records.h"
+#include "runtime/training/run/timeline_recorder.h"
 
 namespace runtime {
 
@@ -27,8 +29,9 @@ class Recorder {
   // empty.
   std::span<float> NextFrame();
 
-  // The same with what the environment is like now for the frame.
-  void Capture(const Environment& environment);
+  // StartEpisode() with `steps` 0; then NextFrame(), and where it is due what these modules are
+  // like now, after so many time steps, for the frame; also where the episode is over.
+  void Capture(int64_t steps, const EpisodeModules& modules);
 
   // The episode up to now, compressed.
   Recording Finish(bool is_best) const;
@@ -44,6 +47,7 @@ class Recorder {
   long step_ = 0;  // since the start of the episode
   size_t frames_ = 0;
   std::vector<float> poses_;
+  TimelineRecorder timeline_;
 };
 
 }  // namespace runtime

@@ -293,6 +293,9 @@ void RunDatabase::AddEpisode(const EpisodeRecord& episode,
         .Bind(episode.number, recording->is_best ? 1 : 0, recording->frames,
               recording->frame_interval, Bytes(recording->poses))
         .Run();
+    if (!recording->timeline.empty()) {
+      write.timeline.Bind(episode.number, Bytes(recording->timeline)).Run();
+    }
   }
   if (checkpoint) impl_->WriteCheckpoint(*checkpoint);
   transaction.Commit();

@@ -37,6 +37,7 @@ struct WriteStatements {
                 "INSERT INTO learner_value SELECT ?, id, ? FROM learner_curve WHERE name = ?",
                 "save an episode"),
         recording(database, "INSERT INTO recording VALUES (?, ?, ?, ?, ?)", "save a recording"),
+        timeline(database, "INSERT INTO timeline VALUES (?, ?)", "save a recording"),
         checkpoint(database, "INSERT OR REPLACE INTO checkpoint VALUES (1, ?, ?)",
                    "save a checkpoint"),
         set_value(database, "INSERT OR REPLACE INTO run VALUES (?, ?)", "save the run's state") {}
@@ -50,6 +51,7 @@ struct WriteStatements {
   SqliteStatement phase;
   SqliteStatement learner;
   SqliteStatement recording;
+  SqliteStatement timeline;
   SqliteStatement checkpoint;
   SqliteStatement set_value;
 };

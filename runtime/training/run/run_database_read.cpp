@@ -98,6 +98,14 @@ class RunValues {
   std::map<std::string, std::string> values_;
 };
 
+// "" where there is none.
+std::string TimelineIn(const SqliteDatabase& database, int64_t episode) {
+  if (!HasTable(database, "timeline")) return "";
+  TableReader row(database, "timeline", "samples", "WHERE episode = ?");
+  row.Bind(episode);
+  return row.Next() ? row.Blob(0) : "";
+}
+
 int64_t LastEpisode(SqliteDatabase& database) {
   return database.QueryInteger("SELECT max(number) FROM episode", "read the episodes");
 }
@@ -207,7 +215,7 @@ std::optional<Recording> RunDatabase::ReadRecording(int64_t episode) const {
   row.Bind(episode);
   if (!row.Next()) return std::nullopt;
   return Recording{row.Whole(0, 1, Recording::kMostFrames), row.Time(1, kShortest), row.Flag(2),
-                   row.Blob(3)};
+                   row.Blob(3), TimelineIn(*impl_->database, episode)};
 }
 
 }  // namespace runtime

@@ -144,7 +144,8 @@ struct Recording {
   int64_t frames = 0;
   double frame_interval = 0;  // [s]
   bool is_best = false;
-  std::string poses;  // compressed, see schema.sql
+  std::string poses;       // compressed, see schema.sql
+  std::string timeline{};  // the same, of timeline.h; "" where there is none
 };
 
 // An episode of which there is a recording.

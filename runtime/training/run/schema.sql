@@ -194,6 +194,18 @@ CREATE TABLE IF NOT EXISTS recording (
   poses BLOB NOT NULL
 );
 
+-- What a recorded episode paid, measured and touched (timeline.h). An episode in which another task
+-- took the place of the active one has none, nor has one that an older version recorded. `samples`:
+-- zstd of the time at which the episode was over [s], a little-endian float64, and then, for each
+-- frame of the recording and for the end of the episode, little-endian float32 values: columns of
+-- what was paid since the value before, in all and for each term of the active task, of its metrics,
+-- and, where it has phases, of the present one's number; then a bit for each link, in whole bytes,
+-- whether it touched something.
+CREATE TABLE IF NOT EXISTS timeline (
+  episode INTEGER PRIMARY KEY REFERENCES recording ON DELETE CASCADE,
+  samples BLOB NOT NULL
+);
+
 -- Everything needed to continue after `episode`: a hash of the rest (sealed_state.h), then zstd of the
 -- modules' state (checkpoint.h).
 CREATE TABLE IF NOT EXISTS checkpoint (

@@ -127,8 +127,7 @@ EpisodeRecord Training::RunNextEpisode(const StopRequest& stop) {
   const EpisodeModules modules = {environment_, learner_, tasks_};
   EpisodeWatcher* const watcher = hooks_.watcher();
   return RunEpisode(episodes_done_ + 1, modules, [&](int64_t steps) {
-    if (steps == 0) recorder_.StartEpisode();
-    recorder_.Capture(environment_);
+    recorder_.Capture(steps, modules);
     if (watcher != nullptr) watcher->AfterStep(episodes_done_ + 1, steps, modules);
     NoteStop(stop);
     if (steps > 0 && !learner_.episode_over()) AllowChanges(steps);

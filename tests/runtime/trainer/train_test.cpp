@@ -1,8 +1,12 @@
+#include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <sstream>
 
 #include "runtime/training/run/compression.h"
+#include "runtime/training/run/timeline.h"
 #include "tests/runtime/trainer/trainer_test.h"
 
 namespace runtime {
@@ -81,6 +85,35 @@ TEST_F(TrainTest, RecordsTheBestEpisodesEveryNthAndTheLast) {
     EXPECT_EQ(recording->frames, episode.steps / 4 + 1);
     EXPECT_EQ(Decompress(recording->poses, "poses").size(),
               static_cast<size_t>(recording->frames) * 18 * 7 * sizeof(float));
+  }
+}
+
+// What the samples say adds up to what the episode's own record says.
+TEST_F(TrainTest, RecordsWhatEachStepPaid) {
+  Train("run", 2, {"--record-every", "1", "--quiet"});
+  const RunDatabase database = RunDatabase::OpenToRead(RunFolder("run"));
+  const RunRecord run = database.ReadRun();
+  const TaskRecord& task = run.tasks.front();
+  for (const EpisodeRecord& episode : database.ReadEpisodes()) {
+    const Recording recording = *database.ReadRecording(episode.number);
+    const Timeline timeline = ReadTimeline(recording, task, 18);
+    EXPECT_EQ(timeline.sample_count(), static_cast<size_t>(recording.frames) + 1);
+    EXPECT_EQ(timeline.end, episode.simulated_seconds);
+    const auto sum = [](const std::vector<float>& paid) {
+      return std::accumulate(paid.begin(), paid.end(), 0.0);
+    };
+    EXPECT_NEAR(sum(timeline.returns), episode.active.episode_return, 1e-5);
+    for (size_t i = 0; i < task.terms.size(); ++i) {
+      EXPECT_NEAR(sum(timeline.terms[i]), episode.active.terms[i], 1e-5) << task.terms[i].name;
+    }
+    for (size_t i = 0; i < task.metrics.size(); ++i) {
+      EXPECT_TRUE(std::isnan(timeline.metrics[i].front()));
+      const std::string& reduction = task.metrics[i].reduction;
+      if (reduction != "last" && reduction != "sum") continue;
+      EXPECT_FLOAT_EQ(timeline.metrics[i].back(), static_cast<float>(episode.active.metrics[i]));
+    }
+    EXPECT_TRUE(std::ranges::any_of(timeline.contacts, [](uint8_t byte) { return byte != 0; }));
+    EXPECT_LT(recording.timeline.size(), recording.poses.size() / 5);
   }
 }
 

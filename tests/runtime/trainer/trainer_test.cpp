@@ -17,7 +17,7 @@ TrainerTest::Trace TrainerTest::TraceOf(const std::string& name) const {
                     episode.simulated_seconds, episode.active.faults, episode.active.terms,
                     episode.active.metrics, episode.active.logs, episode.active.violations));
     const std::optional<Recording> recording = database.ReadRecording(episode.number);
-    trace.recordings.push_back(recording ? recording->poses : "");
+    trace.recordings.push_back(recording ? recording->poses + recording->timeline : "");
   }
   return trace;
 }

@@ -11,6 +11,7 @@
 
 #include "runtime/training/run/compression.h"
 #include "runtime/training/run/run_files.h"
+#include "runtime/training/run/timeline.h"
 #include "tests/runtime/analysis/report/report_page.h"
 #include "tests/runtime/analysis/report/sample_run.h"
 #include "tests/runtime/training/run/error_of.h"
@@ -46,7 +47,7 @@ EpisodeRecord Episode(int64_t number, double value) {
 // A recording of two links with these values.
 Recording TwoLinks(const std::vector<float>& poses) {
   return {static_cast<int64_t>(poses.size() / 14), 0.02, false,
-          Compress(std::as_bytes(std::span(poses)))};
+          Compress(std::as_bytes(std::span(poses))), ""};
 }
 
 std::vector<float> Frames(size_t count) {
@@ -301,6 +302,62 @@ TEST_F(WriteReportTest, CarriesTheRecordedPosesAndMarksTheBest) {
   EXPECT_EQ(data["recordings"][1]["best"], false);
   EXPECT_EQ(data["body"][1]["name"], "foot");
   EXPECT_THAT(data["notes"], IsEmpty());
+}
+
+// Of three frames, and of SampleCrawling().
+Timeline SmallTimeline() {
+  return {.end = 0.055,
+          .returns = {0, 1, 2, -4},
+          .terms = {{0, 1, 2, 0}, {0, 0, 0, 0}, {0, 0, 0, -4}},
+          .metrics = {{kNan, 0.1f, 0.2f, 0.3f}, {kNan, 0, 0, 1}},
+          .phases = {},
+          .contacts = {0, 1, 3, 2}};
+}
+
+TEST_F(WriteReportTest, CarriesWhatEachStepPaid) {
+  Recording recording = TwoLinks(Frames(3));
+  recording.timeline = PackTimeline(SmallTimeline());
+  RunDatabase database = Create();
+  database.AddEpisode(Episode(1, 7), recording, std::nullopt);
+  const json shown = Data()["recordings"][0];
+  EXPECT_EQ(shown["task"], 0);
+  EXPECT_EQ(shown["end"]["kind"], Episode(1, 7).active.end_kind);
+  const json& timeline = shown["timeline"];
+  EXPECT_EQ(timeline["end"], 0.055);
+  EXPECT_THAT(Floats(timeline["returns"]), ElementsAre(0, 1, 2, -4));
+  ASSERT_THAT(timeline["terms"], SizeIs(3));
+  EXPECT_EQ(timeline["terms"][2]["name"], "fall");
+  EXPECT_THAT(Floats(timeline["terms"][2]["values"]), ElementsAre(0, 0, 0, -4));
+  EXPECT_EQ(timeline["metrics"][0]["unit"], "m");
+  EXPECT_EQ(timeline["metrics"][1]["reduction"], "sum");
+  EXPECT_EQ(timeline["contacts"], "AAEDAg==");
+  EXPECT_FALSE(timeline.contains("phases"));
+}
+
+TEST_F(WriteReportTest, ATimelineLosesTheSamplesOfFramesThatAreLeftOut) {
+  std::vector<float> poses = Frames(3);
+  poses[2 * 14 + 5] = kNan;
+  Recording recording = TwoLinks(poses);
+  recording.timeline = PackTimeline(SmallTimeline());
+  RunDatabase database = Create();
+  database.AddEpisode(Episode(1, 7), recording, std::nullopt);
+  const json timeline = Data()["recordings"][0]["timeline"];
+  EXPECT_THAT(Floats(timeline["returns"]), ElementsAre(0, 1, -4));
+  EXPECT_EQ(timeline["contacts"], "AAEC");
+}
+
+TEST_F(WriteReportTest, ADamagedTimelineCostsOnlyItself) {
+  Recording damaged = TwoLinks(Frames(3));
+  damaged.timeline = "no timeline";
+  RunDatabase database = Create();
+  database.AddEpisode(Episode(1, 7), damaged, std::nullopt);
+  database.AddEpisode(Episode(2, 7), TwoLinks(Frames(3)), std::nullopt);
+  const json data = Data();
+  ASSERT_THAT(data["recordings"], SizeIs(2));
+  EXPECT_TRUE(data["recordings"][0]["timeline"].is_null());
+  EXPECT_TRUE(data["recordings"][1]["timeline"].is_null());
+  EXPECT_THAT(data["notes"],
+              ElementsAre(HasSubstr("What episode 1 paid from step to step is left out: ")));
 }
 
 TEST_F(WriteReportTest, ARecordingEndsWhereItsPosesAreNoLongerFinite) {

@@ -13,6 +13,7 @@
 #include "runtime/training/run/recorder.h"
 #include "runtime/training/run/run_settings.h"
 #include "tests/runtime/analysis/report/moving_humanoid.h"
+#include "tests/runtime/analysis/report/sample_timeline.h"
 
 namespace runtime {
 namespace {
@@ -115,7 +116,7 @@ Recording SampleRecording(double duration, double speed) {
   const std::vector<float> poses = CrawlingPoses(Humanoid(), duration, kInterval, speed);
   const size_t frame_size = Humanoid().links.size() * Recorder::kFloatsPerLink;
   return {static_cast<int64_t>(poses.size() / frame_size), kInterval, false,
-          Compress(std::as_bytes(std::span(poses)))};
+          Compress(std::as_bytes(std::span(poses))), ""};
 }
 
 void WriteSampleRun(const std::filesystem::path& folder, const SampleSize& size) {
@@ -132,6 +133,7 @@ void WriteSampleRun(const std::filesystem::path& folder, const SampleSize& size)
       recording =
           SampleRecording(size.duration, episode.active.metrics[0] / episode.simulated_seconds);
       recording->is_best = is_best;
+      recording->timeline = SampleTimeline(*recording, episode, SampleCrawling());
     }
     database.AddEpisode(episode, recording, std::nullopt);
   }
@@ -191,7 +193,11 @@ void WriteTunedRun(const std::filesystem::path& folder) {
     if (number >= 101) episode.shadows = {CarefulEvaluation(shadow, episode.active)};
     if (number >= 251) episode.active = CarefulEvaluation(active, episode.active);
     std::optional<Recording> recording;
-    if (number % 100 == 0) recording = SampleRecording(5, 0.1);
+    if (number % 100 == 0) {
+      recording = SampleRecording(5, 0.1);
+      recording->timeline = SampleTimeline(*recording, episode,
+                                           number >= 251 ? CarefulTask("task") : SampleCrawling());
+    }
     database.AddEpisode(episode, recording, std::nullopt);
   }
   database.SetState(RunState::kFinished);

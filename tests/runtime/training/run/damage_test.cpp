@@ -22,8 +22,9 @@ class DamageTest : public testing::Test {
     database.AddTask(SampleVersion());
     EpisodeRecord shadowed = SampleEpisode(2);
     shadowed.shadows = {SampleShadow()};
-    database.AddEpisode(SampleEpisode(1), Recording{3, 0.02, true, "poses"}, {});
-    database.AddEpisode(shadowed, Recording{3, 0.02, false, "poses"}, Checkpoint{2, "state"});
+    database.AddEpisode(SampleEpisode(1), Recording{3, 0.02, true, "poses", "timeline"}, {});
+    database.AddEpisode(shadowed, Recording{3, 0.02, false, "poses", "timeline"},
+                        Checkpoint{2, "state"});
     database.AddChange({0, 1, 20, "2026-01-02T03:04:05Z", SetParameter{"task.gain", int64_t{2}},
                         "set task.gain = 2"});
     database.AddChange(

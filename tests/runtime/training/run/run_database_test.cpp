@@ -262,10 +262,22 @@ TEST_F(RunDatabaseTest, GoesOnWithARunFromBeforeThereWerePhases) {
   EXPECT_EQ(read.at(1).active.phases, second.active.phases);
 }
 
+TEST_F(RunDatabaseTest, GoesOnWithARunFromBeforeTimelinesWereRecorded) {
+  RunDatabase::Create(folder(), SampleRun())
+      .AddEpisode(SampleEpisode(1), Recording{1, 0.02, true, "p", ""}, {});
+  SqliteDatabase(file(), SqliteAccess::kWrite).Execute("DROP TABLE timeline", "be an old one");
+  EXPECT_EQ(RunDatabase::OpenToRead(folder()).ReadRecording(1)->timeline, "");
+  RunDatabase database = RunDatabase::Open(folder());
+  database.AddEpisode(SampleEpisode(2), Recording{1, 0.02, true, "p", "t"}, {});
+  EXPECT_EQ(database.ReadRecording(1)->timeline, "");
+  EXPECT_EQ(database.ReadRecording(2)->timeline, "t");
+}
+
 TEST_F(RunDatabaseTest, KeepsTheLastCheckpointAndAllRecordings) {
   RunDatabase database = RunDatabase::Create(folder(), SampleRun());
   const std::string poses("\0\1\2 poses", 9);
-  database.AddEpisode(SampleEpisode(1), Recording{3, 0.02, true, poses}, Checkpoint{1, "old"});
+  database.AddEpisode(SampleEpisode(1), Recording{3, 0.02, true, poses, "timeline"},
+                      Checkpoint{1, "old"});
   database.AddEpisode(SampleEpisode(2), {}, Checkpoint{2, "new"});
   EXPECT_EQ(database.ReadCheckpoint()->episode, 2);
   EXPECT_EQ(database.ReadCheckpoint()->state, "new");
@@ -275,6 +287,7 @@ TEST_F(RunDatabaseTest, KeepsTheLastCheckpointAndAllRecordings) {
   EXPECT_EQ(recording->frame_interval, 0.02);
   EXPECT_TRUE(recording->is_best);
   EXPECT_EQ(recording->poses, poses);
+  EXPECT_EQ(recording->timeline, "timeline");
   EXPECT_FALSE(database.ReadRecording(2).has_value());
   EXPECT_EQ(database.ReadLastRecordedEpisode(), 1);
 }
@@ -285,13 +298,13 @@ TEST_F(RunDatabaseTest, DeletesLaterEpisodesWithAllThatBelongsToThem) {
   for (int number = 1; number <= 3; ++number) {
     EpisodeRecord episode = SampleEpisode(number);
     episode.learner = {{"rate", 0.5}};
-    database.AddEpisode(episode, Recording{1, 0.02, false, "p"}, {});
+    database.AddEpisode(episode, Recording{1, 0.02, false, "p", "t"}, {});
   }
   database.DeleteEpisodesAfter(1);
   EXPECT_EQ(database.ReadEpisodes().size(), 1u);
   SqliteDatabase raw(file(), SqliteAccess::kRead);
   for (const char* table : {"episode", "evaluation", "evaluation_term", "evaluation_metric",
-                            "evaluation_log", "learner_value", "recording"}) {
+                            "evaluation_log", "learner_value", "recording", "timeline"}) {
     const std::string column = table == std::string("episode") ? "number" : "episode";
     EXPECT_EQ(raw.QueryInteger("SELECT max(" + column + ") FROM " + table, "count"), 1) << table;
   }

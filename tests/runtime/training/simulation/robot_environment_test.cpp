@@ -270,6 +270,57 @@ TEST(RobotEnvironment, ADivergingSimulationEndsTheEpisode) {
   for (const float number : pose) EXPECT_TRUE(std::isfinite(number));
 }
 
+// What a peek reads is what everybody reads, and a diverged episode shows what was read before it.
+TEST(RobotEnvironment, APeekLeavesNoTrace) {
+  Stage stage;
+  stage.environment.StartEpisode();
+  stage.environment.RunTimeStep();
+  const double before = stage.Real("base.position", 2);
+  stage.environment.RunTimeStep();
+  double peeked = 0;
+  {
+    const RobotEnvironment::Peek peek(stage.environment);
+    peeked = stage.Real("base.position", 2);
+  }
+  std::vector<float> pose(7 * 18);
+  stage.environment.CapturePose(pose);
+  EXPECT_NE(peeked, before);
+  EXPECT_EQ(static_cast<float>(peeked), pose[2]);
+  stage.listener.targets[3] = std::numeric_limits<double>::quiet_NaN();
+  stage.environment.RunTimeStep();
+  ASSERT_EQ(stage.listener.events.back(), "diverged");
+  EXPECT_EQ(stage.Real("base.position", 2), before);
+}
+
+TEST(RobotEnvironment, WhatIsReadAfterAPeekCounts) {
+  Stage stage;
+  stage.environment.StartEpisode();
+  stage.environment.RunTimeStep();
+  {
+    const RobotEnvironment::Peek peek(stage.environment);
+    stage.Real("base.position", 2);
+  }
+  const double read = stage.Real("base.position", 2);
+  stage.listener.targets[3] = std::numeric_limits<double>::quiet_NaN();
+  stage.environment.RunTimeStep();
+  EXPECT_EQ(stage.Real("base.position", 2), read);
+}
+
+TEST(RobotEnvironment, CapturesWhatTheContactSensorSays) {
+  Stage stage;
+  stage.environment.StartEpisode();
+  for (int i = 0; i < 100; ++i) stage.environment.RunTimeStep();
+  std::vector<uint8_t> contacts(3);
+  stage.environment.CaptureContacts(contacts);
+  int touching = 0;
+  for (int link = 0; link < 18; ++link) {
+    const bool touches = (contacts[link / 8] >> link % 8 & 1) != 0;
+    EXPECT_EQ(touches, stage.Read("contact").flags()[link]) << link;
+    touching += touches;
+  }
+  EXPECT_GT(touching, 0);
+}
+
 TEST(RobotEnvironment, TheNextEpisodeAfterADivergedOneRuns) {
   Stage stage;
   stage.environment.StartEpisode();
