@@ -35,7 +35,8 @@ async function onPage(
   page.on("request", (request) => {
     if (!/^(file|data|blob):/.test(request.url())) complaints.push(`request: ${request.url()}`);
   });
-  await page.goto(pathToFileURL(file).href);
+  const [path = "", fragment] = file.split("#");
+  await page.goto(pathToFileURL(path).href + (fragment ? `#${fragment}` : ""));
   await page.locator("html[data-ready=true]").waitFor({ state: "attached" });
   await check(page);
   await page.close();
@@ -151,6 +152,9 @@ const showsChangesAndShadows: Check = async (page) => {
   await marks.nth(2).hover();
   assert.ok(await label.isVisible());
   assert.match((await label.textContent()) ?? "", /swap task: .*careful.*\n.*task\.weight/);
+  for (const chart of ["#terms", "#metrics article:first-child", "#logs article:first-child"]) {
+    assert.equal(await page.locator(`${chart} .change`).count(), 3, chart);
+  }
   assert.equal(await page.locator("#history tbody tr").count(), 4 + 2);
   assert.match(await textOf(page, "#curve-key"), /shadow careful/);
   await page.locator("#curve").focus();
@@ -261,8 +265,122 @@ const replaysAFind: Check = async (page) => {
 
 const staysAtRest: Check = async (page) => {
   await page.locator(".mark").first().click();
+  const opening = await secondsOf(page);
   await page.waitForTimeout(200);
-  assert.equal(await secondsOf(page), 0);
+  assert.equal(await secondsOf(page), opening);
+  assert.equal(await page.locator("#play").getAttribute("data-state"), "paused");
+};
+
+const opensOnATellingFrame: Check = async (page) => {
+  assert.ok((await secondsOf(page)) > 1);
+  await page.keyboard.press("Space"); // and yet plays from the start
+  await page.locator('#play[data-state="playing"]').waitFor();
+  await page.keyboard.press("Space");
+  await page.locator('#play[data-state="paused"]').waitFor();
+  assert.ok((await secondsOf(page)) < 1);
+};
+
+interface PaidUpTo {
+  returned: number;
+  terms: { name: string; paid: number; sum: number }[];
+  metrics: { name: string; value: number }[];
+}
+
+/** What the data of the page says of the shown recording at sample number `sample`, or at its end. */
+const paidUpTo = (page: Page, sample: number | null): Promise<PaidUpTo> =>
+  page.evaluate((wanted) => {
+    const data = JSON.parse(document.querySelector("#report-data")?.textContent ?? "");
+    const chosen = (document.querySelector("#recording") as HTMLSelectElement).value;
+    const { timeline } = data.recordings[Number(chosen)];
+    const values = (text: string): number[] => {
+      const bytes = Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
+      return [...new Float32Array(bytes.buffer)];
+    };
+    const at = (text: string): number => wanted ?? values(text).length - 1;
+    const sum = (text: string): number =>
+      values(text)
+        .slice(0, at(text) + 1)
+        .reduce((a, b) => a + b, 0);
+    return {
+      returned: sum(timeline.returns),
+      terms: timeline.terms.map((term: { name: string; values: string }) => ({
+        name: term.name,
+        paid: values(term.values)[at(term.values)],
+        sum: sum(term.values),
+      })),
+      metrics: timeline.metrics.map((metric: { name: string; values: string }) => ({
+        name: metric.name,
+        value: values(metric.values)[at(metric.values)],
+      })),
+    };
+  }, sample);
+
+const numberIn = (text: string | null): number =>
+  Number((text ?? "").replace("\u2212", "-").replace(/[\u202f+]/g, ""));
+
+/** `shown` has the digits that the page shows of `value`. */
+function equalsShown(shown: string | null, value: number, what: string): void {
+  const difference = Math.abs(numberIn(shown) - value);
+  assert.ok(difference <= Math.max(6e-4, 6e-4 * Math.abs(value)), `${what}: ${shown}, ${value}`);
+}
+
+async function showsWhatTheDataSays(page: Page, sample: number | null): Promise<void> {
+  const expected = await paidUpTo(page, sample);
+  const row = (kind: string, index: number) =>
+    page.locator(`.timeline .label[data-kind="${kind}"]`).nth(index);
+  equalsShown(await row("return", 0).locator(".sum").textContent(), expected.returned, "return");
+  for (const [i, { name, paid, sum }] of expected.terms.entries()) {
+    assert.equal(await row("term", i).locator(".name").textContent(), name);
+    equalsShown(await row("term", i).locator(".now").textContent(), paid, name);
+    equalsShown(await row("term", i).locator(".sum").textContent(), sum, name);
+  }
+  for (const [i, { name, value }] of expected.metrics.entries()) {
+    equalsShown(await row("metric", i).locator(".now").textContent(), value, name);
+  }
+}
+
+const showsWhatEachStepPaid: Check = async (page) => {
+  await page.keyboard.press("End");
+  await showsWhatTheDataSays(page, null);
+  const end = await textOf(page, "#timeline-now");
+  assert.match(end, /truncated: time is up|failure: falls too often/);
+  const option = await page.locator("#recording option:checked").textContent();
+  const returned = /return (\S+?),? /.exec(`${option} `)?.[1] ?? "";
+  assert.match(end, new RegExp(`return ${returned.replace(".", "\\.")}`));
+  await page.locator("#scrub").fill("4");
+  await showsWhatTheDataSays(page, 200);
+};
+
+const lightsTheLinesThatPay: Check = async (page) => {
+  await page.locator("#scrub").fill("4");
+  const lit = page.locator("#timeline-source .lit");
+  assert.match((await lit.first().textContent()) ?? "", /reward rate forward =/);
+  const paid = await lit.first().getAttribute("data-paid");
+  const row = page.locator('.timeline .label[data-kind="term"] .now').first();
+  assert.equal(await row.textContent(), paid);
+};
+
+const jumpsToAClickOnATrace: Check = async (page) => {
+  const plot = page.locator(".timeline .plot");
+  await plot.scrollIntoViewIfNeeded();
+  const box = await plot.boundingBox();
+  assert.ok(box);
+  await plot.click({ position: { x: box.width / 4, y: 20 } });
+  const duration = Number(await page.locator("#scrub").getAttribute("max"));
+  assert.ok(Math.abs((await secondsOf(page)) - duration / 4) < 0.1);
+  const cursor = await page.locator(".timeline .cursor").boundingBox();
+  assert.ok(Math.abs((cursor?.x ?? 0) - (box.x + box.width / 4)) < 3);
+  await page.waitForFunction(() => /^#episode=\d+&t=/.test(location.hash)); // the link to it
+};
+
+/** The first tap on a mark reads, the second one replays. */
+const readsATap: Check = async (page) => {
+  const mark = page.locator(".mark").first();
+  await mark.tap();
+  assert.match(await textOf(page, "#curve-readout"), /^Episode \d+ .*replay$/);
+  assert.equal(await mark.getAttribute("aria-pressed"), "false");
+  await mark.tap();
+  assert.equal(await mark.getAttribute("aria-pressed"), "true");
 };
 
 const fitsItsWidth: Check = async (page) => {
@@ -306,15 +424,24 @@ async function checkFullPage(browser: Browser): Promise<void> {
   await onPage(browser, fullPage, { colorScheme: "light" }, async (page) => {
     assert.ok((await colorfulPixels(page, "#stage canvas")) > 2000, "the robot is drawn");
     await screenshot("light")(page);
+    await opensOnATellingFrame(page);
+    const timeline = [showsWhatEachStepPaid, lightsTheLinesThatPay, jumpsToAClickOnATrace];
+    for (const check of timeline) await check(page);
     const replays = [drawsTheStrip, playsByKeys, scrubs, replaysAMark];
     const charts = [showsValuesOfAnEpisode, hidesATerm, showsNoChanges];
     for (const check of [showsTheRun, ...replays, ...charts, fitsItsWidth]) await check(page);
   });
   await onPage(browser, fullPage, { colorScheme: "dark" }, screenshot("dark"));
   await onPage(browser, fullPage, { reducedMotion: "reduce" }, staysAtRest);
-  await onPage(browser, fullPage, { viewport: { width: 390, height: 844 } }, async (page) => {
+  const phone = { viewport: { width: 390, height: 844 }, hasTouch: true };
+  await onPage(browser, fullPage, phone, async (page) => {
     await screenshot("narrow")(page);
     await fitsItsWidth(page);
+    await readsATap(page);
+  });
+  await onPage(browser, `${fullPage}#episode=800&t=3`, { reducedMotion: "reduce" }, async (page) => {
+    assert.equal(await secondsOf(page), 3);
+    assert.match((await page.locator("#recording option:checked").textContent()) ?? "", /^800 /);
   });
 }
 

@@ -61,3 +61,17 @@ test("every change is told", () => {
   player.pause();
   assert.equal(changes, 3);
 });
+
+test("it opens where it is told, and yet plays from the start", () => {
+  const player = new Player();
+  player.load(10, 4);
+  assert.equal(player.time, 4);
+  assert.ok(player.untouched);
+  player.play();
+  assert.equal(player.time, 0);
+  player.load(10, 4);
+  player.seek(6);
+  assert.ok(!player.untouched);
+  player.play();
+  assert.equal(player.time, 6);
+});

@@ -34,13 +34,15 @@ export class ChangeMarks {
   private readonly host = element("div", { class: "changes-on-chart" });
   private readonly places: Place[];
 
-  constructor(changes: Change[]) {
+  /** `isRepeated`: they stand on another chart, too, where the keyboard reaches them. */
+  constructor(changes: Change[], isRepeated = false) {
     this.places = placesOf(changes);
     for (const { changes: here } of this.places) {
       const words = here.map(changeWords).join("\n");
       const label = element("span", { class: "label", "aria-hidden": "true" }, words);
       const mark = element("button", { type: "button", "aria-label": words }, label);
       mark.className = "change";
+      if (isRepeated) mark.tabIndex = -1;
       this.host.append(mark);
     }
   }

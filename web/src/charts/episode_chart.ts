@@ -79,7 +79,6 @@ function plotSeries(series: ChartSeries): uPlot.Series {
     stroke: () => themeColor(series.color),
     width: series.width ?? 2,
     points: { show: false },
-    auto: !series.isOutside,
     spanGaps: !series.hasGaps,
     gaps: (plot, index, _first, _last, gaps) => withBreaks(plot, index, series.starts ?? [], gaps),
     ...(isLine ? {} : { paths: () => null }), // drawn by drawPoints
@@ -183,6 +182,12 @@ export class EpisodeChart {
     this.plot.redraw(false);
   }
 
+  /** Leads the cursor to an episode by its index. */
+  pointAt(index: number): void {
+    const episode = this.data[0]?.[index] ?? 0;
+    this.plot.setCursor({ left: this.plot.valToPos(episode, "x"), top: 0 });
+  }
+
   redraw(): void {
     this.plot.redraw(true);
   }
@@ -202,7 +207,7 @@ export class EpisodeChart {
     const episodes = this.data[0] as Float32Array;
     const last = episodes.length - 1;
     const index = Math.min(Math.max((this.plot.cursor.idx ?? last + 1) + step, 0), last);
-    this.plot.setCursor({ left: this.plot.valToPos(episodes[index] as number, "x"), top: 0 });
+    this.pointAt(index);
   }
 
   private fit(height: number): void {

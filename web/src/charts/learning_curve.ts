@@ -19,6 +19,7 @@ export class LearningCurve {
   private readonly changes: ChangeMarks;
   private mean: Float32Array;
   private shadowMeans: Float32Array[];
+  private wasRead: Recording | undefined; // by the last tap
 
   constructor(
     private readonly report: Report,
@@ -104,10 +105,21 @@ export class LearningCurve {
       mark.className = recording.best ? "mark best" : "mark";
       mark.addEventListener("click", (event) => {
         leaveAfterClick(mark, event);
-        this.replay(recording);
+        const isTouch = event instanceof PointerEvent && event.pointerType === "touch";
+        if (isTouch && this.wasRead !== recording) this.read(recording);
+        else this.replay(recording);
       });
       this.marks.append(mark);
     }
+  }
+
+  /** Without a mouse to point with, the first tap says what the second one replays. */
+  private read(recording: Recording): void {
+    this.chart.pointAt(this.report.episode.indexOf(recording.episode));
+    this.wasRead = recording;
+    const replay = element("button", { type: "button", class: "text" }, "replay");
+    replay.addEventListener("click", () => this.replay(recording));
+    this.parts.readout.append("  ·  ", replay);
   }
 
   private returnOf(recording: Recording): number | undefined {
@@ -128,6 +140,7 @@ export class LearningCurve {
 
   private showValues(index: number | null): void {
     const { report } = this;
+    this.wasRead = undefined;
     if (index === null) {
       this.parts.readout.textContent = kHint;
       return;

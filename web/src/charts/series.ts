@@ -4,7 +4,6 @@ export interface ChartSeries {
   color: string;
   kind: "line" | "points";
   width?: number; // of the line; otherwise 2 [CSS pixels]
-  isOutside?: boolean; // the axis need not reach its values
   hasGaps?: boolean; // the line is broken where there are no values
   starts?: number[]; // indices at which the line begins anew
 }

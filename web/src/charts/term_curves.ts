@@ -5,6 +5,7 @@ import { runningMean } from "../data/statistics.ts";
 import { onlyUnder, versionStarts } from "../data/versions.ts";
 import { formatCount, formatNumber } from "../data/words.ts";
 import { element, onThemeChange } from "../page/dom.ts";
+import { ChangeMarks } from "./change_marks.ts";
 import { EpisodeChart } from "./episode_chart.ts";
 
 const kColors = 8; // --series-1 … --series-8
@@ -20,6 +21,7 @@ export class TermCurves {
     window: number,
   ) {
     this.means = this.meansOf(window);
+    const changes = new ChangeMarks(report.changes, true);
     report.terms.forEach((term, i) => this.parts.legend.append(this.legendEntry(term, i)));
     this.chart = new EpisodeChart(parts.chart, {
       episode: report.episode,
@@ -33,6 +35,7 @@ export class TermCurves {
       height: 260,
       label: "Running mean of each reward term's sum per episode.",
       onHover: (index) => this.showValues(index),
+      onDraw: (plot) => changes.place(plot),
     });
     onThemeChange(() => this.chart.redraw());
     this.showValues(null);

@@ -5,6 +5,7 @@ import { runningMean } from "../data/statistics.ts";
 import { onlyUnder } from "../data/versions.ts";
 import { formatCount, formatNumber } from "../data/words.ts";
 import { onThemeChange } from "../page/dom.ts";
+import { ChangeMarks } from "./change_marks.ts";
 import { EpisodeChart } from "./episode_chart.ts";
 import { addValueCard } from "./value_card.ts";
 
@@ -31,6 +32,7 @@ class ValueChart {
     const words = [kReductionWords[curve.reduction] ?? curve.reduction, curve.doc];
     const card = addValueCard(host, curve, words.filter(Boolean).join(" — "));
     this.value = card.value;
+    const changes = new ChangeMarks(report.changes, true);
     this.chart = new EpisodeChart(card.chart, {
       episode: report.episode,
       series: [
@@ -40,6 +42,7 @@ class ValueChart {
       height: 190,
       label: `${curve.name} of each episode and its running mean.`,
       onHover: (index) => this.showValue(index),
+      onDraw: (plot) => changes.place(plot),
     });
     onThemeChange(() => this.chart.redraw());
     this.showValue(null);

@@ -1,10 +1,16 @@
-// Little-endian float32 values as base64 text. Every browser's own order is little-endian, too.
+// Bytes, and little-endian float32 values, as base64 text. Every browser's own order is
+// little-endian, too.
+
+export function decodeBytes(text: string): Uint8Array {
+  const binary = atob(text);
+  const bytes = new Uint8Array(binary.length);
+  for (let i = 0; i < binary.length; ++i) bytes[i] = binary.charCodeAt(i);
+  return bytes;
+}
 
 /** The values that `text` encodes; throws where it is not whole values. */
 export function decodeFloats(text: string): Float32Array {
-  const binary = atob(text);
-  if (binary.length % 4 !== 0) throw new Error("the page's data is cut off");
-  const bytes = new Uint8Array(binary.length);
-  for (let i = 0; i < binary.length; ++i) bytes[i] = binary.charCodeAt(i);
-  return new Float32Array(bytes.buffer);
+  const bytes = decodeBytes(text);
+  if (bytes.length % 4 !== 0) throw new Error("the page's data is cut off");
+  return new Float32Array(bytes.buffer as ArrayBuffer);
 }

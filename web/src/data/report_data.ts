@@ -2,6 +2,7 @@
 
 import { decodeFloats } from "./base64.ts";
 import type { Estimate } from "./estimate.ts";
+import { decodeTimeline, type EncodedTimeline, type Timeline } from "./timeline.ts";
 
 /** A link of the robot, or a thing of its world; lengths in meters, `axis` 0, 1, 2 = x, y, z of the link's own frame. */
 export interface BodyLink {
@@ -115,10 +116,13 @@ export interface ToldGoal {
 export interface Recording {
   episode: number;
   best: boolean;
+  task: number; // index of the one that paid
+  end: { kind: string; reason: string };
   frames: number;
   interval: number; // between two frames [s]
   goals: ToldGoal[]; // in the order of time
   poses: Float32Array;
+  timeline?: Timeline; // of a run by a version that records it
 }
 
 export interface AgentModule {
@@ -178,8 +182,9 @@ interface EncodedLearnerCurve extends Omit<LearnerCurve, "values"> {
 interface EncodedShadow extends Omit<Shadow, "values"> {
   values: string;
 }
-interface EncodedRecording extends Omit<Recording, "poses"> {
+interface EncodedRecording extends Omit<Recording, "poses" | "timeline"> {
   poses: string;
+  timeline: EncodedTimeline;
 }
 export interface EncodedReport extends Omit<
   Report,
@@ -230,9 +235,11 @@ export function decodeParsed(encoded: EncodedReport): Report {
     phases: encoded.phases.map(decodeValues),
     learner: encoded.learner.map(decodeValues),
     shadows: encoded.shadows.map(decodeValues),
-    recordings: encoded.recordings.map((recording) => ({
-      ...recording,
-      poses: decodeFloats(recording.poses),
-    })),
+    recordings: encoded.recordings.map(decodeRecording),
   };
+}
+
+function decodeRecording({ timeline: encoded, ...recording }: EncodedRecording): Recording {
+  const timeline = decodeTimeline(encoded, recording);
+  return { ...recording, poses: decodeFloats(recording.poses), ...(timeline && { timeline }) };
 }

@@ -11,6 +11,37 @@ export function commentStart(line: string): number {
   return line.length;
 }
 
+/** A statement that pays a reward term. */
+export interface RewardLine {
+  source: number; // index
+  line: number; // index
+  term: string;
+}
+
+const kReward = /\b(override\s+)?reward\s+(?:(?:rate|potential)\s+)?([A-Za-z_]\w*)\s*=(?!=)/g;
+
+/**
+ * Where the texts that a task is made of, its own first, pay their terms. Those of a term that an
+ * earlier text overrides are not among them.
+ */
+export function rewardLines(sources: string[]): RewardLine[] {
+  const found: RewardLine[] = [];
+  const overridden = new Set<string>();
+  sources.forEach((text, source) => {
+    const overrides: string[] = [];
+    text.split("\n").forEach((content, line) => {
+      for (const [, override, term = ""] of content
+        .slice(0, commentStart(content))
+        .matchAll(kReward)) {
+        if (override) overrides.push(term);
+        if (!overridden.has(term)) found.push({ source, line, term });
+      }
+    });
+    for (const term of overrides) overridden.add(term);
+  });
+  return found;
+}
+
 /** The first paragraph of the documentation (`///`) in front of the task's name; "" without one. */
 export function docOfTask(source: string): string {
   const lines = source.split("\n");

@@ -1,10 +1,10 @@
 // Where the run comes from: the task's source, and everything the run has noted about itself.
 
 import type { Report, Task } from "../data/report_data.ts";
-import { commentStart } from "../data/task_source.ts";
 import { lastTask } from "../data/versions.ts";
 import { formatCount } from "../data/words.ts";
 import { byId, element } from "./dom.ts";
+import { sourceCode } from "./source.ts";
 
 const kNames: [string, string][] = [
   ["task", "Task"],
@@ -20,18 +20,6 @@ const kNames: [string, string][] = [
   ["finished_at", "Finished"],
   ["state", "State"],
 ];
-
-/** A text, line by line, with numbers; comments stand back. */
-function sourceCode(text: string): HTMLElement {
-  const code = element("code");
-  for (const line of text.replace(/\n$/, "").split("\n")) {
-    const comment = commentStart(line);
-    const row = element("span", { class: "line" }, line.slice(0, comment));
-    row.append(element("span", { class: "comment" }, line.slice(comment)), "\n");
-    code.append(row);
-  }
-  return code;
-}
 
 /** All texts of the task that was active last, its own open, then those of the others. */
 export function showSources(report: Report): void {

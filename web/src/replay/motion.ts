@@ -1,17 +1,20 @@
 // Poses between the recorded frames.
 
 import type { Recording } from "../data/report_data.ts";
+import { endOf } from "../data/timeline.ts";
 
 export const kPoseSize = 7; // x, y, z, then the quaternion w, x, y, z
 
-export type Motion = Pick<Recording, "frames" | "interval" | "poses">;
+export type Motion = Pick<Recording, "frames" | "interval" | "poses" | "timeline">;
 
 /** A recorded episode, whatever else is known of it. */
 export type Replay = Motion & Pick<Recording, "episode"> & Partial<Pick<Recording, "goals">>;
 
-/** From the first frame to the last one [s]. */
-export const durationOf = (motion: Motion): number =>
-  Math.max(0, motion.frames - 1) * motion.interval;
+/** From the first frame to the last one, or to the end of the episode where that is known [s]. */
+export function durationOf(motion: Motion): number {
+  const frames = Math.max(0, motion.frames - 1) * motion.interval;
+  return motion.timeline ? Math.max(frames, endOf(motion.timeline)) : frames;
+}
 
 /** The number of links, from the size of a frame. */
 export const linkCount = (motion: Motion): number =>

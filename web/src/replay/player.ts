@@ -8,6 +8,7 @@ export class Player {
   private length = 0;
   private running = false;
   private rate = 1;
+  private isUntouched = true; // still where it was opened
 
   /** Called after every change. */
   onChange(listener: Listener): void {
@@ -23,21 +24,27 @@ export class Player {
   get playing(): boolean {
     return this.running;
   }
+  /** Whether it still stands where it was opened. */
+  get untouched(): boolean {
+    return this.isUntouched;
+  }
   get speed(): number {
     return this.rate;
   }
 
-  /** Another episode of `duration` seconds, at its start. */
-  load(duration: number): void {
+  /** Another episode of `duration` seconds, opened at a time which is not where it plays from. */
+  load(duration: number, opening = 0): void {
     this.length = duration;
-    this.now = 0;
+    this.now = Math.min(Math.max(opening, 0), duration);
+    this.isUntouched = true;
     this.running = false;
     this.changed();
   }
 
-  /** From the start again where the end has been reached. */
+  /** From the start where the end has been reached, or nobody has chosen a time. */
   play(): void {
-    if (this.now >= this.length) this.now = 0;
+    if (this.isUntouched || this.now >= this.length) this.now = 0;
+    this.isUntouched = false;
     this.running = this.length > 0;
     this.changed();
   }
@@ -53,6 +60,7 @@ export class Player {
   }
 
   seek(time: number): void {
+    this.isUntouched = false;
     this.now = Math.min(Math.max(time, 0), this.length);
     this.changed();
   }

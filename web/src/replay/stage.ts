@@ -14,6 +14,7 @@ import {
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 
 import type { Scenery } from "../data/report_data.ts";
+import { sampleAt, touches } from "../data/timeline.ts";
 import { themeColor } from "../page/dom.ts";
 import { framingOf, type Framing } from "./framing.ts";
 import { Ground } from "./ground.ts";
@@ -51,6 +52,7 @@ export class Stage {
   private ground: Ground | undefined;
   private time = 0;
   private follows = true;
+  private lightsContacts = true;
   private width = 1;
   private height = 1;
 
@@ -124,8 +126,15 @@ export class Stage {
     if (this.motion.frames === 0) return;
     sampleMotion(this.motion, this.time, this.poses);
     this.robot.setPoses(this.poses);
+    this.lightContacts();
     this.ground?.setFrame(frameAt(this.motion, this.time));
     if (this.follows) this.follow();
+  }
+
+  /** Whether links that touch something shine, where the motion knows that. */
+  setLightingContacts(lights: boolean): void {
+    this.lightsContacts = lights;
+    this.lightContacts();
   }
 
   /** Where the link is now that is followed, mostly the base: x, y, z [m]. */
@@ -198,6 +207,16 @@ export class Stage {
     this.moveTo(target);
     this.setSize(width, height);
     this.draw();
+  }
+
+  private lightContacts(): void {
+    const { timeline } = this.motion;
+    const count = this.body.length;
+    const sample = timeline ? sampleAt(timeline, this.time) : 0;
+    this.robot.setLit(
+      (link) =>
+        this.lightsContacts && timeline !== undefined && touches(timeline, count, sample, link),
+    );
   }
 
   private addLight(): void {

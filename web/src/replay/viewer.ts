@@ -43,7 +43,8 @@ export class Viewer {
     this.player.onChange(() => this.update());
   }
 
-  show(recording: Replay): void {
+  /** `opening`: the time that is shown first [s]. */
+  show(recording: Replay, opening = 0): void {
     this.recording = recording;
     const duration = durationOf(recording);
     this.slider.max = String(duration);
@@ -52,8 +53,11 @@ export class Viewer {
       "aria-label",
       `The robot in episode ${recording.episode}, ${duration.toFixed(1)} seconds`,
     );
+    for (const id of ["contacts-label", "touching"]) {
+      byId(id, HTMLElement).hidden = recording.timeline === undefined;
+    }
     this.stage.show(recording);
-    this.player.load(duration);
+    this.player.load(duration, opening);
     this.strip.show(recording);
   }
 
@@ -66,6 +70,22 @@ export class Viewer {
     this.player.pause();
   }
 
+  seek(time: number): void {
+    this.player.seek(time);
+  }
+
+  /** Called with the time that is shown whenever that changes. */
+  onTime(listener: (time: number) => void): void {
+    this.player.onChange(() => listener(this.player.time));
+  }
+
+  /** Called with the time at which the replay stands when somebody has led it there. */
+  onRest(listener: (time: number) => void): void {
+    this.player.onChange(() => {
+      if (!this.player.playing && !this.player.untouched) listener(this.player.time);
+    });
+  }
+
   play(): void {
     this.player.play();
   }
@@ -75,13 +95,25 @@ export class Viewer {
     const follow = byId("follow", HTMLInputElement);
     const speed = byId("speed", HTMLSelectElement);
     this.playButton.addEventListener("click", () => player.toggle());
-    this.slider.addEventListener("input", () => player.seek(this.slider.valueAsNumber));
+    this.slider.addEventListener("input", () => this.slide(this.slider.valueAsNumber));
     speed.addEventListener("change", () => player.setSpeed(Number(speed.value)));
     follow.addEventListener("change", () => {
       stage.setFollowing(follow.checked);
       this.planDraw();
     });
+    const contacts = byId("contacts-lit", HTMLInputElement);
+    contacts.addEventListener("change", () => {
+      stage.setLightingContacts(contacts.checked);
+      this.planDraw();
+    });
     byId("reset-view", HTMLButtonElement).addEventListener("click", () => stage.resetView());
+  }
+
+  /** The last step of the slider leads to the end of the episode, which may be less than a step. */
+  private slide(time: number): void {
+    const { duration } = this.player;
+    const step = this.recording?.interval ?? 0;
+    this.player.seek(time + step > duration + 1e-6 ? duration : time);
   }
 
   private connectView(): void {

@@ -27,7 +27,7 @@ export class Curves {
     const { curve, runs } = experiment;
     const chart = element("div", { class: "chart" });
     host.append(this.key(), chart, this.readout);
-    const invisible = { color: "--none", kind: "line" as const, width: 0, isOutside: true };
+    const invisible = { color: "--none", kind: "line" as const, width: 0 };
     this.chart = new EpisodeChart(chart, {
       episode: curve.episodes,
       series: [

@@ -1,0 +1,129 @@
+// The timeline of a recorded episode under its replay: what it paid, measured and touched, with a
+// cursor at the time of the replay. A click leads there.
+
+import type { Recording, Report } from "../data/report_data.ts";
+import { endOf, sampleAt, type Timeline } from "../data/timeline.ts";
+import { formatNumber, formatTime } from "../data/words.ts";
+import { element, onThemeChange } from "../page/dom.ts";
+import { LitSource } from "./lit_source.ts";
+import { headOf, rowsOf, type Row } from "./rows.ts";
+
+interface Parts {
+  section: HTMLElement; // hidden where there is no timeline
+  rows: HTMLElement;
+  now: HTMLElement; // the time and what it is about, in words
+  source: HTMLElement;
+}
+
+const kHeadings: Partial<Record<Row["kind"], string>> = {
+  term: "reward",
+  metric: "metrics",
+  contact: "contacts",
+};
+
+export class TimelinePanel {
+  private readonly source: LitSource;
+  private readonly overlay = element("div", { class: "plot" });
+  private readonly cursor = element("div", { class: "cursor" });
+  private readonly pointer = element("div", { class: "pointer", hidden: "" });
+  private readonly ahead = element("div", { class: "ahead" });
+  private rows: Row[] = [];
+  private recording: Recording | undefined;
+  private time = 0;
+
+  /** `seek` is called with the time that is chosen. */
+  constructor(
+    private readonly report: Pick<Report, "tasks" | "body">,
+    private readonly parts: Parts,
+    private readonly seek: (time: number) => void,
+  ) {
+    this.source = new LitSource(parts.source);
+    this.overlay.append(this.ahead, this.pointer, this.cursor);
+    this.connectPointer();
+    new ResizeObserver(() => this.redraw()).observe(parts.rows);
+    onThemeChange(() => this.redraw());
+  }
+
+  show(recording: Recording): void {
+    const { timeline } = recording;
+    this.recording = recording;
+    this.parts.section.hidden = timeline === undefined;
+    if (!timeline) return;
+    this.rows = rowsOf(timeline, this.report.body);
+    this.parts.rows.replaceChildren(...this.cells(headOf(timeline)), this.overlay);
+    this.source.show(this.report.tasks[recording.task], timeline);
+    this.redraw();
+    this.setTime(0);
+  }
+
+  setTime(time: number): void {
+    this.time = time;
+    const timeline = this.recording?.timeline;
+    if (!timeline) return;
+    const sample = sampleAt(timeline, time);
+    for (const row of this.rows) row.show(sample);
+    this.source.setSample(timeline, sample);
+    const part = `${(100 * time) / Math.max(endOf(timeline), 1e-9)}%`;
+    this.cursor.style.left = part;
+    this.ahead.style.left = part;
+    this.parts.now.textContent = this.words(timeline, sample);
+  }
+
+  private words(timeline: Timeline, sample: number): string {
+    const { kind = "", reason = "" } = this.recording?.end ?? {};
+    const words = [
+      `${formatTime(this.time, endOf(timeline))} s`,
+      `return ${formatNumber(timeline.total.sum[sample])}`,
+    ];
+    if (sample === timeline.times.length - 1) words.push(reason ? `${kind}: ${reason}` : kind);
+    return words.join("  ·  ");
+  }
+
+  private cells(head: HTMLElement): HTMLElement[] {
+    let kind = "";
+    const cells = [head];
+    let line = 2; // of the grid; the head is the first
+    const place = (cell: HTMLElement): HTMLElement => {
+      cell.style.setProperty("--row", String(line));
+      return cell;
+    };
+    for (const row of this.rows) {
+      const heading = kHeadings[row.kind];
+      if (row.kind !== kind && heading) {
+        cells.push(place(element("div", { class: "heading" }, heading)));
+        ++line;
+      }
+      kind = row.kind;
+      row.label.dataset["kind"] = row.kind;
+      cells.push(place(row.label), place(row.trace.element));
+      if (row.range) cells.push(place(row.range));
+      ++line;
+    }
+    this.overlay.style.setProperty("--row", String(line));
+    return cells;
+  }
+
+  private redraw(): void {
+    const width = this.overlay.clientWidth;
+    for (const row of this.rows) row.trace.redraw(width);
+  }
+
+  private connectPointer(): void {
+    const timeAt = (event: PointerEvent): number => {
+      const { left, width } = this.overlay.getBoundingClientRect();
+      const part = Math.min(Math.max((event.clientX - left) / width, 0), 1);
+      const timeline = this.recording?.timeline;
+      return timeline ? part * endOf(timeline) : 0;
+    };
+    this.overlay.addEventListener("pointerdown", (event) => {
+      this.overlay.setPointerCapture(event.pointerId);
+      this.seek(timeAt(event));
+    });
+    this.overlay.addEventListener("pointermove", (event) => {
+      if (this.overlay.hasPointerCapture(event.pointerId)) this.seek(timeAt(event));
+      this.pointer.hidden = event.pointerType === "touch";
+      this.pointer.style.left = `${event.offsetX}px`;
+    });
+    this.overlay.addEventListener("pointerleave", () => (this.pointer.hidden = true));
+  }
+}
