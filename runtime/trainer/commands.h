@@ -23,6 +23,7 @@ void AddEvaluateCommand(command_line::Command& program);
 void AddReportCommand(command_line::Command& program);
 void AddExportCommand(command_line::Command& program);
 void AddSnapshotsCommand(command_line::Command& program);
+void AddVideoCommand(command_line::Command& program);
 void AddPreferCommand(command_line::Command& program);
 void AddCompletionCommand(command_line::Command& program);
 

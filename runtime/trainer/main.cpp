@@ -27,6 +27,7 @@ void Declare(command_line::Command& program) {
   AddEvaluateCommand(program);
   AddExportCommand(program);
   AddSnapshotsCommand(program);
+  AddVideoCommand(program);
   AddPreferCommand(program);
   AddAgentCommand(program);
   AddRobotCommand(program);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/command_line/command.h"
 #include "runtime/base/user_error.h"
 
 namespace runtime {
@@ -60,6 +61,17 @@ int64_t ChooseRecordedEpisode(const std::filesystem::path& folder, const RunData
   if (std::ranges::binary_search(recorded, wanted)) return wanted;
   throw UserError(fmt::format("{}: episode {} is not recorded; {}", folder.string(), wanted,
                               WhatIsRecorded(recorded, wanted)));
+}
+
+void CheckSpan(double from, double to, const Motion& motion) {
+  if (!(from <= to)) {
+    throw command_line::CallError(fmt::format("--from {} s is after --to {} s", from, to));
+  }
+  if (from > motion.duration()) {
+    throw command_line::CallError(
+        fmt::format("--from {} s is after the end of the episode, which is {} s long", from,
+                    motion.duration()));
+  }
 }
 
 Motion ReadRecordedMotion(const std::filesystem::path& folder, const RunDatabase& database,

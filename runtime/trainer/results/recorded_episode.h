@@ -17,6 +17,9 @@ RecordedBody ReadBody(const std::filesystem::path& folder, const RunRecord& run)
 int64_t ChooseRecordedEpisode(const std::filesystem::path& folder, const RunDatabase& database,
                               int64_t wanted);
 
+// Throws CallError for a part of the motion, in seconds, that is none.
+void CheckSpan(double from, double to, const Motion& motion);
+
 Motion ReadRecordedMotion(const std::filesystem::path& folder, const RunDatabase& database,
                           int64_t episode, size_t part_count);
 

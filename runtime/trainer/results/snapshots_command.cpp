@@ -15,8 +15,6 @@
 namespace runtime {
 namespace {
 
-using command_line::CallError;
-
 struct SnapshotsOptions {
   std::filesystem::path folder;
   std::filesystem::path output;
@@ -24,16 +22,6 @@ struct SnapshotsOptions {
   StripOptions strip;
   bool json = false;
 };
-
-void CheckSpan(const StripOptions& strip, const Motion& motion) {
-  if (!(strip.from <= strip.to)) {
-    throw CallError(fmt::format("--from {} s is after --to {} s", strip.from, strip.to));
-  }
-  if (strip.from > motion.duration()) {
-    throw CallError(fmt::format("--from {} s is after the end of the episode, which is {} s long",
-                                strip.from, motion.duration()));
-  }
-}
 
 void PrintTimes(const SnapshotsOptions& options, int64_t episode,
                 const std::vector<double>& times) {
@@ -53,7 +41,7 @@ void Snapshots(const SnapshotsOptions& options) {
   const RecordedBody body = ReadBody(options.folder, run);
   const int64_t episode = ChooseRecordedEpisode(options.folder, database, options.episode);
   const Motion motion = ReadRecordedMotion(options.folder, database, episode, body.parts.size());
-  CheckSpan(options.strip, motion);
+  CheckSpan(options.strip.from, options.strip.to, motion);
   StripOptions strip = options.strip;
   strip.things = body.things;
   strip.ground = GroundOf(run);

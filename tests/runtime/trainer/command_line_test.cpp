@@ -15,7 +15,8 @@ TEST_F(CommandLineTest, ExplainsEveryCommand) {
   EXPECT_THAT(Trainer({"--help"}).output,
               AllOf(HasSubstr("train"), HasSubstr("resume"), HasSubstr("show"), HasSubstr("report"),
                     HasSubstr("Exit status")));
-  for (const char* command : {"train", "resume", "show", "report", "snapshots", "evaluate"}) {
+  for (const char* command :
+       {"train", "resume", "show", "report", "snapshots", "video", "evaluate"}) {
     const ProgramResult help = Trainer({command, "--help"});
     EXPECT_EQ(help.exit_status, 0);
     EXPECT_THAT(help.output, HasSubstr(command));
@@ -45,6 +46,8 @@ TEST_F(CommandLineTest, RefusesWrongCalls) {
       {"show"},
       {"report"},
       {"snapshots"},
+      {"video"},
+      {"video", "runs/none", "-o", "film.gif", "--speed", "0"},
       {"snapshots", "runs/none"},
       {"snapshots", "runs/none", "-o", "strip.png", "--count", "0"},
   };
