@@ -165,7 +165,8 @@ const showsChangesAndShadows: Check = async (page) => {
 const showsWhatTheRobotWasTold: Check = async (page) => {
   assert.equal(await page.locator("#goals canvas").count(), 2);
   assert.match(await textOf(page, "#goals article:first-child h3"), /^heading\.x$/);
-  assert.equal(await textOf(page, "#told"), "heading 0.6, 0.8");
+  await page.locator("#scrub").fill("0");
+  await page.locator("#told", { hasText: "heading 0.6, 0.8" }).waitFor();
   await page.locator("#scrub").fill("3");
   await page.locator("#told", { hasText: "heading 1, 0" }).waitFor();
 };
@@ -394,12 +395,16 @@ const saysThatNothingIsRecorded: Check = async (page) => {
   assert.match(await textOf(page, "#stage-message"), /No episode has been recorded/);
   assert.equal(await page.locator("#curve canvas").count(), 1);
   assert.ok(await page.locator("#strip").isHidden());
+  assert.ok(await page.locator("#timeline").isHidden());
 };
 
 const saysThatWebGlIsMissing: Check = async (page) => {
   assert.match(await textOf(page, "#stage-message"), /no WebGL/);
   assert.equal(await page.locator("#curve canvas").count(), 1);
   assert.ok(await page.locator("#play").isHidden());
+  assert.ok(await page.locator("#strip").isHidden());
+  await page.locator(".timeline .plot").click({ position: { x: 100, y: 20 } }); // without a replay
+  assert.match(await textOf(page, "#timeline-now"), /^\s*[1-9]/);
 };
 
 const screenshot =
