@@ -56,6 +56,8 @@ class TaskEpisode {
   // After that event, where needs_measuring().
   bool needs_measuring() const { return reducer_.needs_time_steps(); }
   void MeasureTimeStep();
+  // What the frame's metrics are between two time steps, to look at: counts for nothing.
+  void Measure();
   // After the event at the end of the episode: metrics() and logs() are complete.
   void End();
 
@@ -75,7 +77,6 @@ class TaskEpisode {
   static taskc_int32 IndexOrNone(taskc_int32 index, taskc_uint32 count) {
     return index >= 0 && static_cast<taskc_uint32>(index) < count ? index : -1;
   }
-  void Measure();
 
   TaskFrame frame_;
   MetricReducer reducer_;

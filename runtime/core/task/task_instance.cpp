@@ -203,6 +203,11 @@ void TaskInstance::EndTimeStep() {
   episode_.MeasureTimeStep();
 }
 
+void TaskInstance::Measure() {
+  const InsideOfTask watched(id_);
+  episode_.Measure();
+}
+
 void TaskInstance::EndEpisode() {
   const InsideOfTask watched(id_);
   episode_.End();

@@ -32,7 +32,7 @@ class Row {
   void Add(const std::byte* place, taskc_int32 scalar, size_t count) {
     if (place == nullptr) return AddNothing(count);
     for (size_t i = 0; i < count; ++i)
-      Add(LoadScalar(place + i * host::ScalarSize(scalar), scalar));
+      Add(host::LoadScalar(place + i * host::ScalarSize(scalar), scalar));
   }
   std::span<float> Take(size_t count) {
     next_ += count;
