@@ -141,8 +141,12 @@ TEST(Analyze, KnowsWhatIsInTheWorldThatATaskNames) {
   EXPECT_EQ(analysis.sources.files()[1].path(), "worlds/yard.toml");
   EXPECT_EQ(analysis.sources.files()[2].path(), "worlds/hills.csv");
   for (const CheckedSensor& sensor : analysis.task->sensors) {
-    if (sensor.name == "ball.position") EXPECT_EQ(sensor.at_rest.size(), 3u);
-    if (sensor.name.starts_with("ball")) EXPECT_FALSE(sensor.is_onboard);
+    if (sensor.name == "ball.position") {
+      EXPECT_EQ(sensor.at_rest.size(), 3u);
+    }
+    if (sensor.name.starts_with("ball")) {
+      EXPECT_FALSE(sensor.is_onboard);
+    }
   }
 }
 
