@@ -45,6 +45,9 @@ const std::vector<Verb> kVerbs = {
      "taskc spec --robot humanoid          # sensors, names, functions, units, grammar, examples\n"
      "taskc spec --robot humanoid --json   # for programs",
      DeclareSpec},
+    {"fault", "Find where a reward that is not finite comes from",
+     "taskc fault crawling.task fault.json   # what the task read then, as the trainer writes it",
+     DeclareFault},
     {"seal", "Seal plugins that taskc did not build, so that the trainer loads them",
      "taskc seal mine.so   # written by hand against the ABI; loading it runs its code",
      DeclareSeal},

@@ -42,6 +42,7 @@ Action DeclareFmt(Command& command, Session& session);
 Action DeclareLsp(Command& command, Session& session);
 Action DeclareExplain(Command& command, Session& session);
 Action DeclareSpec(Command& command, Session& session);
+Action DeclareFault(Command& command, Session& session);
 Action DeclareSeal(Command& command, Session& session);
 Action DeclareNew(Command& command, Session& session);
 Action DeclareWatch(Command& command, Session& session);

@@ -56,6 +56,7 @@ void Evaluator::DrawStart() {
   }
   for (uint32_t i = 0; i < task_.goals.size(); ++i) Run(CheckedRedraw{i});
   locals_.assign(block.locals.size(), {});
+  lets_.assign(block.locals.size(), nullptr);
   place_ = {frame_.seed, task_.start.stream, frame_.attempt};
   Run(block.body);
 }
@@ -72,6 +73,7 @@ void Evaluator::Fire(EventKind kind, double time_step) {
     if (IsResetAt(kind, task_.memory[i].scope)) Reset(i);
   }
   locals_.assign(event.locals.size(), {});
+  lets_.assign(event.locals.size(), nullptr);
   Run(event.body);
   if (frame_.first_end < 0) frame_.first_end = frame_.end;
   if (frame_.first_violation < 0) frame_.first_violation = frame_.violation;
@@ -116,7 +118,10 @@ void Evaluator::Run(const CheckedBlock& block) {
   }
 }
 
-void Evaluator::Run(const CheckedLet& let) { locals_[let.local] = EvaluateHere(let.value); }
+void Evaluator::Run(const CheckedLet& let) {
+  locals_[let.local] = EvaluateHere(let.value);
+  lets_[let.local] = &let.value;
+}
 
 void Evaluator::Run(const CheckedAssign& assign) {
   Assign(assign.op, assign.elements, EvaluateHere(assign.value), frame_.memory[assign.memory]);
@@ -136,12 +141,15 @@ void Evaluator::Run(const CheckedFor& loop) {
 void Evaluator::Run(const CheckedReward& reward) {
   double value = RealOf(EvaluateHere(reward.value));
   if (reward.is_rate) value = value * frame_.time_step;
-  Pay(reward.term, value);
+  Pay(reward.term, value, reward.value);
 }
 
-void Evaluator::Pay(uint32_t term, double value) {
+void Evaluator::Pay(uint32_t term, double value, const CheckedExpression& expression) {
   // What gives no finite reward, or too large a one, is reported instead of paid.
   const bool is_paid = std::abs(frame_.reward + value) <= TASKC_LARGEST_REWARD;
+  if (!is_paid && term == watched_ && !blame_) {
+    blame_ = ExpressionEvaluator(task_, frame_, locals_, {}, place_).BlameFor(expression, lets_);
+  }
   if (!is_paid) return SetOnce(frame_.fault, term);
   frame_.reward += value;
   frame_.terms[term] += value;
@@ -205,7 +213,7 @@ void Evaluator::Run(const CheckedPotentialStep& step) {
     const double growth = is_end && is_paid != 0
                               ? (is_terminal ? 0.0 - frame_.discount * last : 0.0)
                               : (is_terminal ? 0.0 - last : frame_.discount * now - last);
-    Pay(potential.term, growth);
+    Pay(potential.term, growth, step.value);
   }
   if (is_end) return;
   last = now;

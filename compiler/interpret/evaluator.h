@@ -3,10 +3,12 @@
 // obviously right, not to be fast.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "compiler/check/checked_task.h"
 #include "compiler/check/value.h"
+#include "compiler/interpret/blame.h"
 #include "compiler/interpret/frame.h"
 #include "compiler/interpret/random_numbers.h"
 
@@ -29,6 +31,10 @@ class Evaluator {
   void DrawStart();
   // Runs what the task does at an event of this kind.
   void Fire(EventKind kind, double time_step);
+  // From now on, where this term is not paid because it is not finite or too large, Fire() notes
+  // where that comes from: of the first such reward.
+  void Watch(uint32_t term) { watched_ = term; }
+  const std::optional<Blame>& blame() const { return blame_; }
   // Computes all metrics.
   void Measure();
   // Computes what the learner sees.
@@ -53,14 +59,18 @@ class Evaluator {
   void Run(const CheckedPhaseSwitch& phases);
   void Run(const CheckedAdvance& advance);
   void Run(const CheckedPotentialStep& step);
-  void Pay(uint32_t term, double value);
+  // `expression`: whose value it is.
+  void Pay(uint32_t term, double value, const CheckedExpression& expression);
   Value EvaluateHere(const CheckedExpression& expression) const;
 
   const CheckedTask& task_;
   Frame frame_;
   std::vector<Value> locals_;  // of the event that runs
-  int32_t next_phase_ = -1;    // what a phase that runs has said; -1: nothing
-  DrawPlace place_;            // of a start that is drawn
+  LetValues lets_;             // of these locals
+  std::optional<uint32_t> watched_;
+  std::optional<Blame> blame_;
+  int32_t next_phase_ = -1;  // what a phase that runs has said; -1: nothing
+  DrawPlace place_;          // of a start that is drawn
 };
 
 }  // namespace compiler

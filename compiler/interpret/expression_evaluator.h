@@ -5,6 +5,7 @@
 
 #include "compiler/check/checked_task.h"
 #include "compiler/check/value.h"
+#include "compiler/interpret/blame.h"
 #include "compiler/interpret/frame.h"
 #include "compiler/interpret/random_numbers.h"
 
@@ -18,6 +19,10 @@ class ExpressionEvaluator {
                       const std::vector<Value>& arguments, const DrawPlace& draw);
 
   Value Evaluate(const CheckedExpression& expression) const;
+
+  // Of an expression whose value is not finite, or too large: where that comes from. `lets`: of the
+  // locals.
+  Blame BlameFor(const CheckedExpression& expression, const LetValues& lets) const;
 
  private:
   Value Of(const Constant& node, const Type& type) const;
@@ -35,6 +40,7 @@ class ExpressionEvaluator {
   Value Of(const CheckedWithin& node, const Type& type) const;
   Value Of(const BuiltinCall& node, const Type& type) const;
   Value Of(const FunctionCall& node, const Type& type) const;
+  Blame BlameInside(const FunctionCall& call, const Type& type) const;
   Value Call(const CheckedFunction& function, const std::vector<Value>& arguments) const;
   Value Of(const Draw& node, const Type& type) const;
   Value Of(const TableRead& node, const Type& type) const;

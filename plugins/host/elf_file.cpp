@@ -7,6 +7,7 @@
 #include <bit>
 #include <cstdint>
 #include <cstring>
+#include <string_view>
 
 namespace host {
 namespace {
@@ -39,7 +40,26 @@ class ElfReader {
     return BadSections();
   }
 
+  // Of the section `name`, its bytes; nothing where there is none. After Defect() has found none.
+  std::string SectionCalled(std::string_view name) const {
+    Section names;
+    if (!Read(header_.e_shoff + header_.e_shstrndx * sizeof(Section), names)) return "";
+    for (unsigned i = 0; i < header_.e_shnum; ++i) {
+      Section section;
+      if (!Read(header_.e_shoff + i * sizeof(Section), section)) break;
+      const uint64_t at = names.sh_offset + section.sh_name;
+      if (!Holds(at, name.size() + 1) || !Holds(section.sh_offset, section.sh_size)) continue;
+      if (Text(at, name.size() + 1) != std::string(name) + '\0') continue;
+      return Text(section.sh_offset, section.sh_size);
+    }
+    return "";
+  }
+
  private:
+  std::string Text(uint64_t offset, uint64_t size) const {
+    return {reinterpret_cast<const char*>(content_.data() + offset), size};
+  }
+
   bool Holds(uint64_t offset, uint64_t size) const {
     return offset <= content_.size() && size <= content_.size() - offset;
   }
@@ -117,6 +137,13 @@ class ElfReader {
 
 std::optional<std::string> ElfDefect(std::span<const std::byte> content) {
   return ElfReader(content).Defect();
+}
+
+std::string ElfCompiler(std::span<const std::byte> content) {
+  ElfReader reader(content);
+  if (reader.Defect()) return "";
+  const std::string text = reader.SectionCalled(".comment");
+  return text.substr(0, text.find('\0'));
 }
 
 }  // namespace host

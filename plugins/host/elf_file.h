@@ -14,4 +14,8 @@ namespace host {
 // outside `content`, whatever stands there.
 std::optional<std::string> ElfDefect(std::span<const std::byte> content);
 
+// What the compiler of a shared object without a defect has written about itself: "GCC: (Debian
+// 12.2.0-14) 12.2.0". "" where it says nothing.
+std::string ElfCompiler(std::span<const std::byte> content);
+
 }  // namespace host

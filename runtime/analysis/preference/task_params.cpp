@@ -2,14 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <limits>
 #include <nlohmann/json.hpp>
 
 #include "runtime/base/build_task.h"
 #include "runtime/base/scratch_folder.h"
 #include "runtime/base/user_error.h"
-#include "runtime/training/run/run_files.h"
+#include "runtime/training/run/recorded_sources.h"
 
 namespace runtime {
 namespace {
@@ -31,30 +30,6 @@ TaskParam ParseParam(const json& param) {
           .greatest = NumberOf(param.at("greatest"), kInfinity),
           .scales = param.at("scales"),
           .changes_course = param.at("changes_course")};
-}
-
-// How many folders `file` leads up from where it is read.
-std::ptrdiff_t StepsUp(const std::filesystem::path& file) {
-  return std::ranges::count(file, std::filesystem::path(".."));
-}
-
-// Writes the sources into `folder`, to each other as they were. Returns the task's own file.
-std::filesystem::path WriteSources(const std::vector<SourceRecord>& sources,
-                                   const std::filesystem::path& folder) {
-  std::ptrdiff_t depth = 0;
-  std::vector<std::filesystem::path> files;
-  for (const SourceRecord& source : sources) {
-    files.push_back(std::filesystem::path(source.file).lexically_normal().relative_path());
-    depth = std::max(depth, StepsUp(files.back()));
-  }
-  std::filesystem::path root = folder;
-  for (std::ptrdiff_t i = 0; i < depth; ++i) root /= "folder";
-  for (size_t i = 0; i < files.size(); ++i) {
-    files[i] = (root / files[i]).lexically_normal();
-    std::filesystem::create_directories(files[i].parent_path());
-    WriteFile(files[i], sources[i].text);
-  }
-  return files.front();
 }
 
 }  // namespace
@@ -88,7 +63,7 @@ TaskParams ReadTaskParams(const TaskRecord& task) {
         fmt::format("the run does not have the text of its task {}", VersionText(task)));
   }
   const ScratchFolder scratch;
-  TaskParams params = ReadTaskParams(WriteSources(task.sources, scratch.path()));
+  TaskParams params = ReadTaskParams(WriteSources(task.sources, scratch.path()).task);
   if (params.task_hash != task.task_hash) {
     throw UserError(
         fmt::format("the text of {} in the run's record is from another version, {:.8}; the "

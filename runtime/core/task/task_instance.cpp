@@ -92,6 +92,7 @@ TaskInstance::TaskInstance(std::shared_ptr<const Plugin> plugin, int64_t id)
       told_(table()),
       params_(table().param_count),
       faults_(table().term_count),
+      fault_state_(host_),
       violations_(table().requirement_count),
       observation_faults_(table().observation_count) {
   for (size_t i = 0; i < params_.size(); ++i) SetParam(i, table().params[i].initial);
@@ -140,6 +141,7 @@ void TaskInstance::StartEpisode(uint64_t run_seed, int64_t episode) {
   episode_.Start();
   std::fill(faults_.begin(), faults_.end(), Incidents());
   fault_count_ = 0;
+  fault_state_.StartEpisode();
   std::fill(violations_.begin(), violations_.end(), Incidents());
   std::fill(observation_faults_.begin(), observation_faults_.end(), Incidents());
   goals_.StartEpisode(run_seed, episode);
@@ -165,9 +167,10 @@ void TaskInstance::Enter(taskc_event_function function) {
 std::optional<TaskInstance::Outcome> TaskInstance::Call(int event, double time_step) {
   if (table().events[event] == nullptr) return std::nullopt;
   const size_t phase = phases_.present();
+  fault_state_.NoteMemory();
   const host::EventOutcome outcome = Enter(event, time_step);
   goals_.NoteDraws(time_);
-  Count(outcome);
+  Count(event, time_step, outcome);
   phases_.AddReward(phase, outcome.reward);
   return Outcome{outcome.reward, EndReached(outcome)};
 }
@@ -187,10 +190,12 @@ std::optional<EpisodeEnd> TaskInstance::EndReached(const host::EventOutcome& out
   return EpisodeEnd{KindOf(end), end.reason};
 }
 
-void TaskInstance::Count(const host::EventOutcome& outcome) {
+void TaskInstance::Count(int event, double time_step, const host::EventOutcome& outcome) {
   if (outcome.fault >= 0) {
-    NoteIncident(faults_[static_cast<size_t>(outcome.fault)], time_);
+    const auto term = static_cast<size_t>(outcome.fault);
+    NoteIncident(faults_[term], time_);
     ++fault_count_;
+    fault_state_.Keep(event, term, time_step);
   }
   if (!outcome.is_paid) ++fault_count_;
   if (outcome.violation >= 0) {

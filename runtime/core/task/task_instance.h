@@ -15,6 +15,7 @@
 #include "runtime/core/module/module.h"
 #include "runtime/core/module/observations.h"
 #include "runtime/core/module/values.h"
+#include "runtime/core/task/fault_state.h"
 #include "runtime/core/task/plugin.h"
 #include "runtime/core/task/plugin_watch.h"
 #include "runtime/core/task/task_goals.h"
@@ -111,6 +112,8 @@ class TaskInstance {
   std::span<const double> term_sums() const { return host_.terms(); }
   std::span<const Incidents> faults() const { return faults_; }
   int64_t fault_count() const { return fault_count_; }
+  // Of the episode's first fault of a term.
+  const FaultState& fault_state() const { return fault_state_; }
   std::span<const Incidents> violations() const { return violations_; }
   std::span<const Incidents> observation_faults() const { return observation_faults_; }
   std::span<const double> metrics() const { return episode_.metrics(); }
@@ -147,7 +150,7 @@ class TaskInstance {
   host::EventOutcome Enter(int event, double time_step);
   // How an event has ended the episode, if it did.
   std::optional<EpisodeEnd> EndReached(const host::EventOutcome& outcome) const;
-  void Count(const host::EventOutcome& outcome);
+  void Count(int event, double time_step, const host::EventOutcome& outcome);
 
   std::shared_ptr<const Plugin> plugin_;
   int64_t id_;
@@ -161,6 +164,7 @@ class TaskInstance {
 
   std::vector<Incidents> faults_;
   int64_t fault_count_ = 0;
+  FaultState fault_state_;
   std::vector<Incidents> violations_;
   std::vector<Incidents> observation_faults_;
   std::vector<std::string> violation_reasons_;  // one for each requirement

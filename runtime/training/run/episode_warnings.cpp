@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <taskc/largest_reward.h>
 
+#include "runtime/training/run/fault_explanation.h"
+
 namespace runtime {
 namespace {
 
@@ -36,8 +38,21 @@ void EpisodeWarnings::AboutFaults(const EpisodeRecord& episode, const UniversalT
                          PlaceText(task.plugin(), term.place), faults.count, faults.first_time);
   }
   if (terms.empty()) terms = fmt::format("what `{}` pays in one event", task.plugin().name);
-  warn_(fmt::format("warning: episode {}: not finite, or beyond {:g}, and so not paid: {}",
-                    episode.number, TASKC_LARGEST_REWARD, terms));
+  warn_(fmt::format("warning: episode {}: not finite, or beyond {:g}, and so not paid: {}{}",
+                    episode.number, TASKC_LARGEST_REWARD, terms, Explanation(task)));
+}
+
+bool EpisodeWarnings::HasNewFault(const UniversalTask& task) const {
+  const FaultState& fault = task.instance().fault_state();
+  return fault.is_kept() && !explained_.contains({task.instance().id(), fault.term()});
+}
+
+std::string EpisodeWarnings::Explanation(const UniversalTask& task) {
+  if (!HasNewFault(task)) return "";
+  const FaultState& fault = task.instance().fault_state();
+  explained_.insert({task.instance().id(), fault.term()});
+  const std::string text = ExplainFault(run_, task.instance().id(), task.plugin(), fault);
+  return text.empty() ? "" : fmt::format(": {}", text);
 }
 
 void EpisodeWarnings::AboutObservations(const EpisodeRecord& episode, const UniversalTask& task) {

@@ -1,6 +1,7 @@
 #include "runtime/training/run/run_database.h"
 
 #include <fmt/format.h>
+#include <sys/vfs.h>
 
 #include "runtime/training/run/change_json.h"
 #include "runtime/training/run/iso_time.h"
@@ -76,10 +77,33 @@ std::unique_ptr<SqliteDatabase> OpenChecked(const std::filesystem::path& folder,
   return database;
 }
 
-// Readers see whole episodes while the trainer writes, and a kill costs none that was committed.
+// Whether other machines may see the file: their file systems by what statfs() calls them.
+bool IsShared(const std::filesystem::path& file) {
+  struct statfs system {};
+  if (statfs(file.c_str(), &system) != 0) return false;
+  switch (static_cast<uint32_t>(system.f_type)) {
+    case 0x6969:      // NFS
+    case 0xFF534D42:  // CIFS
+    case 0xFE534D42:  // SMB
+    case 0x0BD00BD0:  // Lustre
+    case 0x47504653:  // GPFS
+    case 0x19830326:  // BeeGFS
+    case 0x00C36400:  // Ceph
+    case 0x01161970:  // GFS2
+    case 0x65735546:  // FUSE, of which nobody knows
+      return true;
+    default:
+      return false;
+  }
+}
+
+// Readers see whole episodes while the trainer writes, and a kill costs none that was committed. A
+// write-ahead log needs memory that all who have the file open share, which two machines do not.
 void PrepareForWriting(SqliteDatabase& database) {
-  database.Execute("PRAGMA journal_mode=WAL; PRAGMA synchronous=NORMAL; PRAGMA foreign_keys=ON",
-                   kOpening);
+  database.Execute(
+      IsShared(database.file()) ? "PRAGMA journal_mode=DELETE" : "PRAGMA journal_mode=WAL",
+      kOpening);
+  database.Execute("PRAGMA synchronous=NORMAL; PRAGMA foreign_keys=ON", kOpening);
 }
 
 }  // namespace

@@ -184,6 +184,13 @@ CREATE TABLE IF NOT EXISTS change (
   data TEXT NOT NULL           -- JSON: the request with all that is needed to repeat it
 );
 
+-- On which machine the run was trained: from `episode` on, up to that of the next row. A run that was
+-- last trained by an older version has no such table.
+CREATE TABLE IF NOT EXISTS machine (
+  episode INTEGER PRIMARY KEY,
+  facts TEXT NOT NULL          -- JSON (machine.h)
+);
+
 -- `poses`: zstd of little-endian float32 [frames][links][7]: x y z qw qx qy qz of each link's frame
 -- at its center, world frame.
 CREATE TABLE IF NOT EXISTS recording (

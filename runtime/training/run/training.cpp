@@ -36,7 +36,7 @@ Training::Training(ModuleGraph& graph, const RunRecord& run, RunDatabase& databa
       learner_(graph.FindOnly<Learner>()),
       tasks_(FindTaskModules(graph, learner_)),
       recorder_(environment_.pose_count(), environment_.time_step()),
-      warnings_([&progress, &hooks](const std::string& text) {
+      warnings_(run, [&progress, &hooks](const std::string& text) {
         progress.Warn(text);
         hooks.OnWarning(text);
       }) {}
@@ -114,7 +114,7 @@ void Training::Finish(const EpisodeRecord& episode, const UniversalTask& task,
                       const Recorder& recorder, const StopRequest& stop) {
   ++episodes_done_;
   const bool is_last = stops(stop) || episodes_done_ == run_.episodes_planned;
-  const std::optional<Recording> recording = RecordingOf(episode, recorder);
+  const std::optional<Recording> recording = RecordingOf(episode, task, recorder);
   statistics_.Add(episode);
   const std::optional<Checkpoint> checkpoint = CheckpointIfDue(is_last);
   database_.AddEpisode(episode, recording, checkpoint);
@@ -157,12 +157,15 @@ void Training::NoteStop(const StopRequest& stop) {
 }
 
 std::optional<Recording> Training::RecordingOf(const EpisodeRecord& episode,
+                                               const UniversalTask& task,
                                                const Recorder& recorder) const {
   if (environment_.pose_count() == 0) return std::nullopt;  // there is nothing to see
   const bool is_best = statistics_.IsBest(episode);
   const bool is_due = run_.record_every > 0 && episode.number % run_.record_every == 0;
   const bool is_last = episode.number == run_.episodes_planned;  // what the run led to
-  if (!is_best && !is_due && !is_last) return std::nullopt;
+  // What the robot did before a term could not be paid for the first time is worth seeing.
+  const bool is_faulty = warnings_.HasNewFault(task);
+  if (!is_best && !is_due && !is_last && !is_faulty) return std::nullopt;
   return recorder.Finish(is_best);
 }
 

@@ -64,7 +64,7 @@ class Training {
   bool AllowChanges(int64_t step);
   void SaveBeforeStop(bool has_changed);
   void NoteStop(const StopRequest& stop);
-  std::optional<Recording> RecordingOf(const EpisodeRecord& episode,
+  std::optional<Recording> RecordingOf(const EpisodeRecord& episode, const UniversalTask& task,
                                        const Recorder& recorder) const;
   std::optional<Checkpoint> CheckpointIfDue(bool is_last_episode);
 

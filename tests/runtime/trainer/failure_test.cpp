@@ -34,6 +34,13 @@ TEST_F(FailureTest, WarnsOfRewardsThatAreNotFinite) {
               HasSubstr("warning: episode 2: not finite, or beyond 1e+30, and so not paid: "
                         "`quotient` (" +
                         TaskFile("faulty") + ":8) 1x, first at 0.025 s"));
+  // Which part of it, said once; and what the robot did up to then can be seen.
+  EXPECT_THAT(result.errors,
+              HasSubstr("warning: episode 1: not finite, or beyond 1e+30, and so not paid: "
+                        "`quotient` (" +
+                        TaskFile("faulty") + ":8) 1x, first at 0.025 s: `1 / (steps - 5)` (" +
+                        TaskFile("faulty") + ":8:39) is infinity, where `(steps - 5)` is 0\n"));
+  EXPECT_TRUE(RunDatabase::OpenToRead(RunFolder("run")).ReadRecording(1));
   for (const EpisodeRecord& episode : RunDatabase::OpenToRead(RunFolder("run")).ReadEpisodes()) {
     EXPECT_EQ(episode.active.faults, 1);
     EXPECT_EQ(episode.active.episode_return, 0);
