@@ -16,6 +16,15 @@ int OpenFolder(const std::filesystem::path& folder) {
   return open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
 }
 
+// What is locked where a folder cannot be: NFS locks only what can be opened for writing.
+int OpenFileInstead(const std::filesystem::path& folder, int flags) {
+  return open((folder / "folder.lock").c_str(), flags | O_CLOEXEC, 0666);
+}
+
+bool IsTakenByAnother(int descriptor) {
+  return descriptor >= 0 && flock(descriptor, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+}
+
 }  // namespace
 
 std::optional<FolderLock> FolderLock::Take(const std::filesystem::path& folder) {
@@ -24,6 +33,11 @@ std::optional<FolderLock> FolderLock::Take(const std::filesystem::path& folder) 
   // Whoever only asks whether the lock is taken holds it for a moment: hence more than one try.
   for (int tries = 0; tries < 10; ++tries) {
     if (flock(lock.descriptor_, LOCK_EX | LOCK_NB) == 0) return lock;
+    if (errno == EBADF) {
+      lock = FolderLock(OpenFileInstead(folder, O_RDWR | O_CREAT));
+      if (lock.descriptor_ < 0) return std::nullopt;
+      continue;
+    }
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
   return std::nullopt;
@@ -31,8 +45,8 @@ std::optional<FolderLock> FolderLock::Take(const std::filesystem::path& folder) 
 
 bool FolderLock::IsTaken(const std::filesystem::path& folder) {
   const FolderLock lock(OpenFolder(folder));
-  return lock.descriptor_ >= 0 && flock(lock.descriptor_, LOCK_SH | LOCK_NB) != 0 &&
-         errno == EWOULDBLOCK;
+  const FolderLock file(OpenFileInstead(folder, O_RDONLY));
+  return IsTakenByAnother(lock.descriptor_) || IsTakenByAnother(file.descriptor_);
 }
 
 FolderLock::FolderLock(FolderLock&& other) noexcept

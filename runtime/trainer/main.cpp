@@ -25,6 +25,7 @@ void Declare(command_line::Command& program) {
   AddShowCommand(program);
   AddReportCommand(program);
   AddEvaluateCommand(program);
+  AddReproduceCommand(program);
   AddExportCommand(program);
   AddSnapshotsCommand(program);
   AddVideoCommand(program);

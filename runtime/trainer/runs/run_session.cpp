@@ -11,6 +11,7 @@
 #include "runtime/live/server/server.h"
 #include "runtime/trainer/commands.h"
 #include "runtime/trainer/runs/many_runs.h"
+#include "runtime/training/run/machine_record.h"
 #include "runtime/training/run/record_error.h"
 #include "runtime/training/run/run_settings.h"
 #include "runtime/training/run/stop_request.h"
@@ -68,6 +69,23 @@ std::unique_ptr<Server> StartServer(const RunParts& run, const SessionOptions& o
   }
 }
 
+// A run that is continued where other bits are computed is another run from there on.
+void NoteMachine(const RunParts& run, int64_t episode, Progress& progress) {
+  const MachineFacts here = ThisMachine();
+  MachineFacts before;
+  for (const MachineRecord& machine : ReadMachines(run.folder)) {
+    if (machine.episode < episode) before = machine.facts;
+  }
+  const std::string why = WhyOtherBits(before, here);
+  if (!why.empty()) {
+    progress.Warn(
+        fmt::format("warning: {}: this machine computes otherwise than the one before "
+                    "({}): the run goes on, but not bit for bit",
+                    run.folder.string(), why));
+  }
+  SetMachine(run.folder, {episode, here});
+}
+
 // Where it cannot be now, it may be once another task is there.
 void RunSideBySide(Training& training, const RunParts& run, const SessionOptions& options,
                    Progress& progress) {
@@ -116,6 +134,7 @@ int RunSession(const RunParts& run, const SessionOptions& options) {
   LiveRun live(run, progress, options.when_done, stop);
   Training training(run.graph, run.record, run.database, progress, live);
   training.Restore();
+  NoteMachine(run, training.episodes_done() + 1, progress);
   RunSideBySide(training, run, options, progress);
   const std::unique_ptr<Server> server = StartServer(run, options, live, progress);
   live.PublishTo(server.get());

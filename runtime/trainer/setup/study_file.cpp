@@ -20,20 +20,24 @@ class StudyReader {
  public:
   explicit StudyReader(const std::filesystem::path& file) : file_(file) {}
 
-  std::vector<Experiment> Read(const toml::table& root) const {
+  StudyPlan Read(const toml::table& root) const {
     Experiment common;
-    std::vector<Experiment> experiments;
+    StudyPlan study;
     for (const auto& [key, node] : root) {
-      if (key != "experiments") ReadKey(key, node, common);
+      if (key == "slurm") {
+        study.slurm = ReadSlurm(node);
+      } else if (key != "experiments") {
+        ReadKey(key, node, common);
+      }
     }
     const toml::node* list = root.get("experiments");
     if (list == nullptr || !list->is_array_of_tables()) {
       throw UserError(fmt::format("{}: a study needs [[experiments]]", file_.string()));
     }
     for (const toml::node& node : *list->as_array()) {
-      experiments.push_back(ReadExperiment(*node.as_table(), common));
+      study.experiments.push_back(ReadExperiment(*node.as_table(), common));
     }
-    return experiments;
+    return study;
   }
 
   [[noreturn]] void Fail(const toml::source_region& source, const std::string& message) const {
@@ -48,6 +52,36 @@ class StudyReader {
     if (experiment.task.task.empty()) Fail(table.source(), "an experiment needs a `task`");
     if (experiment.seeds.empty()) Fail(table.source(), "an experiment needs `seeds`");
     return experiment;
+  }
+
+  SlurmSettings ReadSlurm(const toml::node& node) const {
+    if (!node.is_table()) Fail(node.source(), "`slurm` is a table: [slurm]");
+    SlurmSettings slurm;
+    for (const auto& [key, value] : *node.as_table()) {
+      if (key == "partition") {
+        slurm.partition = Text(value);
+      } else if (key == "account") {
+        slurm.account = Text(value);
+      } else if (key == "time") {
+        slurm.time = Text(value);
+      } else if (key == "memory") {
+        slurm.memory = Text(value);
+      } else if (key == "cpus") {
+        slurm.cpus = Whole(value, 1);
+      } else if (key == "at_once") {
+        slurm.at_once = Whole(value, 0);
+      } else if (key == "modules") {
+        slurm.modules = Texts(value);
+      } else if (key == "options") {
+        slurm.options = Texts(value);
+      } else {
+        const std::vector<std::string> keys = {"partition", "account", "time",    "memory",
+                                               "cpus",      "at_once", "modules", "options"};
+        Fail(key.source(),
+             fmt::format("[slurm] has no `{}`{}", key.str(), Suggestion(key.str(), keys)));
+      }
+    }
+    return slurm;
   }
 
   void ReadKey(const toml::key& key, const toml::node& node, Experiment& experiment) const {
@@ -145,7 +179,7 @@ class StudyReader {
 
 }  // namespace
 
-std::vector<Experiment> ReadStudy(const std::filesystem::path& file) {
+StudyPlan ReadStudy(const std::filesystem::path& file) {
   const StudyReader reader(file);
   try {
     return reader.Read(toml::parse(ReadText(file)));

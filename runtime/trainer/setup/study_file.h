@@ -7,6 +7,10 @@
 //   [[experiments]]
 //   task = "../tasks/crawling.task"  # from the folder of this file
 //   episodes = 1500                  # what an experiment does not say is said above
+//
+//   [slurm]                          # for `--engine slurm`
+//   partition = "cpu"
+//   time = "12:00:00"
 #pragma once
 
 #include <cstdint>
@@ -15,6 +19,7 @@
 #include <vector>
 
 #include "runtime/trainer/setup/create_run.h"
+#include "runtime/trainer/setup/slurm_settings.h"
 #include "runtime/trainer/setup/task_setup.h"
 
 namespace runtime {
@@ -27,7 +32,12 @@ struct Experiment {
   std::vector<uint64_t> seeds;
 };
 
+struct StudyPlan {
+  std::vector<Experiment> experiments;
+  SlurmSettings slurm;
+};
+
 // Throws UserError with file, line and column.
-std::vector<Experiment> ReadStudy(const std::filesystem::path& file);
+StudyPlan ReadStudy(const std::filesystem::path& file);
 
 }  // namespace runtime

@@ -3,9 +3,13 @@
 #include <algorithm>
 #include <iterator>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <set>
 
+#include "base/text/print.h"
 #include "runtime/trainer/commands.h"
+#include "runtime/trainer/engines/slurm_engine.h"
+#include "runtime/trainer/engines/study_status.h"
 #include "runtime/trainer/runs/many_runs.h"
 #include "runtime/trainer/setup/create_run.h"
 #include "runtime/trainer/setup/start_check.h"
@@ -16,9 +20,16 @@
 namespace runtime {
 namespace {
 
+constexpr const char* kStatus = "status";
+constexpr const char* kLocal = "local";
+constexpr const char* kSlurm = "slurm";
+
 struct StudyOptions {
-  std::filesystem::path file;
+  std::filesystem::path file;    // or the word kStatus
+  std::filesystem::path folder;  // of a study, behind that word
   std::filesystem::path out;
+  std::string engine = kLocal;
+  SlurmSettings slurm;
   int jobs = 0;
   OutputOptions output;
 };
@@ -43,16 +54,46 @@ std::vector<std::filesystem::path> Prepare(const Experiment& experiment,
                      "give this experiment another `name`");
 }
 
-int RunStudy(const StudyOptions& options) {
-  const std::vector<Experiment> experiments = ReadStudy(options.file);
+std::unique_ptr<Engine> EngineOf(const StudyOptions& options, const SlurmSettings& slurm) {
+  if (options.engine == kSlurm) return MakeSlurmEngine(slurm.OverriddenBy(options.slurm));
+  return MakeLocalEngine(options.jobs);
+}
+
+int TrainStudy(const StudyOptions& options) {
+  const StudyPlan study = ReadStudy(options.file);
   const std::filesystem::path out =
       options.out.empty() ? std::filesystem::path("runs") / options.file.stem() : options.out;
   std::set<std::string> names;
   std::vector<std::filesystem::path> runs;
-  for (const Experiment& experiment : experiments) {
+  for (const Experiment& experiment : study.experiments) {
     std::ranges::move(Prepare(experiment, out, names), std::back_inserter(runs));
   }
-  return TrainRuns(out, runs, options.jobs, options.output);
+  return EngineOf(options, study.slurm)->Train({out, runs}, options.output);
+}
+
+int ShowStatus(const StudyOptions& options) {
+  if (options.folder.empty()) {
+    throw command_line::CallError("`trainer study status` needs the folder of a study");
+  }
+  const std::vector<RunStatus> runs = ReadStudyStatus(options.folder);
+  if (options.output.json) {
+    text::Print("{}\n",
+                StatusJson(runs).dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
+  } else {
+    text::Print("{}", StatusText(runs));
+  }
+  return kSuccess;
+}
+
+int RunStudy(const StudyOptions& options) {
+  if (options.file == kStatus) return ShowStatus(options);
+  if (!options.folder.empty()) {
+    throw command_line::CallError(
+        fmt::format("what is `{}`? Only `trainer study status` takes a "
+                    "folder",
+                    options.folder.string()));
+  }
+  return TrainStudy(options);
 }
 
 }  // namespace
@@ -62,10 +103,21 @@ void AddStudyCommand(command_line::Command& program) {
   command_line::Command& command = program.AddCommand(
       "study",
       "Trains many tasks with many seeds; started again, it continues and adds what is new.");
-  command.AddOption("FILE", options->file, "the study, a TOML file").Required();
+  command
+      .AddOption("FILE", options->file,
+                 "the study, a TOML file; or `status`, which shows how far the runs in DIR are")
+      .Required();
+  command.AddOption("DIR", options->folder, "folder of a study, for `status`");
   command.AddOption("--out", options->out, "folder of the runs; by default runs/FILE")
       .ValueName("DIR");
-  AddJobsOption(command, options->jobs, "how many runs to train at a time");
+  command
+      .AddOption("--engine", options->engine,
+                 "who trains the runs: this machine, until they are finished, or a cluster that is "
+                 "given those that are not")
+      .OneOf({kLocal, kSlurm})
+      .ShowDefault();
+  AddJobsOption(command, options->jobs, "how many runs to train on this machine at a time");
+  options->slurm.AddTo(command);
   options->output.AddTo(command);
   command.OnRun([options] { return RunStudy(*options); });
 }
