@@ -1,0 +1,119 @@
+#!/usr/bin/env bash
+# A study on a real Slurm cluster of two nodes on this machine, of which one dies and the other has to
+# make room: what comes of it is what this machine's own engine comes to, bit for bit.
+#
+#   tests/slurm/study.sh [BIN]     BIN: the folder of trainer and taskc; build/bin by default
+#
+# Needs root, and Debian's slurmctld, slurmd, slurm-client and munge. Takes some minutes: Slurm waits
+# before it believes that a node is dead.
+set -euo pipefail
+bin=$(realpath "${1:-$(dirname "${BASH_SOURCE[0]}")/../../build/bin}")
+here=$(realpath "$(dirname "${BASH_SOURCE[0]}")")
+for program in slurmctld slurmd sbatch munged; do
+  command -v "$program" >/dev/null || {
+    echo "error: $program is missing: apt-get install slurmctld slurmd slurm-client munge" >&2
+    exit 2
+  }
+done
+[ "$(id -u)" -eq 0 ] || { echo "error: slurmd needs root" >&2; exit 2; }
+
+folder=$(mktemp -d)
+cluster=$folder/cluster
+mkdir "$cluster"
+chmod 0755 "$folder"
+source "$here/cluster.sh"
+finish() {
+  local status=$?
+  stop_cluster
+  if [ $status -eq 0 ]; then rm -rf "$folder"; else echo "left behind: $folder" >&2; fi
+  exit $status
+}
+trap finish EXIT
+
+cat >"$folder/study.toml" <<END
+episodes = ${EPISODES:-60}
+profile = "fast-tree"
+
+[[experiments]]
+name = "crawling"
+task = "$here/../../tasks/crawling.task"
+seeds = "1..6"
+
+[[experiments]]
+name = "ppo"
+task = "$here/../../tasks/jumping.task"
+agent = "ppo"
+seeds = "1..6"
+
+[slurm]
+partition = "low"
+memory = "100M"
+END
+
+# All that a run's record says but the times that it took.
+record() {
+  "$bin/trainer" export "$1" --csv "$folder/record.csv" >/dev/null
+  # The columns are told by their names, whatever else stands there.
+  awk -F, 'NR == 1 { for (i = 1; i <= NF; ++i) keep[i] = $i !~ /wall|cpu/ }
+           { for (i = 1; i <= NF; ++i) if (keep[i]) printf "%s,", $i; print "" }' "$folder/record.csv"
+}
+status_of() { "$bin/trainer" study status "$folder/slurm" --json; }
+count() { status_of | grep -c "\"state\": \"$1\"" || true; }
+# Slurm holds back for two minutes what was requeued.
+hurry() {
+  local task
+  for task in $(squeue -h -r -t PENDING -o %i); do
+    scontrol update jobid="$task" starttime=now 2>/dev/null || true
+  done
+}
+
+echo "== This machine's engine"
+"$bin/trainer" study "$folder/study.toml" --out "$folder/local" --quiet
+
+echo "== A cluster of two nodes"
+start_cluster
+"$bin/trainer" study "$folder/study.toml" --engine slurm --out "$folder/slurm"
+until [ "$(count running)" -ge 2 ] && [ -n "$(tasks_on n1)" ]; do sleep 0.5; done
+sleep "${BEFORE_KILL:-4}"
+
+echo "== n1 dies with $(squeue -h -r -w n1 -t RUNNING | wc -l) runs"
+kill_node n1
+"$bin/trainer" report "$folder/slurm" -o "$folder/report.html" >/dev/null
+echo "   a report of the runs as they are: $(stat -c %s "$folder/report.html") bytes"
+until squeue -h -r -w n2 -t RUNNING | grep -q .; do hurry; sleep 0.5; done
+sleep 1
+echo "== n2 makes room for another job, from $(squeue -h -r -w n2 -p low -t RUNNING | wc -l) runs"
+sbatch --parsable -p high -w n2 --exclusive --output=/dev/null --wrap 'sleep 2' >/dev/null
+sleep 5
+scontrol update nodename=n1 state=down reason=died 2>/dev/null || true
+sleep 1
+start_node n1
+scontrol update nodename=n1 state=resume 2>/dev/null || true
+# Called again, it submits nothing that is in the queue.
+"$bin/trainer" study "$folder/study.toml" --engine slurm --out "$folder/slurm"
+
+started=$SECONDS
+until [ "$(count finished)" -eq 12 ]; do
+  hurry
+  sleep 1
+  if [ $((SECONDS - started)) -gt "${PATIENCE:-900}" ]; then
+    echo "error: the runs were not finished in time" >&2
+    status_of >&2
+    squeue -r >&2
+    tail -n 5 "$folder"/slurm/slurm/*.out >&2
+    exit 1
+  fi
+done
+"$bin/trainer" study status "$folder/slurm"
+requeued=$(grep -c 'requeue' "$cluster/slurmctld.log" || true)
+
+differing=0
+for run in "$folder"/local/*/seed*; do
+  other=$folder/slurm/${run#"$folder/local/"}
+  if [ "$(record "$run")" != "$(record "$other")" ]; then
+    echo "differs: ${run#"$folder/local/"}"
+    differing=$((differing + 1))
+  fi
+done
+echo "12 runs, $requeued notes of requeued tasks, $differing differ"
+[ "$differing" -eq 0 ]
