@@ -205,6 +205,22 @@ const showsAStudy: Check = async (page) => {
   assert.equal(await page.locator("#experiment-1 .runs-table tbody tr").count(), 8);
 };
 
+const comparesTheExperiments: Check = async (page) => {
+  const rows = page.locator("#comparison tbody tr");
+  assert.equal(await rows.count(), 2 + 1); // and the axis
+  const final = await page.locator("#overview tbody tr td:nth-child(3)").allTextContents();
+  const compared = await page.locator("#comparison tbody td:nth-child(3)").allTextContents();
+  assert.equal(compared[0], final[0]);
+  await page.locator("#compared").selectOption("distance [m]");
+  assert.notDeepEqual(
+    await page.locator("#comparison tbody td:nth-child(3)").allTextContents(),
+    compared,
+  );
+  const figure = page.locator("#experiment-1 .figure", { hasText: "distance [m]" });
+  const shown = await page.locator("#comparison tbody tr:first-child td:nth-child(3)").textContent();
+  assert.equal(await figure.locator(".number").textContent(), shown);
+};
+
 const drawsTheGroups: Check = async (page) => {
   const group = page.locator("#experiment-1 .group").nth(1);
   await group.scrollIntoViewIfNeeded();
@@ -452,7 +468,7 @@ async function checkFullPage(browser: Browser): Promise<void> {
 
 async function checkStudyPage(browser: Browser): Promise<void> {
   await onPage(browser, studyPage, { colorScheme: "light" }, async (page) => {
-    for (const check of [showsAStudy, drawsTheGroups, ordersTheGroups, replaysAGroup, fitsItsWidth]) {
+    for (const check of [showsAStudy, comparesTheExperiments, drawsTheGroups, ordersTheGroups, replaysAGroup, fitsItsWidth]) {
       await check(page);
     }
     await screenshot("study")(page);

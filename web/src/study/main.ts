@@ -12,6 +12,7 @@ import { formatCount, formatDate, formatDuration } from "../data/words.ts";
 import { byId, element } from "../page/dom.ts";
 import { settingWords } from "../page/settings.ts";
 import { row, table } from "../page/table.ts";
+import { showComparison } from "./comparison.ts";
 import { decodeStudy, type Experiment, type Study } from "./data.ts";
 import { idOf, showExperiment } from "./experiment.ts";
 import { ReplayDialog } from "./replay_dialog.ts";
@@ -78,6 +79,7 @@ function main(): void {
   const study = decodeStudy(byId("report-data", HTMLElement).textContent ?? "");
   showMasthead(study);
   showOverview(study);
+  showComparison(study.experiments, byId("comparison", HTMLElement));
   showNotes(study.notes);
   const dialog = new ReplayDialog();
   study.experiments.forEach((experiment, i) => {
