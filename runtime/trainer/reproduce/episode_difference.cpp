@@ -12,7 +12,7 @@ namespace {
 
 constexpr const char* kNothing = "nothing";
 
-class Comparison {
+class EpisodeComparison {
  public:
   void Texts(const std::string& name, const std::string& recorded, const std::string& here) {
     if (recorded != here) found_.push_back({prefix_ + name, recorded, here});
@@ -103,7 +103,7 @@ std::string TaskText(int64_t id, const RunRecord& run) { return VersionText(Task
 
 std::vector<ValueDifference> DifferencesOf(const EpisodeRecord& recorded, const EpisodeRecord& here,
                                            const RunRecord& run) {
-  Comparison comparison;
+  EpisodeComparison comparison;
   comparison.Counts("steps", recorded.steps, here.steps);
   comparison.Counts("actions", recorded.actions, here.actions);
   comparison.Numbers("simulated seconds", recorded.simulated_seconds, here.simulated_seconds);

@@ -15,6 +15,7 @@
 #include "runtime/training/run/machine_record.h"
 #include "runtime/training/run/module_types.h"
 #include "runtime/training/run/run_database.h"
+#include "runtime/training/run/run_files.h"
 #include "runtime/training/run/stop_request.h"
 #include "runtime/training/run/training.h"
 

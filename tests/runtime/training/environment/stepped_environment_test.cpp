@@ -49,7 +49,7 @@ class Line : public SteppedEnvironment {
 class Actor : public Module {
  public:
   explicit Actor(Environment& line) : Module("actor") {
-    action_.Connect(dynamic_cast<In<Eigen::VectorXd>&>(line.FindPort("action")));
+    Port::Connect(action_, line.FindPort("action"));
     for (Port* slot : ports()) {
       if (slot->kind() == PortKind::kSlot) Port::Connect(line.FindPort(slot->name()), *slot);
     }

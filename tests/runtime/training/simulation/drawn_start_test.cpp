@@ -22,13 +22,13 @@ robot::StartState Crossed(double roll) {
 // Other ones, but none without an overlap.
 robot::StartState AlwaysCrossed(uint32_t attempt) { return Crossed(0.2 + 0.001 * attempt); }
 
-struct Listener : Module {
-  Listener() : Module("listener") {}
+struct StartListener : Module {
+  StartListener() : Module("listener") {}
   void EndOfEpisode(EpisodeEnd end) {
     EXPECT_EQ(end.kind, EndKind::kDiverged);
     reason = end.reason;
   }
-  Slot<EpisodeEnd> end_of_episode{this, "end_of_episode", Bind<&Listener::EndOfEpisode>{}};
+  Slot<EpisodeEnd> end_of_episode{this, "end_of_episode", Bind<&StartListener::EndOfEpisode>{}};
   std::string reason;
 };
 
@@ -45,7 +45,7 @@ class DrawnStartTest : public testing::TestWithParam<const char*> {
     return angles().reals()[*Humanoid().FindJoint("left_hip_roll")];
   }
 
-  Listener listener_;
+  StartListener listener_;
   RobotEnvironment environment_{"environment", Context{&Humanoid(), {}, 0}};
 };
 
