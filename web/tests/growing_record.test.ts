@@ -56,3 +56,13 @@ test("a trainer that has gone back to a checkpoint repeats episodes", () => {
   assert.deepEqual(record.returns, [10, 5]);
   assert.deepEqual(valuesOf(record, "forward"), [1, 2]);
 });
+
+test("a record that is read again takes the place of what was known", () => {
+  const record = new GrowingRecord(report);
+  record.add(event(3, { terms: { fall: -4 } }), undefined);
+  const fall = record.curves.find((curve) => curve.name === "fall");
+  record.read(report);
+  assert.deepEqual(record.episodes, [1, 2]);
+  assert.deepEqual(valuesOf(record, "forward"), [1, 2]);
+  assert.deepEqual(fall?.values, [NaN, NaN]);
+});

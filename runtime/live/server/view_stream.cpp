@@ -6,12 +6,12 @@
 namespace runtime {
 namespace {
 
-constexpr size_t kMaxMessage = 64;  // from the client, which says one word
+constexpr size_t kMaxWord = 64;  // from the client, which says one word
 
 class ViewStream final : public WebSocket, public Viewer {
  public:
   ViewStream(Service& service, Upgrade upgrade)
-      : WebSocket(service, std::move(upgrade), kMaxMessage) {
+      : WebSocket(service, std::move(upgrade), kMaxWord) {
     service.views.Add(*this);
   }
 

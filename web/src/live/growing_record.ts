@@ -31,17 +31,24 @@ export interface GrowingCurve {
 const kLeftOver = 20; // episodes over which the time that is left is estimated
 
 export class GrowingRecord {
-  readonly episodes: number[];
-  readonly returns: number[];
-  readonly changes: Change[];
+  episodes: number[] = [];
+  returns: number[] = [];
+  changes: Change[] = [];
   readonly curves: GrowingCurve[] = [];
   lastEnd = "";
   private readonly wallSeconds: number[] = [];
 
   constructor(report: Report) {
+    this.read(report);
+  }
+
+  /** What the trainer has in its record now, in the place of what was known. Curves that are still
+   * there stay the same objects. */
+  read(report: Report): void {
     this.episodes = Array.from(report.episode);
     this.returns = Array.from(report.returns);
     this.changes = [...report.changes];
+    for (const curve of this.curves) curve.values = this.episodes.map(() => NaN);
     for (const each of report.terms) this.take("term", each);
     for (const each of report.metrics) this.take("metric", each);
     for (const each of report.learner) this.take("learner", each);
@@ -84,7 +91,9 @@ export class GrowingRecord {
     kind: CurveKind,
     { name, unit, doc, values }: { name: string; unit?: string; doc: string; values: Float32Array },
   ): void {
-    this.curves.push({ kind, name, unit: unit ?? "", doc, values: Array.from(values) });
+    const known = this.curves.find((curve) => curve.kind === kind && curve.name === name);
+    if (known) known.values = Array.from(values);
+    else this.curves.push({ kind, name, unit: unit ?? "", doc, values: Array.from(values) });
   }
 
   private addTo(

@@ -5,7 +5,12 @@ import "../style/theme.css";
 import "../style/page.css";
 import "../style/charts.css";
 import "../style/replay.css";
-import "../style/live.css";
+import "../style/live_rewards.css";
+import "../style/live_values.css";
+import "../style/live_tune.css";
+import "../style/editor.css";
+import "../style/graph.css";
+import "../style/live.css"; // last: it says what becomes of all on a narrow screen
 
 import { changeWords } from "../charts/change_marks.ts";
 import { decodeParsed, type Change, type EncodedReport, type Report } from "../data/report_data.ts";
@@ -77,11 +82,12 @@ class LivePage {
     this.choosePace();
     this.showChanges();
     new LastingSocket("/api/events", {
-      onOpen: () => void this.refreshAll(),
+      onOpen: () => void this.catchUp(),
       onLost: () => this.run.showLost(),
       onMessage: (data) => this.hear(JSON.parse(data as string) as TrainerEvent),
     });
     window.setInterval(() => void this.refreshStatus(), kStatusEvery);
+    document.addEventListener("visibilitychange", () => this.source.setHidden(document.hidden));
     onThemeChange(() => (this.lastTraces = 0));
     requestAnimationFrame((now) => this.draw(now));
   }
@@ -105,7 +111,9 @@ class LivePage {
     }
   }
 
-  private async refreshAll(): Promise<void> {
+  /** What has happened while nothing was heard. */
+  private async catchUp(): Promise<void> {
+    if (document.documentElement.dataset["ready"]) await this.rereadRecord();
     await this.refreshStatus();
     await this.refreshListing();
     const { status } = this.run;
@@ -159,6 +167,8 @@ class LivePage {
       this.showChanges();
       void this.refreshListing();
       void this.refreshTexts();
+    } else if (event.event === "missed") {
+      void this.rereadRecord();
     } else if (event.event === "state") {
       void this.refreshStatus();
     }
@@ -167,6 +177,15 @@ class LivePage {
   /** The texts of tasks that were loaded meanwhile. */
   private async refreshTexts(): Promise<void> {
     this.report = await readRecord();
+  }
+
+  private async rereadRecord(): Promise<void> {
+    await this.attempt(async () => {
+      await this.refreshTexts();
+      this.record.read(this.report);
+      this.curvesAreOld = true;
+      this.showChanges();
+    });
   }
 
   private showChanges(): void {

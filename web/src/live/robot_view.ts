@@ -76,6 +76,7 @@ export class RobotView {
     if (isNew) this.describe(frame, state);
     if (!this.stage || !(isNew || this.mustDraw || this.source.isPlaying)) return;
     const { clip } = frame;
+    if (clip.layout.links === 0) return;
     if (!clip.isEpisode) {
       this.stage.showInstant(frame.poses);
     } else {
@@ -99,7 +100,9 @@ export class RobotView {
     this.told.textContent = goalsInWords(frame);
     const moment = `Episode ${formatCount(frame.clip.episode)}, ${frame.time.toFixed(2)} s`;
     this.words.textContent = [moment, this.howShown(state)].join("  ·  ");
-    byId("stage-message", HTMLElement).textContent = "";
+    const hasLinks = frame.clip.layout.links > 0;
+    byId("stage-message", HTMLElement).textContent = hasLinks ? "" : "There is no robot to be seen here.";
+    if (!hasLinks) this.place.textContent = "";
   }
 
   private howShown(state: string): string {

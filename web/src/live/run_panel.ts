@@ -79,7 +79,7 @@ export class RunPanel {
     this.step.hidden = status.state !== "paused";
     this.stop.disabled = this.stops !== "";
     this.put(figures.episode, formatCount(status.episode), `of ${formatCount(planned)}`);
-    const mean = `mean of the last ${formatNumber(status.mean_return)}`;
+    const mean = `mean ${formatNumber(status.mean_return)}`;
     this.put(figures.return, done > 0 ? formatNumber(status.last_return) : "–", done > 0 ? mean : "");
     this.put(figures.best, formatNumber(status.best_return ?? NaN), this.bestNote(status));
     this.put(figures.speed, status.speed > 0 ? `${formatRatio(status.speed)} ×` : "–", "real time");

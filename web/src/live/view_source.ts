@@ -20,6 +20,7 @@ export class ViewSource {
   private layout: Layout | undefined;
   private pace: Pace = 1;
   private isPaused = false;
+  private isHidden = false;
   private clip: Clip | undefined;
   private next: Clip | undefined;
   private isAsked = false;
@@ -42,6 +43,12 @@ export class ViewSource {
   setPaused(isPaused: boolean): void {
     if (this.isPaused === isPaused) return;
     this.isPaused = isPaused;
+    this.askAgain();
+  }
+
+  /** Nothing is sent for a page that nobody sees. */
+  setHidden(isHidden: boolean): void {
+    this.isHidden = isHidden;
     this.askAgain();
   }
 
@@ -89,7 +96,8 @@ export class ViewSource {
   private askAgain(): void {
     this.next = undefined;
     this.isAsked = !this.showsInstants;
-    this.socket.send(this.showsInstants ? "instants" : "episode");
+    const wish = this.showsInstants ? "instants" : "episode";
+    this.socket.send(this.isHidden ? "nothing" : wish);
   }
 
   private take(data: string | ArrayBuffer): void {

@@ -76,8 +76,9 @@ export class LanguageClient {
   hover(position: Position): Promise<{ contents: Markup; range?: Range } | null> {
     return this.ask("textDocument/hover", { position });
   }
-  complete(position: Position): Promise<CompletionItem[]> {
-    return this.ask("textDocument/completion", { position });
+  async complete(position: Position): Promise<CompletionItem[]> {
+    const list = await this.ask<{ items: CompletionItem[] }>("textDocument/completion", { position });
+    return list.items;
   }
   format(): Promise<TextEdit[] | null> {
     return this.ask("textDocument/formatting", { options: { tabSize: 2, insertSpaces: true } });

@@ -131,7 +131,7 @@ export class TaskEditor {
         closeBrackets(),
         highlightActiveLine(),
         highlightActiveLineGutter(),
-        autocompletion({ override: [(context) => this.complete(context)] }),
+        autocompletion({ icons: false, override: [(context) => this.complete(context)] }),
         hoverTooltip((view, offset) => this.hover(view, offset)),
         taskColors(),
         EditorView.contentAttributes.of({ "aria-label": "The text of the task" }),
