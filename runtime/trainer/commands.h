@@ -21,6 +21,7 @@ void AddCtlCommand(command_line::Command& program);
 void AddShowCommand(command_line::Command& program);
 void AddEvaluateCommand(command_line::Command& program);
 void AddReproduceCommand(command_line::Command& program);
+void AddRescoreCommand(command_line::Command& program);
 void AddReportCommand(command_line::Command& program);
 void AddExportCommand(command_line::Command& program);
 void AddSnapshotsCommand(command_line::Command& program);

@@ -26,6 +26,7 @@ void Declare(command_line::Command& program) {
   AddReportCommand(program);
   AddEvaluateCommand(program);
   AddReproduceCommand(program);
+  AddRescoreCommand(program);
   AddExportCommand(program);
   AddSnapshotsCommand(program);
   AddVideoCommand(program);

@@ -83,7 +83,7 @@ void TrainAgain(const RunParts& run, const ModuleTypes& types, const ReproduceOp
   const StopRequest stop;
   Progress progress(options.style, run.record, stdout, stderr);
   ComparedRun compared(run, progress, stop, recorded);
-  Training training(run.graph, run.record, run.database, progress, compared);
+  Training training(run.graph, run.record, run.database, run.folder, progress, compared);
   training.Restore();
   const int jobs = std::min<int>(JobsOrCores(options.jobs), PluginWatch::kMostThreads - 1);
   if (jobs > 1) training.RunSideBySide(jobs, types, run.context);

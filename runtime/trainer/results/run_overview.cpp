@@ -8,6 +8,7 @@
 #include <iterator>
 #include <span>
 
+#include "runtime/trainer/results/version_difference.h"
 #include "runtime/training/run/progress.h"
 #include "runtime/training/run/run_database.h"
 #include "runtime/training/run/run_settings.h"
@@ -108,12 +109,23 @@ void AddGoals(const RunOverview& overview, Lines& lines) {
   }
 }
 
-// Which task ran when, where there was more than one; shadows; changes.
+// As `taskc diff` has it, line by line.
+void AddDifference(std::string_view difference, Lines& lines) {
+  while (!difference.empty()) {
+    const std::string_view line = difference.substr(0, difference.find('\n'));
+    lines.Add("", "  {}", line);
+    difference.remove_prefix(std::min(line.size() + 1, difference.size()));
+  }
+}
+
+// Which task ran when, where there was more than one, and what each changed; shadows; changes.
 void AddHistory(const RunOverview& overview, Lines& lines) {
   if (overview.versions.size() > 1) {
-    for (const TaskSpan& span : overview.versions) {
+    for (size_t i = 0; i < overview.versions.size(); ++i) {
+      const TaskSpan& span = overview.versions[i];
       lines.Add("version", "episodes {} to {}: {}", span.first, span.last,
                 VersionText(TaskWithId(overview.run, span.task)));
+      if (i > 0) AddDifference(overview.differences[i - 1], lines);
     }
   }
   for (const ShadowOverview& shadow : overview.shadows) {
@@ -163,13 +175,15 @@ Json GoalsByName(const RunOverview& overview) {
 
 Json Versions(const RunOverview& overview) {
   Json json = Json::array();
-  for (const TaskSpan& span : overview.versions) {
+  for (size_t i = 0; i < overview.versions.size(); ++i) {
+    const TaskSpan& span = overview.versions[i];
     const TaskRecord& task = TaskWithId(overview.run, span.task);
     json.push_back({{"task", task.task},
                     {"task_file", task.task_file},
                     {"task_hash", task.task_hash},
                     {"first_episode", span.first},
-                    {"last_episode", span.last}});
+                    {"last_episode", span.last},
+                    {"difference", i > 0 ? overview.differences[i - 1] : ""}});
   }
   return json;
 }
@@ -229,6 +243,11 @@ RunOverview ReadOverview(const std::filesystem::path& folder) {
     overview.learner = episodes.back().learner;
   }
   overview.versions = ActiveTasks(episodes);
+  for (size_t i = 1; i < overview.versions.size(); ++i) {
+    overview.differences.push_back(
+        VersionDifference(overview.run, TaskWithId(overview.run, overview.versions[i - 1].task),
+                          TaskWithId(overview.run, overview.versions[i].task)));
+  }
   overview.shadows = Shadows(overview.run, episodes);
   overview.changes = database.ReadChanges();
   return overview;

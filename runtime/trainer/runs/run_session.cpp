@@ -132,7 +132,7 @@ int RunSession(const RunParts& run, const SessionOptions& options) {
   const StopRequest stop;
   Progress progress(options.output.style(), run.record, stdout, stderr);
   LiveRun live(run, progress, options.when_done, stop);
-  Training training(run.graph, run.record, run.database, progress, live);
+  Training training(run.graph, run.record, run.database, run.folder, progress, live);
   training.Restore();
   NoteMachine(run, training.episodes_done() + 1, progress);
   RunSideBySide(training, run, options, progress);

@@ -18,7 +18,8 @@ Collector::Collector(ModuleGraph graph, EpisodeWatcher* watcher)
       learner_(graph_.FindOnly<Learner>()),
       tasks_(FindTaskModules(graph_, learner_)),
       watcher_(watcher),
-      recorder_(environment_.pose_count(), environment_.time_step()) {}
+      recorder_(environment_.pose_count(), environment_.time_step()),
+      tape_(environment_, learner_) {}
 
 void Collector::Prepare(int64_t episode, const ModuleGraph& graph, const Learner& leader) {
   episode_ = episode;
@@ -30,11 +31,14 @@ void Collector::Prepare(int64_t episode, const ModuleGraph& graph, const Learner
 void Collector::Run(const std::atomic<bool>& is_unwanted) {
   try {
     const EpisodeModules modules = {environment_, learner_, tasks_};
-    record_ = RunEpisode(episode_, modules, [&](int64_t steps) {
+    const auto after_step = [&](int64_t steps) {
       if (is_unwanted.load(std::memory_order_relaxed)) throw IsUnwanted();
       recorder_.Capture(steps, modules);
+      tape_.Note(steps);
       if (watcher_ != nullptr) watcher_->AfterStep(episode_, steps, modules);
-    });
+    };
+    record_ = RunEpisode(episode_, modules, after_step,
+                         [&](const auto& drawn) { tape_.StartEpisode(drawn); });
     return;
   } catch (const IsUnwanted&) {
     // Nobody will ask.

@@ -11,6 +11,7 @@
 #include "runtime/training/run/episode_watcher.h"
 #include "runtime/training/run/recorder.h"
 #include "runtime/training/run/run_records.h"
+#include "runtime/training/run/tape_recorder.h"
 #include "runtime/training/run/task_modules.h"
 
 namespace runtime {
@@ -36,6 +37,7 @@ class Collector {
   EpisodeRecord HandOver(const ModuleGraph& graph, Learner& leader);
   const UniversalTask& task() const { return *tasks_.active; }
   const Recorder& recorder() const { return recorder_; }
+  const TapeRecorder& tape() const { return tape_; }
 
  private:
   ModuleGraph graph_;
@@ -44,6 +46,7 @@ class Collector {
   TaskModules tasks_;
   EpisodeWatcher* watcher_;
   Recorder recorder_;
+  TapeRecorder tape_;
   int64_t episode_ = 0;
   EpisodeRecord record_;
   std::exception_ptr failure_;

@@ -43,8 +43,8 @@ double ThreadSeconds() {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-EpisodeRecord RunEpisode(int64_t number, const EpisodeModules& modules,
-                         const AfterStep& after_step) {
+EpisodeRecord RunEpisode(int64_t number, const EpisodeModules& modules, const AfterStep& after_step,
+                         const NoteStart& note_start) {
   using Clock = std::chrono::steady_clock;
   const Clock::time_point start = Clock::now();
   const double cpu_start = ThreadSeconds();
@@ -53,8 +53,10 @@ EpisodeRecord RunEpisode(int64_t number, const EpisodeModules& modules,
   modules.learner.SetNextEpisode(number);
   modules.tasks.active->SetNextEpisode(number);
   for (UniversalTask* shadow : modules.tasks.shadows) shadow->SetNextEpisode(number);
+  std::optional<robot::StartState> drawn;
   modules.environment.StartDrawnEpisode(
-      [&](uint32_t attempt) { return modules.tasks.active->DrawStart(attempt); });
+      [&](uint32_t attempt) { return drawn = modules.tasks.active->DrawStart(attempt); });
+  if (note_start) note_start(drawn);
   after_step(steps);
   while (!modules.learner.episode_over()) {
     modules.environment.RunTimeStep();

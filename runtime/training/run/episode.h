@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 
 #include "runtime/training/environment/environment.h"
 #include "runtime/training/learning/learner.h"
@@ -21,10 +22,13 @@ struct EpisodeModules {
 // Called with 0 when the episode has started, then after each time step with their number.
 using AfterStep = std::function<void(int64_t steps)>;
 
+// Called when the episode has started, with what the task drew for its start.
+using NoteStart = std::function<void(const std::optional<robot::StartState>& drawn)>;
+
 // Runs an episode; `number` is its own. `tasks` may change in `after_step`: the record is of those
 // at the end.
-EpisodeRecord RunEpisode(int64_t number, const EpisodeModules& modules,
-                         const AfterStep& after_step);
+EpisodeRecord RunEpisode(int64_t number, const EpisodeModules& modules, const AfterStep& after_step,
+                         const NoteStart& note_start = {});
 
 // What the learner shows of the episode that ran last, and what it has passed over in it; and what
 // was random in that.

@@ -213,6 +213,14 @@ CREATE TABLE IF NOT EXISTS timeline (
   samples BLOB NOT NULL
 );
 
+-- What a recorded episode was driven by, so that it can be simulated again (tape.h): zstd of how it
+-- began, when actions started, and the joint targets in each time step. An episode of more than two
+-- minutes has none, nor one that has diverged, nor one that an older version recorded.
+CREATE TABLE IF NOT EXISTS tape (
+  episode INTEGER PRIMARY KEY REFERENCES recording ON DELETE CASCADE,
+  data BLOB NOT NULL
+);
+
 -- Everything needed to continue after `episode`: a hash of the rest (sealed_state.h), then zstd of the
 -- modules' state (checkpoint.h).
 CREATE TABLE IF NOT EXISTS checkpoint (

@@ -26,16 +26,18 @@ double SecondsSince(std::chrono::steady_clock::time_point start) {
 }  // namespace
 
 Training::Training(ModuleGraph& graph, const RunRecord& run, RunDatabase& database,
-                   Progress& progress, TrainingHooks& hooks)
+                   std::filesystem::path folder, Progress& progress, TrainingHooks& hooks)
     : graph_(graph),
       run_(run),
       database_(database),
+      folder_(std::move(folder)),
       progress_(progress),
       hooks_(hooks),
       environment_(graph.FindOnly<Environment>()),
       learner_(graph.FindOnly<Learner>()),
       tasks_(FindTaskModules(graph, learner_)),
       recorder_(environment_.pose_count(), environment_.time_step()),
+      tape_(environment_, learner_),
       warnings_(run, [&progress, &hooks](const std::string& text) {
         progress.Warn(text);
         hooks.OnWarning(text);
@@ -89,12 +91,12 @@ void Training::RunPlannedEpisodes(const StopRequest& stop) {
     if (Collector* collector = WaitForCollector(stop, has_changed)) {
       EpisodeRecord episode = ahead_->TakeOver(*collector);
       episode.wall_seconds = SecondsSince(start);
-      Finish(episode, collector->task(), collector->recorder(), stop);
+      Finish(episode, collector->task(), collector->recorder(), collector->tape(), stop);
       ahead_->Free(*collector);
     } else {
       if (hooks_.wants_stop()) return SaveBeforeStop(has_changed);
       const EpisodeRecord episode = RunNextEpisode(stop);
-      Finish(episode, *tasks_.active, recorder_, stop);
+      Finish(episode, *tasks_.active, recorder_, tape_, stop);
     }
   }
 }
@@ -111,27 +113,37 @@ Collector* Training::WaitForCollector(const StopRequest& stop, bool& has_changed
 }
 
 void Training::Finish(const EpisodeRecord& episode, const UniversalTask& task,
-                      const Recorder& recorder, const StopRequest& stop) {
+                      const Recorder& recorder, const TapeRecorder& tape, const StopRequest& stop) {
   ++episodes_done_;
   const bool is_last = stops(stop) || episodes_done_ == run_.episodes_planned;
   const std::optional<Recording> recording = RecordingOf(episode, task, recorder);
   statistics_.Add(episode);
   const std::optional<Checkpoint> checkpoint = CheckpointIfDue(is_last);
   database_.AddEpisode(episode, recording, checkpoint);
+  if (recording) SaveTape(episode.number, tape);
   progress_.FinishEpisode(episode, statistics_);
   warnings_.About(episode, task, learner_);
   hooks_.AfterEpisode(episode, statistics_, checkpoint.has_value());
 }
 
+// After its recording, to which it belongs: one that is lost with the machine is lost alone.
+void Training::SaveTape(int64_t episode, const TapeRecorder& tape) const {
+  const std::string packed = tape.Finish();
+  if (!packed.empty()) WriteTape(folder_, episode, packed);
+}
+
 EpisodeRecord Training::RunNextEpisode(const StopRequest& stop) {
   const EpisodeModules modules = {environment_, learner_, tasks_};
   EpisodeWatcher* const watcher = hooks_.watcher();
-  return RunEpisode(episodes_done_ + 1, modules, [&](int64_t steps) {
+  const auto after_step = [&](int64_t steps) {
     recorder_.Capture(steps, modules);
+    tape_.Note(steps);
     if (watcher != nullptr) watcher->AfterStep(episodes_done_ + 1, steps, modules);
     NoteStop(stop);
     if (steps > 0 && !learner_.episode_over()) AllowChanges(steps);
-  });
+  };
+  return RunEpisode(episodes_done_ + 1, modules, after_step,
+                    [&](const auto& drawn) { tape_.StartEpisode(drawn); });
 }
 
 bool Training::AllowChanges(int64_t step) {

@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -18,6 +19,7 @@
 #include "runtime/training/run/return_statistics.h"
 #include "runtime/training/run/run_database.h"
 #include "runtime/training/run/stop_request.h"
+#include "runtime/training/run/tape_recorder.h"
 #include "runtime/training/run/task_modules.h"
 #include "runtime/training/run/training_hooks.h"
 
@@ -27,9 +29,9 @@ class Training {
  public:
   // `graph`: started, with one environment, one learner and a task that pays it; throws UserError
   // where it has not. Everything passed must outlive the training.
-  // `run` grows as tasks are loaded and episodes planned.
-  Training(ModuleGraph& graph, const RunRecord& run, RunDatabase& database, Progress& progress,
-           TrainingHooks& hooks);
+  // `run` grows as tasks are loaded and episodes planned. `folder`: that of the database.
+  Training(ModuleGraph& graph, const RunRecord& run, RunDatabase& database,
+           std::filesystem::path folder, Progress& progress, TrainingHooks& hooks);
 
   // From now on `jobs` episodes at a time, where the learner and the tasks allow that; what comes
   // of them is the same. `types` and `context`, which the graph was made of, outlive the training.
@@ -58,7 +60,8 @@ class Training {
   // run any more. `has_changed` becomes true where somebody has changed the graph meanwhile.
   Collector* WaitForCollector(const StopRequest& stop, bool& has_changed);
   void Finish(const EpisodeRecord& episode, const UniversalTask& task, const Recorder& recorder,
-              const StopRequest& stop);
+              const TapeRecorder& tape, const StopRequest& stop);
+  void SaveTape(int64_t episode, const TapeRecorder& tape) const;
   // Lets whoever wants to change something do so, after `step` time steps of the episode.
   // Returns whether somebody did.
   bool AllowChanges(int64_t step);
@@ -71,12 +74,14 @@ class Training {
   ModuleGraph& graph_;
   const RunRecord& run_;
   RunDatabase& database_;
+  const std::filesystem::path folder_;
   Progress& progress_;
   TrainingHooks& hooks_;
   Environment& environment_;
   Learner& learner_;
   TaskModules tasks_;
   Recorder recorder_;
+  TapeRecorder tape_;
   ReturnStatistics statistics_;
   int64_t episodes_done_ = 0;
   bool stop_is_noted_ = false;

@@ -47,6 +47,35 @@ TEST_F(ShowTest, TellsChangesVersionsAndShadows) {
   EXPECT_EQ(shown["changes"][1]["step"], 40);
 }
 
+// From the texts that the run keeps: there are no such files.
+TEST_F(ShowTest, SaysWhatAVersionChanged) {
+  const std::string text =
+      "task a for humanoid\non end_of_time_step {\n  reward rate up = base.position.z / 1 m\n"
+      "  if time > 1 s { truncate_episode \"time is up\" }\n}\n";
+  std::string changed = text;
+  changed.replace(changed.find("1 s"), 3, "2 s");
+  RunRecord run = SampleRun();
+  run.robot = "humanoid";
+  std::ifstream robot(ROBOTS "/humanoid/robot.toml");
+  run.robot_description = std::string{std::istreambuf_iterator<char>(robot), {}};
+  run.tasks.front().sources = {{"gone/a.task", text}};
+  TaskRecord version = SampleVersion();
+  version.sources = {{"gone/a.task", changed}};
+  RunDatabase database = RunDatabase::Create(RunFolder("run"), run);
+  database.AddTask(version);
+  EpisodeRecord second = SampleEpisode(2);
+  second.shadows = {second.active};
+  second.active = SampleShadow();
+  database.AddEpisode(SampleEpisode(1), {}, {});
+  database.AddEpisode(second, {}, {});
+  EXPECT_THAT(Trainer({"show", RunFolder("run")}).output,
+              AllOf(HasSubstr("  end truncation \"time is up\": when\n"),
+                    HasSubstr("    + end_of_time_step: if time > 2 s: ends\n")));
+  const auto shown = nlohmann::json::parse(Trainer({"show", RunFolder("run"), "--json"}).output);
+  EXPECT_EQ(shown["versions"][0]["difference"], "");
+  EXPECT_THAT(shown["versions"][1]["difference"].get<std::string>(), HasSubstr("time > 2 s"));
+}
+
 TEST_F(ShowTest, TellsWhatTheLearnerShowedLast) {
   {
     RunDatabase database = RunDatabase::Create(RunFolder("run"), SampleRun());
