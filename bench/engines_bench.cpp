@@ -18,7 +18,7 @@
 namespace runtime {
 namespace {
 
-enum class Course { kStanding, kFalling, kLying };
+enum class Course { kStands, kFalls, kLies };
 
 constexpr double kFall = 1;  // [s]
 
@@ -41,13 +41,13 @@ class Contender {
   Contender(const robot::RobotDescription& robot, const Profile& profile, Course course)
       : robot_(robot), profile_(profile), course_(course) {
     Begin();
-    if (course == Course::kLying) {
+    if (course == Course::kLies) {
       while (time_ < 2 * kFall) Step();
     }
   }
 
   void RunTimeStep() {
-    if (course_ == Course::kFalling && time_ > kFall) Begin();
+    if (course_ == Course::kFalls && time_ > kFall) Begin();
     const double start = ThreadSeconds();
     Step();
     seconds_ += ThreadSeconds() - start;
@@ -59,7 +59,7 @@ class Contender {
   void Begin() {
     robot::StartState start = robot::RestIn(robot_.poses[0]);
     targets_ = start.pose.joint_angles;
-    if (course_ != Course::kStanding) {
+    if (course_ != Course::kStands) {
       start.pose.position[2] += 0.3;
       start.pose.orientation = {std::cos(0.4), std::sin(0.4), 0, 0};
     }
@@ -109,9 +109,9 @@ BENCHMARK(NewMujocoWorld)->Unit(benchmark::kMicrosecond);
 
 [[maybe_unused]] const bool registered = [] {
   for (const char* robot : {"humanoid", "quadruped", "hexapod"}) {
-    for (const auto& [name, course] : {std::pair{"standing", Course::kStanding},
-                                       {"falling", Course::kFalling},
-                                       {"lying", Course::kLying}}) {
+    for (const auto& [name, course] : {std::pair{"standing", Course::kStands},
+                                       {"falling", Course::kFalls},
+                                       {"lying", Course::kLies}}) {
       benchmark::RegisterBenchmark((std::string("Engines/") + robot + "/" + name).c_str(), Engines,
                                    std::string(robot), course)
           ->Unit(benchmark::kMicrosecond)
