@@ -129,7 +129,7 @@ TEST(Analyze, KnowsWhatIsInTheWorldThatATaskNames) {
                          "observe ball.velocity\n"
                          "on end_of_time_step {\n"
                          "  if any(contact_with.ball[feet]) { reward a = ball.position.x / 1 m }\n"
-                         "  if time > 1 s { truncate_episode }\n}\n"},
+                         "  if time > 1 s { truncate_episode \"late\" }\n}\n"},
                         {"worlds/yard.toml", std::string(kHills) + kBall},
                         {"worlds/hills.csv", "0,0\n0,1\n"}}),
               kRobots);

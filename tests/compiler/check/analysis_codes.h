@@ -1,5 +1,5 @@
-// Which diagnostics are not the checker's, but come from worlds, allowances, bounds, phases, starts
-// and observations.
+// Which diagnostics are not the checker's, but come from allowances, bounds, phases, starts and
+// observations.
 #pragma once
 
 #include <string_view>
@@ -12,8 +12,7 @@ inline bool IsOfAnalysis(std::string_view code) {
   return (code >= code::kUselessAllow && code <= code::kCertainEnd) ||
          (code >= code::kUnreachablePhase && code <= code::kPaidCircle) ||
          (code >= code::kNotOnboard && code <= code::kConstantObservation) ||
-         code == code::kStartBeyondStop || code == code::kConstantPotential ||
-         code == code::kBadWorld;
+         code == code::kStartBeyondStop || code == code::kConstantPotential;
 }
 
 }  // namespace compiler

@@ -21,15 +21,16 @@ inline const robot::RobotDescription& Humanoid() {
 }
 
 // A task that was parsed and checked, for the humanoid or for no robot. What it imports and extends
-// is on the disk, and its tables are in tests/compiler/check/tables.
+// is on the disk, and its tables and worlds are in
+// tests/compiler/check/tables.
 struct CheckedSource {
   static inline const std::filesystem::path kTables = SOURCE_DIR "/tests/compiler/check/tables";
 
   CheckedSource(const std::string& path, const std::string& text) {
     const FileReader read = [&](const std::filesystem::path& file) {
       if (file == path) return std::optional(text);
-      const bool is_table = file.extension() == ".csv";
-      return ReadFromDisk(is_table ? kTables / file : file);
+      const bool is_kept = file.extension() == ".csv" || file.extension() == ".toml";
+      return ReadFromDisk(is_kept ? kTables / file : file);
     };
     const auto tree = Compose(path, read, sources, diagnostics);
     if (!tree) return;
