@@ -91,7 +91,7 @@ const std::map<std::string, Folders> kMayInclude = {
       "runtime/training/environment", "runtime/training/learning", "runtime/training/signal",
       "runtime/training/simulation"}},
     {"runtime/live/control",
-     {"base/variant", "runtime/base", "runtime/core/module", "runtime/core/task",
+     {"base/variant", "plugins/host", "runtime/base", "runtime/core/module", "runtime/core/task",
       "runtime/training/environment", "runtime/training/learning", "runtime/training/run"}},
     {"runtime/live/server", {"runtime/base", "runtime/live/control"}},
     {"runtime/live/client", {"runtime/base", "runtime/live/control", "runtime/live/server"}},
