@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <string>
 
 #include "runtime/training/simulation/ground_height.h"
 #include "tests/runtime/training/simulation/robots.h"
@@ -125,8 +126,13 @@ TEST_P(LinkKindsTest, ConvexLinksTouchEachOtherAndOtherShapes) {
                      .child = 1,
                      .anchor = {0, 0, 0.1}}};
     robot.links.push_back(robot.links[1]);  // a third hangs on the second and touches the first
-    robot.mounts.push_back(
-        {.name = "weld", .kind = robot::MountKind::kFixed, .parent = 1, .child = 2});
+    robot.mounts.push_back({.name = "hook",
+                            .kind = robot::MountKind::kBall,
+                            .parent = 1,
+                            .child = 2,
+                            .anchor = {0, 0, 0.2}});
+    for (size_t i = 0; i < robot.links.size(); ++i)
+      robot.links[i].name = "link" + std::to_string(i);
     World world = Make(robot);
     StepFor(world, 0.01, {});
     bool touches = false;
