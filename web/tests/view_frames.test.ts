@@ -10,6 +10,7 @@ const kText = JSON.stringify({
   task: "crawling",
   hash: "a1",
   links: kLinks,
+  poses: kLinks,
   size: 3 + 8 * kLinks + 1 + 3,
   values: [
     { kind: "term", name: "forward", type: "real", unit: "", doc: "", size: 1 },

@@ -20,6 +20,7 @@
 #include "runtime/training/run/estimate.h"
 #include "runtime/training/run/iso_time.h"
 #include "runtime/training/run/policy_evaluation.h"
+#include "runtime/training/run/recorded_ground.h"
 #include "runtime/training/run/run_database.h"
 #include "runtime/training/run/run_settings.h"
 
@@ -156,6 +157,7 @@ json CollectRecord(const std::filesystem::path& run_dir) {
   const RunRecord run = database.ReadRun();
   json data = CollectCurves(database, run, episodes);
   data["body"] = json::parse(run.body);
+  data["ground"] = GroundJson(GroundOf(run));
   for (const char* none : {"recordings", "evaluations", "notes"}) data[none] = json::array();
   return data;
 }

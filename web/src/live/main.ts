@@ -71,7 +71,7 @@ class LivePage {
     );
     this.curves = new GrowingCurves(this.record);
     this.source = new ViewSource(() => {});
-    this.robot = new RobotView(report.body, this.source);
+    this.robot = new RobotView(report, this.source);
     this.tasks = new TasksPanel(
       this.record,
       JSON.parse(byId("page-data", HTMLElement).textContent ?? "") as PageData,

@@ -1,6 +1,6 @@
 // The robot in the picture, and the words around it.
 
-import type { BodyLink } from "../data/report_data.ts";
+import type { Scenery } from "../data/report_data.ts";
 import { formatCount, formatLength, formatRatio } from "../data/words.ts";
 import { byId, hasWebGl, onThemeChange } from "../page/dom.ts";
 import { Stage } from "../replay/stage.ts";
@@ -30,20 +30,20 @@ export class RobotView {
   private mustDraw = true;
 
   constructor(
-    body: BodyLink[],
+    scenery: Scenery,
     private readonly source: ViewSource,
   ) {
-    this.stage = this.makeStage(body);
+    this.stage = this.makeStage(scenery);
   }
 
-  private makeStage(body: BodyLink[]): Stage | undefined {
+  private makeStage(scenery: Scenery): Stage | undefined {
     if (!hasWebGl()) {
       byId("robot", HTMLElement).classList.add("unavailable");
       byId("stage-message", HTMLElement).textContent =
         "This browser offers no WebGL, so the robot cannot be drawn here.";
       return undefined;
     }
-    const stage = new Stage(body, () => (this.mustDraw = true));
+    const stage = new Stage(scenery, () => (this.mustDraw = true));
     stage.canvas.setAttribute("role", "img");
     stage.canvas.setAttribute("aria-label", "The robot as it is now");
     stage.canvas.tabIndex = 0;

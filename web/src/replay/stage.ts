@@ -211,7 +211,7 @@ export class Stage {
 
   private lightContacts(): void {
     const { timeline } = this.motion;
-    const count = this.body.length;
+    const count = this.scenery.body.filter((part) => !part.thing).length;
     const sample = timeline ? sampleAt(timeline, this.time) : 0;
     this.robot.setLit(
       (link) =>
