@@ -123,7 +123,7 @@ TEST_F(ApiTest, WrongRequestsAreExplained) {
       {"POST", "/apo/swap", "", 404, "there is nothing at `/apo/swap`"},
       {"POST", "/", "", 405, "`/` takes GET"},
       {"POST", "/api/events", "", 405, "`/api/events` takes GET"},
-      {"GET", "/api/events", "", 426, "events come over a WebSocket"},
+      {"GET", "/api/events", "", 426, "comes over a WebSocket"},
       {"GET", "/api/pause", "", 405, "`pause` takes POST"},
       {"DELETE", "/api/list", "", 405, "`list` takes POST or GET"},
       {"POST", "/api/pause", "{", 400, "the arguments are not JSON: "},

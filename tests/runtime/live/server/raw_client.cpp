@@ -51,15 +51,17 @@ bool RawClient::SendText(std::string_view text) {
 }
 
 std::string RawClient::ReceiveMessage() {
-  constexpr int kPing = 9;
+  std::string message;
   while (true) {
-    const auto frame = TakeFrame();
-    if (frame && frame->first != kPing) return frame->second;
+    const std::optional<Frame> frame = TakeFrame();
     if (!frame && !ReadMore()) return "";
+    if (!frame || frame->is_ping) continue;
+    message += frame->content;
+    if (frame->is_last) return message;
   }
 }
 
-std::optional<std::pair<int, std::string>> RawClient::TakeFrame() {
+std::optional<RawClient::Frame> RawClient::TakeFrame() {
   const auto byte = [this](size_t i) -> size_t { return static_cast<unsigned char>(received_[i]); };
   if (received_.size() < 2) return std::nullopt;
   size_t length = byte(1);
@@ -68,7 +70,8 @@ std::optional<std::pair<int, std::string>> RawClient::TakeFrame() {
   if (extra > 0) length = 0;
   for (size_t i = 0; i < extra; ++i) length = length << 8 | byte(2 + i);
   if (received_.size() < 2 + extra + length) return std::nullopt;
-  std::pair<int, std::string> frame(byte(0) & 0xf, received_.substr(2 + extra, length));
+  constexpr size_t kPing = 9;
+  Frame frame{(byte(0) & 0xf) == kPing, (byte(0) & 0x80) != 0, received_.substr(2 + extra, length)};
   received_.erase(0, 2 + extra + length);
   return frame;
 }

@@ -4,7 +4,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 
 #include "runtime/live/server/descriptor.h"
 
@@ -35,7 +34,12 @@ class RawClient {
 
  private:
   // The first frame of what was received; nothing where it is not whole yet.
-  std::optional<std::pair<int, std::string>> TakeFrame();
+  struct Frame {
+    bool is_ping;
+    bool is_last;  // of its message
+    std::string content;
+  };
+  std::optional<Frame> TakeFrame();
   bool ReadMore();
 
   Descriptor socket_;
