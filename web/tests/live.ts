@@ -201,6 +201,8 @@ try {
     await showsTheRun(page);
     await numbersAreThoseOfTheApi(page, run);
     await aSliderSetsAParameter(page, run);
+    await page.evaluate(() => scrollTo(0, 0));
+    await sleep(3000);
     await screenshot(page, "live");
     await aRewiringIsRefusedWithAReason(page, run);
     await aTaskIsEdited(page, run);

@@ -61,6 +61,7 @@ class LivePage {
   private lastTraces = 0;
   private lastCurves = 0;
   private curvesAreOld = true;
+  private heardWhileReading: EpisodeEvent[] | undefined; // may be missing in what is read
 
   constructor(private report: Report) {
     this.record = new GrowingRecord(report);
@@ -113,7 +114,7 @@ class LivePage {
 
   /** What has happened while nothing was heard. */
   private async catchUp(): Promise<void> {
-    if (document.documentElement.dataset["ready"]) await this.rereadRecord();
+    await this.rereadRecord();
     await this.refreshStatus();
     await this.refreshListing();
     const { status } = this.run;
@@ -159,7 +160,9 @@ class LivePage {
 
   private hear(event: TrainerEvent): void {
     if (event.event === "episode") {
-      this.record.add(event as unknown as EpisodeEvent, this.history.layout);
+      const episode = event as unknown as EpisodeEvent;
+      this.heardWhileReading?.push(episode);
+      this.record.add(episode, this.history.layout);
       this.curvesAreOld = true;
     } else if (event.event === "change") {
       this.record.changes.push(event as unknown as Change);
@@ -181,8 +184,12 @@ class LivePage {
 
   private async rereadRecord(): Promise<void> {
     await this.attempt(async () => {
+      const since: EpisodeEvent[] = [];
+      this.heardWhileReading = since;
       await this.refreshTexts();
       this.record.read(this.report);
+      for (const event of since) this.record.add(event, this.history.layout);
+      if (this.heardWhileReading === since) this.heardWhileReading = undefined;
       this.curvesAreOld = true;
       this.showChanges();
     });
