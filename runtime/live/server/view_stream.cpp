@@ -10,8 +10,7 @@ constexpr size_t kMaxWord = 64;  // from the client, which says one word
 
 class ViewStream final : public WebSocket, public Viewer {
  public:
-  ViewStream(Service& service, Upgrade upgrade)
-      : WebSocket(service, std::move(upgrade), kMaxWord) {
+  ViewStream(Service& service, Upgrade upgrade) : WebSocket(service, std::move(upgrade), kMaxWord) {
     service.views.Add(*this);
   }
 

@@ -101,6 +101,7 @@ export class Stage {
     this.path = smoothPath(motion, this.framing.anchor, kFollowSmoothing);
     this.fitToRobot();
     this.updateTheme();
+    this.robot.setLit(() => false);
     this.setTime(0);
     if (isFirst) this.resetView();
   }
@@ -209,14 +210,13 @@ export class Stage {
     this.draw();
   }
 
+  /** Of a motion that says what touches what; who shows others calls setContacts(). */
   private lightContacts(): void {
     const { timeline } = this.motion;
-    const count = this.scenery.body.filter((part) => !part.thing).length;
-    const sample = timeline ? sampleAt(timeline, this.time) : 0;
-    this.robot.setLit(
-      (link) =>
-        this.lightsContacts && timeline !== undefined && touches(timeline, count, sample, link),
-    );
+    if (!timeline) return;
+    const count = this.scenery.body.length;
+    const sample = sampleAt(timeline, this.time);
+    this.robot.setLit((link) => this.lightsContacts && touches(timeline, count, sample, link));
   }
 
   private addLight(): void {
