@@ -35,7 +35,7 @@ TEST(Film, DrawsOpaquePicturesInTheirOrder) {
   for (const Image& picture : pictures) {
     EXPECT_EQ(picture.width, 20);
     for (int i = 0; i < 20; ++i) EXPECT_EQ(picture.pixel(i, i)[3], 255);
-    EXPECT_EQ(picture.pixel(0, 19)[0], 0xf3);   // the background
+    EXPECT_GT(picture.pixel(0, 19)[0], 0xd8);   // the floor
     EXPECT_LT(picture.pixel(10, 10)[0], 0xd0);  // the ball: the camera goes along
   }
   std::vector<Image> again;
