@@ -99,7 +99,7 @@ TEST_F(SlurmTest, SubmitsWhatIsNotFinishedAndNotInTheQueue) {
   // What the task of the array does on its node.
   const ScopedEnvironment job("SLURM_ARRAY_JOB_ID", "34");
   const ScopedEnvironment index("SLURM_ARRAY_TASK_ID", "1");
-  result = RunProgram({"bash", (folder() / "study" / "slurm" / "job-1.sh").string()});
+  result = RunProgram({"/bin/bash", (folder() / "study" / "slurm" / "job-1.sh").string()});
   EXPECT_EQ(result.exit_status, 0) << result.errors;
   Queue("");
   EXPECT_EQ(Status()[0]["state"], "waiting");
