@@ -15,6 +15,9 @@ const kGroups: [ViewValue["kind"], string][] = [
   ["log", "Logs"],
 ];
 
+/** What the compiler remembers on behalf of the task, such as for `once`. */
+const isHidden = ({ name }: ViewValue): boolean => name.includes("#");
+
 interface Row {
   value: ViewValue;
   output: HTMLElement;
@@ -34,7 +37,7 @@ export class Values {
   show(layout: Layout): void {
     this.rows = [];
     const groups = kGroups.map(([kind, name]) => {
-      const values = layout.values.filter((value) => value.kind === kind);
+      const values = layout.values.filter((value) => value.kind === kind && !isHidden(value));
       if (values.length === 0) return "";
       const rows = values.map((value) => this.makeRow(value));
       return element("div", { class: "value-group" }, element("h3", {}, name), ...rows);
