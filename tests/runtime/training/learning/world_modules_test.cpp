@@ -179,6 +179,7 @@ class PointDcobTest : public WorldModules {
   PointDcobTest() {
     AddFeatures({4, 2});
     dcob_ = &AddActions<PointDcob>();
+    dcob_->Set("abbreviation_scale", 10.0);  // no motion is cut short
     graph_.Connect("world.observation", "actions.observation");
     graph_.Connect("features.features", "actions.features");
     graph_.Connect("features.net", "actions.net");
