@@ -42,8 +42,9 @@ class InstallTest : public testing::Test {
                                                  "-G", "Ninja", "-DCMAKE_BUILD_TYPE=" BUILD_TYPE,
                                                  HAS_PAGES ? "-DTASKC_WEB=ON" : "-DTASKC_WEB=OFF"});
     ASSERT_EQ(configured.exit_status, 0) << configured.errors;
-    for (const char* part : {"bin/taskc", "bin/trainer", "share/taskc/report", "share/taskc/study",
-                             "share/taskc/document", "share/taskc/probe", "lib"}) {
+    for (const char* part :
+         {"bin/taskc", "bin/trainer", "share/taskc/report", "share/taskc/study",
+          "share/taskc/document", "share/taskc/probe", "share/taskc/live", "lib"}) {
       if (!std::filesystem::exists(std::filesystem::path(BUILD_DIR) / part)) continue;
       std::filesystem::create_directories((build_ / part).parent_path());
       std::filesystem::copy(std::filesystem::path(BUILD_DIR) / part, build_ / part,
