@@ -180,8 +180,11 @@ TEST_F(EvaluateTest, RepeatsOnlyWhatHasChanged) {
 TEST_F(EvaluateTest, SaysWhatIsMissing) {
   EXPECT_THAT(Failure("nowhere"), HasSubstr("there is no run in this folder"));
   EXPECT_EQ(Evaluate("nowhere", "slow").exit_status, 2);
-  EXPECT_EQ(Trainer({"evaluate", RunFolder("nowhere")}).exit_status, 2);
+  EXPECT_EQ(Trainer({"evaluate", RunFolder("nowhere")}).exit_status, 1);
   Train("run", 1, {"--quiet"});
+  const ProgramResult without_profile = Trainer({"evaluate", RunFolder("run")});
+  EXPECT_EQ(without_profile.exit_status, 2);
+  EXPECT_THAT(without_profile.errors, HasSubstr("--profile is required"));
   RunDatabase::Open(RunFolder("run")).WriteCheckpoint({1, "no checkpoint at all"});
   EXPECT_THAT(Failure("run"), AllOf(HasSubstr("checkpoint"), HasSubstr("damaged")));
   RunDatabase::Create(RunFolder("new"), RunDatabase::OpenToRead(RunFolder("run")).ReadRun());

@@ -112,7 +112,9 @@ export class Rewards {
       "tr",
       { "data-sum-of": of },
       element("th", { scope: "row" }, name),
-      element("td", { colspan: "4" }, words),
+      element("td", { colspan: "2" }, words),
+      element("td"), // of the columns that a phone has no room for
+      element("td"),
       element("td", {}, sum),
     );
   }
