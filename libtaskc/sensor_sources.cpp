@@ -25,7 +25,8 @@ void SensorSources::Bind(const char* sensor, const char* unit, const taskc_view&
   const Target target = FindTarget(frame_.plugin(), sensor, unit);
   Filling filling{.is_bound = true, .time_stride = time_stride};
   filling.runs = RunsOf(frame_.plugin(), target, view, time_stride, ElementsOf(target));
-  if (IsInPlace(SensorAt(target.sensor), view, filling.runs)) {
+  // Of an entry there is always a copy: the frame reads whole sensors only where they are.
+  if (!target.is_entry && IsInPlace(SensorAt(target.sensor), view, filling.runs)) {
     filling.in_place = filling.runs.front().from;
     filling.runs.clear();
   }

@@ -78,6 +78,20 @@ TEST_F(BindTest, AFunctionIsCalledBeforeEachEventThatReadsTheSensor) {
   EXPECT_EQ(RewardOfAStep(), before + 1);
 }
 
+TEST(BindEntryTest, TheOnlyEntryOfASensorIsTheWholeSensor) {
+  const OpenedTask task("single");
+  const Instance instance(task);
+  double door = 2;
+  ASSERT_EQ(taskc_bind(instance, "doors[0]", "", {.data = &door, .format = TASKC_FLOAT64}),
+            TASKC_OK)
+      << taskc_error();
+  ASSERT_EQ(taskc_start_episode(instance, 1, nullptr), TASKC_OK) << taskc_error();
+  door = 3;
+  taskc_result result;
+  ASSERT_EQ(taskc_event(instance, TASKC_END_OF_TIME_STEP, 0.5, &result), TASKC_OK);
+  EXPECT_EQ(result.reward, 3);
+}
+
 TEST_F(BindTest, EntriesAreBoundByNumber) {
   const Instance instance(task_);
   Bind(instance, world_);
