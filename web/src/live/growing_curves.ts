@@ -94,6 +94,7 @@ export class GrowingCurves {
   private marks = new ChangeMarks([]);
   private markCount = 0;
   private isWindowChosen = false;
+  private cardsAreOld = false;
   private shownAt: number | null = null;
   private mean: Float32Array = new Float32Array();
 
@@ -138,8 +139,17 @@ export class GrowingCurves {
     ]);
     this.showKey(shadows);
     this.showValues();
-    if (!isInSight(byId("curves", HTMLElement))) return;
-    for (const each of record.curves) this.cardOf(each)?.draw(episode, window);
+    this.cardsAreOld = true;
+    this.drawCards();
+  }
+
+  /** The charts below, once they are in sight. */
+  drawCards(): void {
+    if (!this.cardsAreOld || !isInSight(byId("curves", HTMLElement))) return;
+    this.cardsAreOld = false;
+    const episode = Float32Array.from(this.record.episodes);
+    const window = Number(this.select.value);
+    for (const each of this.record.curves) this.cardOf(each)?.draw(episode, window);
   }
 
   private cardOf(curve: GrowingCurve): CurveCard | undefined {

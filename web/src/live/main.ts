@@ -71,7 +71,7 @@ class LivePage {
       (status) => this.follow(status),
     );
     this.curves = new GrowingCurves(this.record);
-    this.source = new ViewSource(() => {});
+    this.source = new ViewSource();
     this.robot = new RobotView(report, this.source);
     this.tasks = new TasksPanel(
       this.record,
@@ -117,6 +117,7 @@ class LivePage {
     await this.rereadRecord();
     await this.refreshStatus();
     await this.refreshListing();
+    if (document.documentElement.dataset["ready"]) return; // the user may have chosen a pace since
     const { status } = this.run;
     if (status && status.speed > 0 && status.speed < kSlow) this.watchInstants();
     document.documentElement.dataset["ready"] = "true";
@@ -169,7 +170,7 @@ class LivePage {
       this.curvesAreOld = true;
       this.showChanges();
       void this.refreshListing();
-      void this.refreshTexts();
+      void this.attempt(() => this.refreshTexts());
     } else if (event.event === "missed") {
       void this.rereadRecord();
     } else if (event.event === "state") {
@@ -221,6 +222,7 @@ class LivePage {
       this.lastTraces = now;
       this.rewards.drawTraces(this.history);
       this.values.drawTraces(this.history);
+      this.curves.drawCards();
     }
     if (this.curvesAreOld && now - this.lastCurves > kCurvesEvery) {
       [this.lastCurves, this.curvesAreOld] = [now, false];
@@ -237,7 +239,10 @@ class LivePage {
     this.values.show(layout);
     const task = this.report.tasks.find(({ hash }) => hash === layout.hash);
     if (!task) {
-      void this.refreshTexts().then(() => this.showTexts());
+      void this.attempt(async () => {
+        await this.refreshTexts();
+        this.showTexts();
+      });
       return;
     }
     this.showTexts();

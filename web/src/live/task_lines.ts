@@ -1,31 +1,29 @@
 // The text of the task that pays now. A line lights up while its term pays.
 
 import type { Source } from "../data/report_data.ts";
-import { commentStart } from "../data/task_source.ts";
 import { element } from "../page/dom.ts";
+import { sourceCode } from "../page/source.ts";
 import type { Layout, ViewValue } from "./view_frames.ts";
 
 const kAbove = 60; // the first line that pays is seen with what stands before it [px]
 
 export class TaskLines {
-  private lines: HTMLElement[][] = []; // of each source
   private terms: { term: ViewValue; line: HTMLElement }[] = [];
 
   constructor(private readonly host: HTMLElement) {}
 
   show(sources: Source[], layout: Layout): void {
-    this.lines = sources.map(({ text }) => text.replace(/\n$/, "").split("\n").map(lineOf));
+    const codes = sources.map(({ text }) => sourceCode(text));
     const terms = layout.values.filter(({ kind }) => kind === "term");
     this.terms = [];
     for (const term of terms) {
-      const line = this.lines[term.source ?? -1]?.[(term.line ?? 0) - 1];
-      if (!line) continue;
+      const line = codes[term.source ?? -1]?.children[(term.line ?? 0) - 1];
+      if (!(line instanceof HTMLElement)) continue;
       line.classList.add("pays");
       line.title = term.name;
       this.terms.push({ term, line });
     }
-    const texts = this.lines.map((lines, i) => {
-      const code = element("code", {}, ...lines);
+    const texts = codes.map((code, i) => {
       const file = sources[i]?.file ?? "";
       return element(
         "details",
@@ -47,11 +45,4 @@ export class TaskLines {
       line.dataset["sign"] = share < 0 ? "minus" : "plus";
     }
   }
-}
-
-function lineOf(text: string): HTMLElement {
-  const comment = commentStart(text);
-  const line = element("span", { class: "line" }, text.slice(0, comment));
-  line.append(element("span", { class: "comment" }, text.slice(comment)), "\n");
-  return line;
 }

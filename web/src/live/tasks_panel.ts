@@ -2,6 +2,7 @@
 // is being edited.
 
 import type { Task } from "../data/report_data.ts";
+import { lastValues } from "../data/statistics.ts";
 import { formatNumber } from "../data/words.ts";
 import { byId, element } from "../page/dom.ts";
 import { TaskEditor } from "./editor/task_editor.ts";
@@ -59,15 +60,9 @@ export class TasksPanel {
   refreshReturns(): void {
     for (const { module, output } of this.returns) {
       const shadow = this.record.curvesOf("shadow").find(({ name }) => name === module);
-      const values = this.isActive(module) ? this.record.returns : (shadow?.values ?? []);
-      const last = values.slice(-kMeanOf).filter(Number.isFinite);
-      const mean = last.reduce((sum, value) => sum + value, 0) / last.length;
-      output.textContent = formatNumber(mean);
+      const values = module === this.active?.module ? this.record.returns : (shadow?.values ?? []);
+      output.textContent = formatNumber(lastValues(values, kMeanOf).mean);
     }
-  }
-
-  private isActive(module: string): boolean {
-    return this.listing?.tasks.find((task) => task.module === module)?.role === "active";
   }
 
   private makeCard(task: TaskModule): HTMLElement {

@@ -4,16 +4,13 @@ const token = (): string => new URLSearchParams(location.search).get("token") ??
 
 export type Json = Record<string, unknown>;
 
-/** What the trainer refuses, with the reason that it gives. */
-export class Refusal extends Error {}
-
 interface Reply<Value> {
   ok: boolean;
   value: Value;
   error: string;
 }
 
-/** Calls a command of docs/api.md; throws a Refusal where the trainer does not do it. */
+/** Calls a command of docs/api.md; throws an Error with its reason where the trainer does not do it. */
 export async function ask<Value = Json>(command: string, args?: Json): Promise<Value> {
   const response = await fetch(`/api/${command}`, {
     method: args ? "POST" : "GET",
@@ -21,7 +18,7 @@ export async function ask<Value = Json>(command: string, args?: Json): Promise<V
     ...(args ? { body: JSON.stringify(args) } : {}),
   });
   const reply = (await response.json()) as Reply<Value>;
-  if (!reply.ok) throw new Refusal(reply.error);
+  if (!reply.ok) throw new Error(reply.error);
   return reply.value;
 }
 

@@ -27,7 +27,7 @@ export class ViewSource {
   private time = 0;
   private shown: Frame | undefined;
 
-  constructor(private readonly onArrival: () => void) {
+  constructor() {
     this.socket = new LastingSocket("/api/view", {
       onOpen: () => this.askAgain(),
       onMessage: (data) => this.take(data),
@@ -115,6 +115,5 @@ export class ViewSource {
     } else {
       this.clip = clip;
     }
-    this.onArrival();
   }
 }

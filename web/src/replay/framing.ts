@@ -29,8 +29,9 @@ const distance = (a: Vector, b: Vector): number =>
   Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 
 /** Of the smallest ball around the link's center that holds its shape. */
-function radiusOf({ shape, size, radius, length, position }: BodyLink): number {
+function radiusOf({ shape, size, radius, length, position, points = [] }: BodyLink): number {
   const aside = position ? Math.hypot(...position) : 0;
+  if (shape === "convex") return aside + Math.max(0, ...points.map((point) => Math.hypot(...point)));
   if (shape === "box") return aside + Math.hypot(...size) / 2;
   if (shape === "cylinder") return aside + Math.hypot(radius, length / 2);
   return aside + (shape === "capsule" ? Math.max(radius, length / 2) : radius);

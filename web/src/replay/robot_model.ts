@@ -98,8 +98,10 @@ export class RobotModel {
   private readonly links: Mesh[];
   private readonly materials = makeMaterials();
   private readonly shining = makeMaterials();
+  private readonly paints: Paint[];
 
-  constructor(private readonly body: BodyLink[]) {
+  constructor(body: BodyLink[]) {
+    this.paints = body.map(paintOf);
     this.links = body.map((link, index) => this.makeLink(link, index));
     this.object.add(...this.links);
     this.updateColors();
@@ -126,7 +128,7 @@ export class RobotModel {
   setLit(isLit: (link: number) => boolean): void {
     this.links.forEach((mesh, i) => {
       const materials = isLit(i) ? this.shining : this.materials;
-      mesh.material = materials[paintOf(this.body[i] as BodyLink)];
+      mesh.material = materials[this.paints[i] as Paint];
     });
   }
 
