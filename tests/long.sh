@@ -21,6 +21,9 @@ task=$root/tests/runtime/trainer/tasks/leaning.task
 parts=("$@")
 [ ${#parts[@]} -gt 0 ] || parts=(kills swaps studies builds flips strangers slurm)
 
+# shellcheck source=tests/run_record.sh
+source "$root/tests/run_record.sh"
+
 fail() {
   echo "FAILED: $*" >&2
   exit 1
@@ -40,13 +43,7 @@ kill_tree() {
   for child in $(cat "/proc/$1/task/$1/children" 2>/dev/null); do kill_tree "$child"; done
   kill -KILL "$1" 2>/dev/null || true
 }
-# All that a run's record says but the times that it took.
-record() {
-  "$bin/trainer" export "$1" --csv "$folder/record.csv" >/dev/null
-  awk -F, 'NR == 1 { for (i = 1; i <= NF; ++i) keep[i] = $i !~ /wall|cpu/ }
-           { for (i = 1; i <= NF; ++i) if (keep[i]) printf "%s,", $i; print "" }' "$folder/record.csv"
-}
-expect_same() { [ "$(record "$1")" = "$(record "$2")" ] || fail "$1 is another run than $2"; }
+expect_same() { is_same_run "$1" "$2" || fail "$1 is another run than $2"; }
 episodes() { "$bin/trainer" show "$1" --json | sed -n 's/.*"episodes": \([0-9]*\).*/\1/p' | head -1; }
 
 # A run whose trainer, or its guard, is killed at random instants is the run that was left alone.
@@ -284,7 +281,8 @@ for part in "${parts[@]}"; do
     continue
   fi
   started=$SECONDS
-  figures=$("part_$part") || fail "$part"
+  echo "$part ..." >&2
+  figures=$(set -e; "part_$part")  # not followed by ||, which would switch -e off in it
   printf '%s (%d s)\n' "$figures" $((SECONDS - started)) >"$folder/$part.done"
   echo "$part: $(cat "$folder/$part.done")"
 done

@@ -9,7 +9,7 @@
 `taskc.Wrapper` gives a Gymnasium environment the reward and the ends of a task. docs/hosts.md says more.
 
 Needs NumPy, the library libtaskc and, for tasks that are not compiled yet, the program `taskc`. Both
-are looked for below TASKC_HOME where that is set, then beside this package where taskc was installed
+are looked for below TASKC_HOME where that is set; else beside this package where taskc was installed
 with it, then where `taskc` is in PATH; the library also where the system has it.
 """
 

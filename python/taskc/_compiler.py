@@ -13,8 +13,8 @@ from ._find import find_program
 
 
 @dataclass(frozen=True)
-class Label:
-    """Something to be seen elsewhere: "first declared here". The end is exclusive."""
+class _TextAt:
+    """A text that belongs to a place of a file. The end is exclusive."""
 
     file: str
     line: int
@@ -24,16 +24,12 @@ class Label:
     text: str
 
 
-@dataclass(frozen=True)
-class Fix:
-    """A text that replaces what stands there. The end is exclusive."""
+class Label(_TextAt):
+    """Something to be seen elsewhere: "first declared here"."""
 
-    file: str
-    line: int
-    column: int
-    end_line: int
-    end_column: int
-    text: str
+
+class Fix(_TextAt):
+    """What to put in the place of what stands there."""
 
 
 @dataclass(frozen=True)

@@ -71,7 +71,7 @@ class Instance:
         self._library.taskc_bind(self._pointer, name.encode(), None,
                                  _arrays.view(sensor, name, shape, array, quaternions))
         self._kept[name] = array
-        self._forget_whole(name, sensor.name)
+        self._forget(name, sensor.name)
         self.sensors[name] = array
 
     def bind_function(self, name: str, function: Callable[[], Any]) -> None:
@@ -87,13 +87,15 @@ class Instance:
         kept = _abi.SENSOR_FUNCTION(write)
         self._library.taskc_bind_function(self._pointer, name.encode(), None, kept, None)
         self._kept[name] = kept
-        self._forget_whole(name, sensor.name)
+        self._forget(name, sensor.name)
         self.sensors.pop(name, None)
 
-    def _forget_whole(self, name: str, sensor: str) -> None:
-        """What is bound entry by entry is no longer read from an array of all of them."""
-        if name != sensor:
-            self.sensors.pop(sensor, None)
+    def _forget(self, name: str, sensor: str) -> None:
+        """A sensor is read from one array, or entry by entry."""
+        others = [sensor] if name != sensor else [
+            each for each in self.sensors if each.startswith(sensor + "[")]
+        for each in others:
+            self.sensors.pop(each, None)
 
     def _find(self, name: str) -> Any:
         found = _arrays.find(self.task.sensors, name)

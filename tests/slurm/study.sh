@@ -22,6 +22,8 @@ cluster=$folder/cluster
 mkdir "$cluster"
 chmod 0755 "$folder"
 source "$here/cluster.sh"
+# shellcheck source=tests/run_record.sh
+source "$here/../run_record.sh"
 finish() {
   local status=$?
   stop_cluster
@@ -50,13 +52,6 @@ partition = "low"
 memory = "100M"
 END
 
-# All that a run's record says but the times that it took.
-record() {
-  "$bin/trainer" export "$1" --csv "$folder/record.csv" >/dev/null
-  # The columns are told by their names, whatever else stands there.
-  awk -F, 'NR == 1 { for (i = 1; i <= NF; ++i) keep[i] = $i !~ /wall|cpu/ }
-           { for (i = 1; i <= NF; ++i) if (keep[i]) printf "%s,", $i; print "" }' "$folder/record.csv"
-}
 status_of() { "$bin/trainer" study status "$folder/slurm" --json; }
 count() { status_of | grep -c "\"state\": \"$1\"" || true; }
 # Slurm holds back for two minutes what was requeued.
@@ -110,7 +105,7 @@ requeued=$(grep -c 'requeue' "$cluster/slurmctld.log" || true)
 differing=0
 for run in "$folder"/local/*/seed*; do
   other=$folder/slurm/${run#"$folder/local/"}
-  if [ "$(record "$run")" != "$(record "$other")" ]; then
+  if ! is_same_run "$run" "$other"; then
     echo "differs: ${run#"$folder/local/"}"
     differing=$((differing + 1))
   fi
