@@ -6,17 +6,12 @@
 #include <algorithm>
 #include <vector>
 
+#include "base/text/shell_word.h"
+
 namespace command_line {
 namespace {
 
 using Commands = std::vector<CompletedCommand>;
-
-// For all three shells: text between single quotes.
-std::string Quoted(const std::string& text) {
-  std::string quoted = "'";
-  for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return quoted + "'";
-}
 
 std::string Joined(const std::vector<std::string>& words, const char* separator = " ") {
   return fmt::format("{}", fmt::join(words, separator));
@@ -28,7 +23,7 @@ std::vector<std::string> Steps(const Commands& commands) {
   std::vector<std::string> steps;
   for (const CompletedCommand& command : commands) {
     for (const std::string& name : command.commands) {
-      steps.push_back(Quoted(command.path + ":" + name));
+      steps.push_back(text::ShellWord(command.path + ":" + name));
     }
   }
   return steps;
@@ -45,7 +40,7 @@ std::vector<std::string> OptionNames(const CompletedCommand& command) {
 // ---- bash ---------------------------------------------------------------------------------------
 
 std::string BashWords(const std::vector<std::string>& words) {
-  return fmt::format("compgen -W {} -- \"$current\"", Quoted(Joined(words)));
+  return fmt::format("compgen -W {} -- \"$current\"", text::ShellWord(Joined(words)));
 }
 
 // The command that completes `$current`.
@@ -78,11 +73,11 @@ std::string ToBash(const std::string& program, const Commands& commands) {
     for (const CompletedOption& option : command.options) {
       if (option.value.kind == CompletedValue::kNone) continue;
       for (const std::string& name : option.names) {
-        values += fmt::format("    {}) reply=$({}) ;;\n", Quoted(command.path + ":" + name),
-                              BashReply(option.value));
+        values += fmt::format("    {}) reply=$({}) ;;\n",
+                              text::ShellWord(command.path + ":" + name), BashReply(option.value));
       }
     }
-    const std::string path = Quoted(command.path);
+    const std::string path = text::ShellWord(command.path);
     options += fmt::format("    {}) reply=$({}) ;;\n", path, BashWords(OptionNames(command)));
     next += fmt::format("    {}) reply=$({}) ;;\n", path, BashNext(command));
   }
@@ -149,12 +144,12 @@ std::string ZshArguments(const CompletedCommand& command) {
     for (const std::string& name : option.names) {
       std::string spec = fmt::format("{}[{}]", name, ZshText(option.description));
       if (option.value.kind != CompletedValue::kNone) spec += ": :" + ZshAction(option.value);
-      text += " " + Quoted(spec);
+      text += " " + text::ShellWord(spec);
     }
   }
   if (!command.commands.empty()) return text + " '1: :->command'";
   if (command.argument.kind == CompletedValue::kNone) return text;
-  return text + " " + Quoted("*: :" + ZshAction(command.argument));
+  return text + " " + text::ShellWord("*: :" + ZshAction(command.argument));
 }
 
 const CompletedCommand& Below(const CompletedCommand& command, const std::string& name,
@@ -166,10 +161,11 @@ const CompletedCommand& Below(const CompletedCommand& command, const std::string
 std::string ToZsh(const std::string& program, const Commands& commands) {
   std::string cases;
   for (const CompletedCommand& command : commands) {
-    cases += fmt::format("  ({})\n", Quoted(command.path));
+    cases += fmt::format("  ({})\n", text::ShellWord(command.path));
     for (const std::string& name : command.commands) {
       const CompletedCommand& below = Below(command, name, commands);
-      cases += "    names+=" + fmt::format("({})\n", Quoted(ZshText(name) + ":" + below.title));
+      cases +=
+          "    names+=" + fmt::format("({})\n", text::ShellWord(ZshText(name) + ":" + below.title));
     }
     cases += "    " + ZshArguments(command) + " ;;\n";
   }
@@ -204,7 +200,7 @@ std::string FishValue(const CompletedValue& value) {
     case CompletedValue::kText:
       return " -x";
     case CompletedValue::kWords:
-      return " -x -a " + Quoted(Joined(value.words));
+      return " -x -a " + text::ShellWord(Joined(value.words));
     case CompletedValue::kTask:
       return " -x -a '(__fish_complete_suffix .task)'";
     case CompletedValue::kFile:
@@ -221,8 +217,8 @@ std::string FishCommand(const std::string& program, const CompletedCommand& comm
       fmt::format("complete -c {0} -n \"__{0}_at '{1}'\"", program, command.path);
   std::string text;
   for (const std::string& name : command.commands) {
-    text +=
-        fmt::format("{} -a {} -d {}\n", begin, name, Quoted(Below(command, name, commands).title));
+    text += fmt::format("{} -a {} -d {}\n", begin, name,
+                        text::ShellWord(Below(command, name, commands).title));
   }
   for (const CompletedOption& option : command.options) {
     text += begin;
@@ -230,7 +226,7 @@ std::string FishCommand(const std::string& program, const CompletedCommand& comm
       const bool is_long = name.starts_with("--");
       text += (is_long ? " -l " : " -s ") + name.substr(is_long ? 2 : 1);
     }
-    text += " -d " + Quoted(option.description) + FishValue(option.value) + "\n";
+    text += " -d " + text::ShellWord(option.description) + FishValue(option.value) + "\n";
   }
   const bool has_argument = command.argument.kind != CompletedValue::kNone &&
                             command.argument.kind != CompletedValue::kText;

@@ -10,39 +10,10 @@
 #include "compiler/check/type.h"
 #include "compiler/check/unit.h"
 #include "compiler/check/written_form.h"
+#include "compiler/syntax/words.h"
 
 namespace compiler {
 namespace {
-
-std::string_view TextOf(BinaryOperator op) {
-  switch (op) {
-    case BinaryOperator::kAdd:
-      return "+";
-    case BinaryOperator::kSubtract:
-      return "-";
-    case BinaryOperator::kMultiply:
-      return "*";
-    case BinaryOperator::kDivide:
-      return "/";
-    case BinaryOperator::kLess:
-      return "<";
-    case BinaryOperator::kLessEqual:
-      return "<=";
-    case BinaryOperator::kGreater:
-      return ">";
-    case BinaryOperator::kGreaterEqual:
-      return ">=";
-    case BinaryOperator::kEqual:
-      return "==";
-    case BinaryOperator::kNotEqual:
-      return "!=";
-    case BinaryOperator::kAnd:
-      return "and";
-    case BinaryOperator::kOr:
-      return "or";
-  }
-  return "";
-}
 
 bool IsArithmetic(BinaryOperator op) { return op <= BinaryOperator::kDivide; }
 bool IsLogic(BinaryOperator op) { return op >= BinaryOperator::kAnd; }
@@ -105,7 +76,7 @@ class BinaryCheck {
   bool IsCondition(const CheckedExpression& operand) {
     if (IsBool(operand.type)) return true;
     Report(diagnostics_, code::kWrongOperand, operand.span,
-           fmt::format("`{}` joins two `bool` values", TextOf(op_)),
+           fmt::format("`{}` joins two `bool` values", NameOf(op_, kBinarySymbols)),
            {.note = fmt::format("this is {}", WithArticle(operand.type)),
             .help = "compare it, as in `x > 0`"});
     return false;
@@ -272,7 +243,8 @@ class BinaryCheck {
     const std::string left_name = fmt::format("`{}`", ToString(left().type));
     const std::string right_name = fmt::format("`{}`", ToString(right().type));
     Report(diagnostics_, code::kWrongOperand, op_span_,
-           fmt::format("`{}` cannot be applied to {} and {}", TextOf(op_), left_name, right_name),
+           fmt::format("`{}` cannot be applied to {} and {}", NameOf(op_, kBinarySymbols),
+                       left_name, right_name),
            {.help = std::move(help),
             .labels = {{left().span, left_name}, {right().span, right_name}}});
     return std::nullopt;

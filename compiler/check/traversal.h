@@ -8,15 +8,14 @@
 
 namespace compiler {
 
-// Calls `visit` for the expression and, from left to right, for all of its parts. With a constant
-// expression `visit` gets constant ones.
+// Calls `visit`, from left to right, for what the expression is computed from, and not for their
+// parts. With a constant expression `visit` gets constant ones.
 template <typename ExpressionType, typename Visit>
 requires std::is_same_v<std::remove_const_t<ExpressionType>, CheckedExpression>
-void ForEachPart(ExpressionType& expression, const Visit& visit) {
-  visit(expression);
+void ForEachDirectPart(ExpressionType& expression, const Visit& visit) {
   // A pointer does not pass its own constness on to what it points to; this does.
   const auto part = [&](const CheckedExpressionPtr& pointer) {
-    ForEachPart(static_cast<ExpressionType&>(*pointer), visit);
+    visit(static_cast<ExpressionType&>(*pointer));
   };
   std::visit(
       [&]<typename Node>(const Node& node) {
@@ -31,6 +30,14 @@ void ForEachPart(ExpressionType& expression, const Visit& visit) {
         }
       },
       expression.node);
+}
+
+// Calls `visit` for the expression and, from left to right, for all of its parts.
+template <typename ExpressionType, typename Visit>
+requires std::is_same_v<std::remove_const_t<ExpressionType>, CheckedExpression>
+void ForEachPart(ExpressionType& expression, const Visit& visit) {
+  visit(expression);
+  ForEachDirectPart(expression, [&](ExpressionType& part) { ForEachPart(part, visit); });
 }
 
 // Calls `visit` for every statement of the block, and of the blocks inside it, in their order.

@@ -175,6 +175,11 @@ std::optional<Unit> SquareRoot(const Unit& unit) {
               half(unit.any)};
 }
 
+std::string TypeText(const Type& type, const Unit& unit) {
+  const std::string text = ToString(unit);
+  return text.empty() ? ToString(type) : fmt::format("{} [{}]", ToString(type), text);
+}
+
 std::optional<Unit> WithUnit(const Unit& open, const Unit& said) {
   Unit rest = open;
   rest.any = 0;

@@ -42,6 +42,9 @@ std::optional<Unit> SquareRoot(const Unit& unit);
 // What `open` is where its `unit` is `said`. Nothing where a power leaves the range.
 std::optional<Unit> WithUnit(const Unit& open, const Unit& said);
 
+// "real [m/s]"
+std::string TypeText(const Type& type, const Unit& unit);
+
 // Reads the text that ToString writes, and every other product such as "N m" or "m/s^2". Nothing
 // where the text is not a unit.
 std::optional<ScaledUnit> ParseUnit(std::string_view text);

@@ -7,7 +7,8 @@
 
 namespace compiler {
 
-// Makes the sensors of the world's things known; `world` may be null.
+// Makes the sensors of the world's things known. Reports a world without a robot, and a thing whose
+// name the language needs. `world` may be null.
 void CheckWorld(const SyntaxTree& tree, const world::WorldDescription* world, TaskScope& scope);
 
 // Whether a declared sensor is one of the world's, or could be mistaken for it, which is reported.

@@ -17,13 +17,12 @@
 #include "compiler/compose/library.h"
 #include "compiler/syntax/parse.h"
 #include "compiler/syntax/read_table.h"
+#include "plugins/world/world_description.h"
 
 namespace compiler {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::string_view kWorldEnding = ".toml";
 
 // One name for each file, however it is reached.
 fs::path KeyOf(const fs::path& file) {
@@ -161,7 +160,7 @@ class Composer {
   }
 
   static bool IsNameOfWorld(const std::string& path) {
-    return fs::path(path).extension() == kWorldEnding;
+    return fs::path(path).extension() == world::kWorldEnding;
   }
 
   // What the file says is read later. Returns whether it is there.
@@ -170,12 +169,12 @@ class Composer {
     if (!IsNameOfWorld(world.path)) {
       Report(code::kBadWorld, world.path_span,
              fmt::format("`{}` is not the name of a world", world.path),
-             fmt::format("the file of a world ends with `{}`", kWorldEnding));
+             fmt::format("the file of a world ends with `{}`", world::kWorldEnding));
       return false;
     }
     const fs::path folder = sources_.FileOf(world.path_span).path();
     const Reference reference =
-        ReferenceIn(folder, world.path, world.path_span, "reads", kWorldEnding);
+        ReferenceIn(folder, world.path, world.path_span, "reads", world::kWorldEnding);
     const SourceFile* source = AddSource(reference);
     if (source == nullptr) return false;
     world.file = sources_.files().size() - 1;

@@ -13,6 +13,8 @@
 #include "compiler/check/draws.h"
 #include "compiler/check/names.h"
 #include "compiler/check/time_functions.h"
+#include "compiler/check/unit.h"
+#include "compiler/syntax/words.h"
 
 namespace compiler {
 namespace {
@@ -26,39 +28,27 @@ ExpressionText Shortened(ExpressionText text) {
           text.is_changing};
 }
 
-struct OperatorText {
-  std::string_view sign;
-  TextBinding binding;
-};
-
-OperatorText TextOf(BinaryOperator op) {
+TextBinding BindingOf(BinaryOperator op) {
   switch (op) {
     case BinaryOperator::kAdd:
-      return {"+", TextBinding::kSum};
     case BinaryOperator::kSubtract:
-      return {"-", TextBinding::kSum};
+      return TextBinding::kSum;
     case BinaryOperator::kMultiply:
-      return {"*", TextBinding::kProduct};
     case BinaryOperator::kDivide:
-      return {"/", TextBinding::kProduct};
+      return TextBinding::kProduct;
     case BinaryOperator::kLess:
-      return {"<", TextBinding::kComparison};
     case BinaryOperator::kLessEqual:
-      return {"<=", TextBinding::kComparison};
     case BinaryOperator::kGreater:
-      return {">", TextBinding::kComparison};
     case BinaryOperator::kGreaterEqual:
-      return {">=", TextBinding::kComparison};
     case BinaryOperator::kEqual:
-      return {"==", TextBinding::kComparison};
     case BinaryOperator::kNotEqual:
-      return {"!=", TextBinding::kComparison};
+      return TextBinding::kComparison;
     case BinaryOperator::kAnd:
-      return {"and", TextBinding::kAnd};
+      return TextBinding::kAnd;
     case BinaryOperator::kOr:
-      return {"or", TextBinding::kOr};
+      return TextBinding::kOr;
   }
-  return {};
+  return TextBinding::kAtom;
 }
 
 std::string AtLeast(TextBinding least, const ExpressionText& operand) {
@@ -85,8 +75,7 @@ std::string_view NameOf(Builtin function, const Type& type) {
   for (const std::string& name : BuiltinNames()) {
     const BuiltinDescription* found = FindBuiltin(name);
     const Builtin* builtin = std::get_if<Builtin>(&found->function);
-    if (builtin != nullptr && *builtin == function && function != Builtin::kVector)
-      return found->name;
+    if (builtin != nullptr && *builtin == function) return found->name;
   }
   return "";
 }
@@ -102,9 +91,6 @@ const char* ElementName(const Type& type, uint32_t element) {
   return shape == Shape::kQuaternion ? kOfQuaternion[element % 4] : kOfVector[element % 4];
 }
 
-// Memory that the language needs for itself has a name with a number behind a `#`.
-std::string OwnName(const std::string& name) { return name.substr(0, name.find('#')); }
-
 // `on` and all that it has before it reads the advance of each time function from the event.
 void FindAdvances(const CheckedBlock& block, const CheckedTask& task,
                   std::map<uint32_t, const CheckedAdvance*>& found) {
@@ -117,15 +103,12 @@ void FindAdvances(const CheckedBlock& block, const CheckedTask& task,
 
 }  // namespace
 
+std::string OwnName(const std::string& name) { return name.substr(0, name.find('#')); }
+
 std::string NumberWithUnit(double value, const Type& type, const Unit& unit) {
   if (type.scalar == Scalar::kBool) return value != 0 ? "true" : "false";
   const std::string name = ToString(unit);
   return name.empty() ? fmt::format("{}", value) : fmt::format("{} {}", value, name);
-}
-
-std::string TypeWithUnit(const Type& type, const Unit& unit) {
-  const std::string name = ToString(unit);
-  return ToString(type) + (name.empty() ? "" : " [" + name + "]");
 }
 
 ExpressionWriter::ExpressionWriter(const CheckedTask& task,
@@ -217,7 +200,7 @@ class ExpressionWriter::Visitor {
   }
   ExpressionText operator()(const ConstRead& read) {
     const CheckedConst& constant = task_.consts[read.index];
-    return {fmt::format("{} {{{}}}", TypeWithUnit(constant.type, constant.unit),
+    return {fmt::format("{} {{{}}}", TypeText(constant.type, constant.unit),
                         fmt::join(constant.elements, ", "))};
   }
   ExpressionText operator()(const SensorRead& read) { return {task_.sensors[read.sensor].name}; }
@@ -246,7 +229,8 @@ class ExpressionWriter::Visitor {
   ExpressionText operator()(const CheckedBinary& binary) {
     const ExpressionText left = writer_.Write(*binary.left);
     const ExpressionText right = writer_.Write(*binary.right);
-    const auto [sign, binding] = TextOf(binary.op);
+    const std::string_view sign = compiler::NameOf(binary.op, kBinarySymbols);
+    const TextBinding binding = BindingOf(binary.op);
     const bool is_chain = binding != TextBinding::kComparison;
     return {fmt::format("{} {} {}", AtLeast(is_chain ? binding : Next(binding), left), sign,
                         AtLeast(Next(binding), right)),

@@ -58,9 +58,10 @@ class ExpressionWriter {
   Texts arguments_;
 };
 
+// Memory that the language needs for itself has a name with a number behind a `#`.
+std::string OwnName(const std::string& name);
+
 // "0.05 m"
 std::string NumberWithUnit(double value, const Type& type, const Unit& unit);
-// "real [m]"
-std::string TypeWithUnit(const Type& type, const Unit& unit);
 
 }  // namespace compiler

@@ -11,22 +11,6 @@
 namespace compiler {
 namespace {
 
-std::string_view TextOf(AssignOperator op) {
-  switch (op) {
-    case AssignOperator::kSet:
-      return "=";
-    case AssignOperator::kAdd:
-      return "+=";
-    case AssignOperator::kSubtract:
-      return "-=";
-    case AssignOperator::kMultiply:
-      return "*=";
-    case AssignOperator::kDivide:
-      return "/=";
-  }
-  return "";
-}
-
 std::set<uint32_t> ChangedIn(const CheckedBlock& block) {
   std::set<uint32_t> changed;
   ForEachStatement(block, [&](const CheckedStatement& statement) {
@@ -77,18 +61,16 @@ void StatementOutliner::AddNode(const CheckedLet& let) {
 
 void StatementOutliner::AddNode(const CheckedAssign& assign) {
   const CheckedMemory& memory = task_.memory[assign.memory];
-  const std::string text = fmt::format("{}{} {} {}", memory.name.substr(0, memory.name.find('#')),
-                                       writer_.SelectionText(memory.type, assign.elements),
-                                       TextOf(assign.op), writer_.Text(assign.value));
+  const std::string change =
+      fmt::format("{} {} {}", writer_.SelectionText(memory.type, assign.elements),
+                  NameOf(assign.op, kAssignSymbols), writer_.Text(assign.value));
+  const std::string text = OwnName(memory.name) + change;
   if (memory.is_declared) return Add("memory", memory.name, "is set", text);
   // What the language itself remembers follows from other facts; but when it is set is of the
   // order.
   outline_.orders[event_].push_back(text);
   for (const CheckedStartValue& value : task_.start.values)
-    if (value.memory == assign.memory)
-      Add("start", "", "sets",
-          fmt::format("{}{} {} {}", value.name, writer_.SelectionText(memory.type, assign.elements),
-                      TextOf(assign.op), writer_.Text(assign.value)));
+    if (value.memory == assign.memory) Add("start", "", "sets", value.name + change);
 }
 
 void StatementOutliner::AddNode(const CheckedIf& branches) {

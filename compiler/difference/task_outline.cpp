@@ -10,6 +10,7 @@
 #include "compiler/bounds/bounds.h"
 #include "compiler/bounds/bounds_table.h"
 #include "compiler/check/enumeration.h"
+#include "compiler/check/unit.h"
 #include "compiler/difference/expression_text.h"
 #include "compiler/difference/statement_outline.h"
 #include "compiler/syntax/words.h"
@@ -86,7 +87,7 @@ class Outliner {
   }
 
   void AddParam(const CheckedParam& param) {
-    Add("param", param.name, "type", TypeWithUnit(param.type, param.unit));
+    Add("param", param.name, "type", TypeText(param.type, param.unit));
     Add("param", param.name, "default", NumberWithUnit(param.initial, param.type, param.unit));
     if (param.type.scalar != Scalar::kBool)
       Add("param", param.name, "range", RangeText(param.minimum, param.maximum, param.unit));
@@ -95,7 +96,7 @@ class Outliner {
   // Those of a robot are no part of its tasks.
   void AddSensor(const CheckedSensor& sensor) {
     if (!task_.robot.empty() && robot::FindSensor(sensor.name) != nullptr) return;
-    Add("sensor", sensor.name, "type", TypeWithUnit(sensor.type, sensor.unit));
+    Add("sensor", sensor.name, "type", TypeText(sensor.type, sensor.unit));
     if (!sensor.minimum.empty())
       Add("sensor", sensor.name, "range",
           RangeText(std::ranges::min(sensor.minimum), std::ranges::max(sensor.maximum),
@@ -103,7 +104,7 @@ class Outliner {
   }
 
   void AddTable(const CheckedTable& table) {
-    Add("table", table.name, "type", TypeWithUnit(table.type, table.unit));
+    Add("table", table.name, "type", TypeText(table.type, table.unit));
     Add("table", table.name, "argument",
         RangeText(table.arguments.front(), table.arguments.back(), table.argument_unit));
     const std::string numbers =
@@ -113,7 +114,7 @@ class Outliner {
   }
 
   void AddGoal(const CheckedGoal& goal) {
-    Add("goal", goal.name, "type", TypeWithUnit(goal.type, goal.unit));
+    Add("goal", goal.name, "type", TypeText(goal.type, goal.unit));
     Add("goal", goal.name, "value", writer_.Text(goal.value));
     Add("goal", goal.name, "lasts",
         goal.interval ? writer_.Text(goal.interval->length) : "an episode");
@@ -122,7 +123,7 @@ class Outliner {
   // A learner's net is made for these places.
   void AddObservation(const CheckedObservation& observation) {
     const Type& type = observation.value.type;
-    Add("observation", observation.name, "type", TypeWithUnit(type, observation.value.unit));
+    Add("observation", observation.name, "type", TypeText(type, observation.value.unit));
     Add("observation", observation.name, "value", writer_.Text(observation.value));
     Add("observation", observation.name, "elements",
         fmt::format("{} .. {}", observation.offset, observation.offset + type.size() - 1));
@@ -140,14 +141,14 @@ class Outliner {
 
   void AddMemory(const CheckedMemory& memory) {
     if (!memory.is_declared) return;
-    Add("memory", memory.name, "type", TypeWithUnit(memory.type, memory.unit));
+    Add("memory", memory.name, "type", TypeText(memory.type, memory.unit));
     Add("memory", memory.name, "starts as", writer_.Text(memory.initial));
     Add("memory", memory.name, "per", std::string(NameOf(memory.scope, kScopeNames)));
   }
 
   void AddMetric(const CheckedMetric& metric) {
     Add("metric", metric.name, "value",
-        TypeWithUnit(metric.value.type, metric.value.unit) + ", " + writer_.Text(metric.value));
+        TypeText(metric.value.type, metric.value.unit) + ", " + writer_.Text(metric.value));
     Add("metric", metric.name, "of an episode",
         std::string(NameOf(metric.reduction, kReductionNames)));
   }

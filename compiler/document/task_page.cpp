@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "compiler/bounds/bounds.h"
+#include "compiler/check/unit.h"
 #include "compiler/document/automaton.h"
 #include "compiler/document/equations.h"
 #include "compiler/syntax/words.h"
@@ -350,7 +351,7 @@ class PageWriter {
     for (const ConstDeclaration* constant : All<ConstDeclaration>(tree_)) {
       const auto& checked =
           *std::ranges::find(task_.consts, constant->name.text, &CheckedConst::name);
-      table.rows.push_back({Code(checked.name), Code(TypeText(checked)),
+      table.rows.push_back({Code(checked.name), Code(TypeText(checked.type, checked.unit)),
                             Math(ToFormula(constant->value).text), FromDoc(constant->doc)});
     }
     if (table.rows.empty()) return;
@@ -376,7 +377,7 @@ class PageWriter {
     AddHeading("Tables");
     Table table{{"table", "type", "file", "rows", "argument", "from", "to", "meaning"}, {}};
     for (const CheckedTable& each : task_.tables) {
-      table.rows.push_back({Code(each.name), Code(TypeText(each)), Code(each.file),
+      table.rows.push_back({Code(each.name), Code(TypeText(each.type, each.unit)), Code(each.file),
                             Plain(std::to_string(each.arguments.size())), Code(each.argument),
                             Plain(WithUnit(ToText(each.arguments.front()), each.argument_unit)),
                             Plain(WithUnit(ToText(each.arguments.back()), each.argument_unit)),
@@ -441,7 +442,7 @@ class PageWriter {
           {Plain(last == checked.offset ? fmt::format("{}", last)
                                         : fmt::format("{} .. {}", checked.offset, last)),
            checked.has_name ? Code(checked.name) : Text{}, Math(ToFormula(each->value).text),
-           Code(TypeText(value)),
+           Code(TypeText(value.type, value.unit)),
            is_bool ? Text{} : Plain(RangeText(checked.minimum, checked.maximum, value.unit)),
            FromDoc(checked.doc)});
     }
@@ -477,14 +478,7 @@ class PageWriter {
 
   std::string TypeOf(const std::string& memory) const {
     const auto found = std::ranges::find(task_.memory, memory, &CheckedMemory::name);
-    return found == task_.memory.end() ? "" : TypeText(*found);
-  }
-
-  // "vec3 [m]"
-  template <typename Declared>
-  static std::string TypeText(const Declared& declared) {
-    const std::string unit = ToString(declared.unit);
-    return ToString(declared.type) + (unit.empty() ? "" : " [" + unit + "]");
+    return found == task_.memory.end() ? "" : TypeText(found->type, found->unit);
   }
 
   void Logs() {

@@ -12,22 +12,6 @@
 namespace compiler {
 namespace {
 
-std::string_view AssignSymbol(AssignOperator op) {
-  switch (op) {
-    case AssignOperator::kSet:
-      return "=";
-    case AssignOperator::kAdd:
-      return "+=";
-    case AssignOperator::kSubtract:
-      return "-=";
-    case AssignOperator::kMultiply:
-      return "*=";
-    case AssignOperator::kDivide:
-      break;
-  }
-  return "/=";
-}
-
 std::string ParamValue(const CheckedParam& param, uint32_t index) {
   switch (param.type.scalar) {
     case Scalar::kBool:
@@ -376,7 +360,7 @@ void FunctionEmitter::Emit(const CheckedAssign& assign, SourceLine line) {
   std::vector<CppText> values = is_entangled ? expressions_->EmitElementsFirst(assign.value, count)
                                              : expressions_->EmitElements(assign.value, count);
   WriteLines(expressions_->TakeParts(), line);
-  EmitStore(assign.memory, AssignSymbol(assign.op), values, indices, line);
+  EmitStore(assign.memory, NameOf(assign.op, kAssignSymbols), values, indices, line);
 }
 
 void FunctionEmitter::Emit(const CheckedIf& node, SourceLine line) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "compiler/check/traversal.h"
 #include "compiler/interpret/expression_evaluator.h"
 
 namespace compiler {
@@ -20,41 +21,10 @@ bool IsWrong(const Value& value) {
 
 using Expressions = std::vector<const CheckedExpression*>;
 
-Expressions All(const std::vector<CheckedExpressionPtr>& expressions) {
-  Expressions all;
-  for (const CheckedExpressionPtr& each : expressions) all.push_back(each.get());
-  return all;
-}
-
-// What an expression computes with: a case for each kind.
-struct Operands {
-  Expressions operator()(const Constant&) const { return {}; }
-  Expressions operator()(const ConstRead&) const { return {}; }
-  Expressions operator()(const SensorRead&) const { return {}; }
-  Expressions operator()(const ParamRead&) const { return {}; }
-  Expressions operator()(const MemoryRead&) const { return {}; }
-  Expressions operator()(const LocalRead&) const { return {}; }
-  Expressions operator()(const ArgumentRead&) const { return {}; }
-  Expressions operator()(const RewardSoFar&) const { return {}; }
-  Expressions operator()(const TimeStep&) const { return {}; }
-  Expressions operator()(const TestRead&) const { return {}; }
-  Expressions operator()(const Elements& node) const { return {node.operand.get()}; }
-  Expressions operator()(const CheckedUnary& node) const { return {node.operand.get()}; }
-  Expressions operator()(const CheckedBinary& node) const {
-    return {node.left.get(), node.right.get()};
-  }
-  Expressions operator()(const CheckedWithin& node) const {
-    return {node.left.get(), node.right.get(), node.tolerance.get()};
-  }
-  Expressions operator()(const BuiltinCall& node) const { return All(node.arguments); }
-  Expressions operator()(const FunctionCall& node) const { return All(node.arguments); }
-  Expressions operator()(const Draw& node) const { return All(node.arguments); }
-  Expressions operator()(const TableRead& node) const { return {node.operand.get()}; }
-  Expressions operator()(const IntToReal& node) const { return {node.operand.get()}; }
-};
-
 Expressions OperandsOf(const CheckedExpression& expression) {
-  return std::visit(Operands(), expression.node);
+  Expressions operands;
+  ForEachDirectPart(expression, [&](const CheckedExpression& part) { operands.push_back(&part); });
+  return operands;
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "compiler/check/unit.h"
 #include "plugins/robot/sensors.h"
 #include "plugins/world/thing_sensors.h"
 
@@ -27,11 +28,6 @@ std::set<size_t> NoTaskFiles(const Analysis& analysis) {
 }
 
 }  // namespace
-
-std::string TypeText(const Type& type, const Unit& unit) {
-  const std::string text = ToString(unit);
-  return text.empty() ? ToString(type) : fmt::format("{} [{}]", ToString(type), text);
-}
 
 KnownValues::KnownValues(const Document& document, Workspace& workspace)
     : document_(document), good_(workspace.LastGood(document)) {

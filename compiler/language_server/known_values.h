@@ -13,9 +13,6 @@
 
 namespace compiler {
 
-// "real [m/s]"
-std::string TypeText(const Type& type, const Unit& unit);
-
 struct KnownValue {
   std::string name;  // a sensor's with its dots
   NameKind kind = NameKind::kSensor;

@@ -123,11 +123,6 @@ std::vector<Span> WordsLike(const DeclaredName& name, const Document& document) 
   return spans;
 }
 
-size_t ErrorsIn(const Diagnostics& diagnostics) {
-  return static_cast<size_t>(
-      std::ranges::count(diagnostics.list(), Severity::kError, &Diagnostic::severity));
-}
-
 bool IsWord(const std::string& name) {
   const auto is_letter = [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; };
   return !name.empty() && std::isdigit(static_cast<unsigned char>(name[0])) == 0 &&
@@ -152,7 +147,8 @@ std::string MistakeOf(const std::map<std::filesystem::path, std::string>& texts,
                       const std::filesystem::path& definition, Workspace& workspace) {
   for (const auto& before : workspace.Users(definition)) {
     const auto after = workspace.Analyze(before->file, texts);
-    if (ErrorsIn(after->analysis.diagnostics) <= ErrorsIn(before->analysis.diagnostics)) continue;
+    if (after->analysis.diagnostics.error_count() <= before->analysis.diagnostics.error_count())
+      continue;
     for (const Diagnostic& diagnostic : after->analysis.diagnostics.list()) {
       if (diagnostic.severity == Severity::kError) return diagnostic.message;
     }

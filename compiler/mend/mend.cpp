@@ -33,10 +33,10 @@ class Mender {
       : file_(file), read_(read), robots_(robots), may_change_(may_change) {}
 
   Mending Run() {
-    const size_t errors = ErrorsOf(AnalyzeWith({}));
+    const size_t errors = AnalyzeWith({}).diagnostics.error_count();
     if (errors == 0) return {};
     Mending all = AllAtOnce();
-    return ErrorsOf(AnalyzeWith(all.texts)) <= errors ? all : OneByOne();
+    return AnalyzeWith(all.texts).diagnostics.error_count() <= errors ? all : OneByOne();
   }
 
  private:
@@ -46,11 +46,6 @@ class Mender {
       return changed != texts.end() ? std::optional(changed->second) : read_(path);
     };
     return Analyze(file_, read, robots_);
-  }
-
-  static size_t ErrorsOf(const Analysis& analysis) {
-    return static_cast<size_t>(
-        std::ranges::count(analysis.diagnostics.list(), Severity::kError, &Diagnostic::severity));
   }
 
   // In the order of their places.
@@ -108,13 +103,13 @@ class Mender {
     for (bool is_better = true; is_better;) {
       is_better = false;
       const Analysis analysis = AnalyzeWith(mending.texts);
-      const size_t errors = ErrorsOf(analysis);
+      const size_t errors = analysis.diagnostics.error_count();
       for (const Candidate& candidate : CandidatesOf(analysis)) {
         if (++trials > kMaxTrials) return mending;
         Mending trial = mending;
         Apply({candidate}, analysis.sources, trial);
         if (!seen.insert(trial.texts).second) continue;
-        if (ErrorsOf(AnalyzeWith(trial.texts)) > errors) continue;
+        if (AnalyzeWith(trial.texts).diagnostics.error_count() > errors) continue;
         mending = std::move(trial);
         is_better = true;
         break;

@@ -38,6 +38,10 @@ bool Diagnostics::Has(std::string_view code, Span span) const {
   });
 }
 
+size_t Diagnostics::error_count() const {
+  return static_cast<size_t>(std::ranges::count(list_, Severity::kError, &Diagnostic::severity));
+}
+
 void Diagnostics::Add(Diagnostic diagnostic) {
   assert(IsInTable(diagnostic.code));
   if (diagnostic.severity == Severity::kError) has_errors_ = true;

@@ -67,6 +67,7 @@ class Diagnostics {
   // checked for each statement that it replaces, is not said again.
   void Add(Diagnostic diagnostic);
   bool has_errors() const { return has_errors_; }
+  size_t error_count() const;
   // Has something of this kind been said of this place?
   bool Has(std::string_view code, Span span) const;
   // In the order of their places in the source.

@@ -14,27 +14,9 @@
 #include "compiler/source/diagnostic.h"
 #include "compiler/spec/manual.h"
 #include "compiler/syntax/parse.h"
-#include "plugins/robot/sensors.h"
 
 namespace compiler {
 namespace {
-
-std::string DocOf(const std::string& sensor) {
-  if (const robot::SensorDescription* found = robot::FindSensor(sensor))
-    return std::string(found->doc);
-  const auto constant =
-      std::ranges::find(robot::Constants(), sensor, &robot::ConstantDescription::name);
-  return constant != robot::Constants().end() ? std::string(constant->doc) : "";
-}
-
-std::vector<SpecSensor> SensorsOf(const robot::RobotDescription& robot,
-                                  const std::vector<Enumeration>& enumerations) {
-  std::vector<SpecSensor> sensors;
-  const SensorCatalog catalog = SensorCatalog::OfRobot(robot, enumerations);
-  for (const CheckedSensor& sensor : catalog.list())
-    sensors.push_back({sensor, DocOf(sensor.name)});
-  return sensors;
-}
 
 // The table of functions separates several by "` or `", as messages need it.
 std::vector<std::string> UsagesIn(std::string_view text) {
@@ -124,7 +106,7 @@ Spec SpecOf(std::optional<robot::RobotDescription> robot, const SpecSources& sou
   Spec spec;
   if (robot) {
     spec.enumerations = EnumerationsOf(&*robot);
-    spec.sensors = SensorsOf(*robot, spec.enumerations);
+    spec.sensors = SensorCatalog::OfRobot(*robot, spec.enumerations).list();
   }
   spec.functions = FunctionsOf(sources.manual);
   spec.units = UnitsOf();

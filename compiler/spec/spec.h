@@ -20,15 +20,10 @@ struct SpecSources {
   std::string grammar;  // Task.g4
   std::string manual;   // language.md
   struct Example {
-    std::string name;  // "crawling.task"
+    std::string name;  // "tasks/crawling.task"
     std::string text;
   };
   std::vector<Example> examples;
-};
-
-struct SpecSensor {
-  CheckedSensor sensor;  // a constant of the robot has `constant`
-  std::string doc;
 };
 
 struct SpecFunction {
@@ -67,7 +62,7 @@ struct SpecExample {
 struct Spec {
   std::optional<robot::RobotDescription> robot;
   std::vector<Enumeration> enumerations;  // its links and joints
-  std::vector<SpecSensor> sensors;
+  std::vector<CheckedSensor> sensors;     // a constant of the robot has `constant`
   std::vector<SpecFunction> functions;
   std::vector<SpecUnit> units;
   std::vector<SpecWords> words;

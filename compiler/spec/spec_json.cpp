@@ -11,12 +11,11 @@ Json Numbers(const std::vector<double>& values) {
   return numbers;
 }
 
-Json ToJson(const SpecSensor& entry) {
-  const CheckedSensor& sensor = entry.sensor;
+Json ToJson(const CheckedSensor& sensor) {
   Json json = {{"name", sensor.name},
                {"type", ToString(sensor.type)},
                {"unit", ToString(sensor.unit)},
-               {"doc", entry.doc},
+               {"doc", sensor.doc},
                {"constant", !sensor.constant.empty()}};
   if (!sensor.constant.empty()) {
     json["values"] = Numbers(sensor.constant);
@@ -62,7 +61,7 @@ Json ToJson(const Spec& spec) {
                {"robot", spec.robot ? ToJson(*spec.robot) : Json()}};
   for (const char* list : {"parts", "sensors", "functions", "units"}) json[list] = Json::array();
   for (const Enumeration& parts : spec.enumerations) json["parts"].push_back(ToJson(parts));
-  for (const SpecSensor& sensor : spec.sensors) json["sensors"].push_back(ToJson(sensor));
+  for (const CheckedSensor& sensor : spec.sensors) json["sensors"].push_back(ToJson(sensor));
   for (const SpecFunction& function : spec.functions) {
     json["functions"].push_back({{"name", function.name},
                                  {"kind", function.kind},

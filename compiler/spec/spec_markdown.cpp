@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "compiler/check/unit.h"
 #include "compiler/spec/manual.h"
 #include "compiler/spec/spec.h"
 
@@ -35,11 +36,6 @@ constexpr const char* kGrammarWords =
     "of `( )` and `[ ]`, not after an operator or a comma, and not before `{`, `else`, `in`, `per` "
     "or `->`. Between tokens there may be blanks and comments.\n";
 
-std::string WithUnit(const CheckedSensor& sensor) {
-  const std::string unit = ToString(sensor.unit);
-  return ToString(sensor.type) + (unit.empty() ? "" : " [" + unit + "]");
-}
-
 std::string Number(double value) {
   return std::isfinite(value) ? fmt::format("{:.5g}", value) : "any";
 }
@@ -63,19 +59,19 @@ void AddSensors(const Spec& spec, std::string& page) {
   page +=
       "\n## Sensors\n\nRanges are in the unit; of an array, from the least to the greatest of all "
       "elements.\n\n| sensor | type | range | onboard | |\n|---|---|---|---|---|\n";
-  for (const SpecSensor& entry : spec.sensors) {
-    if (!entry.sensor.constant.empty()) continue;
-    page +=
-        fmt::format("| `{}` | `{}` | {} | {} | {} |\n", entry.sensor.name, WithUnit(entry.sensor),
-                    RangeOf(entry.sensor), entry.sensor.is_onboard ? "yes" : "no", entry.doc);
+  for (const CheckedSensor& sensor : spec.sensors) {
+    if (!sensor.constant.empty()) continue;
+    page += fmt::format("| `{}` | `{}` | {} | {} | {} |\n", sensor.name,
+                        TypeText(sensor.type, sensor.unit), RangeOf(sensor),
+                        sensor.is_onboard ? "yes" : "no", sensor.doc);
   }
   page +=
       "\nWhat is known before any run is read in the same way, also where a constant is "
       "needed:\n\n| constant | type | values | |\n|---|---|---|---|\n";
-  for (const SpecSensor& entry : spec.sensors) {
-    if (entry.sensor.constant.empty()) continue;
-    page += fmt::format("| `{}` | `{}` | {} | {} |\n", entry.sensor.name, WithUnit(entry.sensor),
-                        RangeOf(entry.sensor), entry.doc);
+  for (const CheckedSensor& sensor : spec.sensors) {
+    if (sensor.constant.empty()) continue;
+    page += fmt::format("| `{}` | `{}` | {} | {} |\n", sensor.name,
+                        TypeText(sensor.type, sensor.unit), RangeOf(sensor), sensor.doc);
   }
 }
 

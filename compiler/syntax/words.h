@@ -1,4 +1,5 @@
-// The words of the language that are not keywords: each is used in one place only.
+// The words of the language that are not keywords, each of which is used in one place only, and
+// the symbols of its operators and assignments.
 #pragma once
 
 #include <array>
@@ -52,6 +53,31 @@ inline constexpr std::array<Word<MemoryScope>, 3> kScopeNames = {{
 inline constexpr std::array<Word<AfterEnd>, 2> kAfterEndNames = {{
     {"stop", AfterEnd::kStop},
     {"continue", AfterEnd::kContinue},
+}};
+
+// `height + 1 m`
+inline constexpr std::array<Word<BinaryOperator>, 12> kBinarySymbols = {{
+    {"+", BinaryOperator::kAdd},
+    {"-", BinaryOperator::kSubtract},
+    {"*", BinaryOperator::kMultiply},
+    {"/", BinaryOperator::kDivide},
+    {"<", BinaryOperator::kLess},
+    {"<=", BinaryOperator::kLessEqual},
+    {">", BinaryOperator::kGreater},
+    {">=", BinaryOperator::kGreaterEqual},
+    {"==", BinaryOperator::kEqual},
+    {"!=", BinaryOperator::kNotEqual},
+    {"and", BinaryOperator::kAnd},
+    {"or", BinaryOperator::kOr},
+}};
+
+// `height += 1 m`
+inline constexpr std::array<Word<AssignOperator>, 5> kAssignSymbols = {{
+    {"=", AssignOperator::kSet},
+    {"+=", AssignOperator::kAdd},
+    {"-=", AssignOperator::kSubtract},
+    {"*=", AssignOperator::kMultiply},
+    {"/=", AssignOperator::kDivide},
 }};
 
 // `observe onboard`

@@ -128,8 +128,7 @@ class TableCheck {
       Require(std::ranges::find(kNames, value.name) != std::end(kNames),
               fmt::format("no start has a `{}`", value.name));
       CheckShape(value.name, TASKC_REAL, value.rows, 1);
-      const uint64_t end = value.offset + uint64_t{value.rows} * sizeof(double);
-      Require(end <= table_.memory_size && value.offset % alignof(double) == 0,
+      Require(LiesInside(value.offset, uint64_t{value.rows} * sizeof(double), alignof(double)),
               fmt::format("the start value `{}` is not in its memory", value.name));
     }
   }
@@ -175,8 +174,7 @@ class TableCheck {
       CheckShape(variable.name, variable.scalar, variable.rows, variable.columns);
       Require(variable.scope >= TASKC_PER_RUN && variable.scope <= TASKC_PER_ACTION,
               fmt::format("the variable `{}` has an unknown scope", variable.name));
-      const uint64_t end = variable.offset + SizeInBytes(variable);
-      Require(end <= table_.memory_size && variable.offset % ScalarSize(variable.scalar) == 0,
+      Require(LiesInside(variable.offset, SizeInBytes(variable), ScalarSize(variable.scalar)),
               fmt::format("the variable `{}` lies outside the memory", variable.name));
     }
   }

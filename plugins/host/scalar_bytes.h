@@ -1,4 +1,4 @@
-// Numbers as the elements of a task's goals and sensors have them in memory.
+// Numbers as the elements of a task's sensors, memory and goals have them.
 #pragma once
 
 #include <taskc/plugin.h>

@@ -52,9 +52,10 @@ std::span<const KeyTable> KeyTables() {
   return tables;
 }
 
-const std::vector<std::string_view>& KeysOf(std::string_view kind) {
-  const auto found = std::ranges::find(KeyTables(), kind, &KeyTable::kind);
-  assert(found != KeyTables().end());
+const std::vector<std::string_view>& KeysOf(std::string_view kind,
+                                            std::span<const KeyTable> tables) {
+  const auto found = std::ranges::find(tables, kind, &KeyTable::kind);
+  assert(found != tables.end());
   return found->keys;
 }
 

@@ -15,7 +15,8 @@ struct KeyTable {
 
 std::span<const KeyTable> KeyTables();
 
-// Precondition: there is such a kind of table.
-const std::vector<std::string_view>& KeysOf(std::string_view kind);
+// Precondition: there is such a kind of table in `tables`.
+const std::vector<std::string_view>& KeysOf(std::string_view kind,
+                                            std::span<const KeyTable> tables = KeyTables());
 
 }  // namespace robot

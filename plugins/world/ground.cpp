@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 
 #include "base/variant/overloaded.h"
 #include "plugins/robot/rotation.h"
-#include "plugins/robot/shape_radius.h"
+#include "plugins/robot/shape_extent.h"
 
 namespace world {
 namespace {
@@ -39,13 +38,13 @@ double Interpolate(const HeightMap& map, double x, double y) {
 
 double HighestOf(const HeightMap& map, double x, double y, double radius) {
   double highest = Interpolate(map, x, y);
+  // The slopes to the points just outside reach in.
+  const double reach =
+      radius + std::hypot(map.size_x / (map.columns - 1), map.size_y / (map.rows - 1));
   for (int j = 0; j < map.rows; ++j) {
     for (int i = 0; i < map.columns; ++i) {
       const double dx = map.center_x + map.size_x * (i / (map.columns - 1.0) - 0.5) - x;
       const double dy = map.center_y + map.size_y * (j / (map.rows - 1.0) - 0.5) - y;
-      // The slopes to the points just outside reach in.
-      const double reach =
-          radius + std::hypot(map.size_x / (map.columns - 1), map.size_y / (map.rows - 1));
       if (dx * dx + dy * dy <= reach * reach) highest = std::max(highest, map.At(i, j));
     }
   }
@@ -59,26 +58,6 @@ double HighestWithin(const Ground& ground, double x, double y, double radius) {
           [&](const Steps& steps) { return steps.height * StepBelow(steps, x + radius); },
           [&](const HeightMap& map) { return HighestOf(map, x, y, radius); }},
       ground.shape);
-}
-
-// How far from its center a shape reaches toward the side of its frame where `down` points.
-double Reach(const robot::LinkShape& shape, const std::array<double, 3>& down) {
-  const double along = std::min(1.0, std::abs(down[shape.axis]));
-  switch (shape.kind) {
-    case robot::ShapeKind::kBox:
-      return (std::abs(down[0]) * shape.size[0] + std::abs(down[1]) * shape.size[1] +
-              std::abs(down[2]) * shape.size[2]) /
-             2;
-    case robot::ShapeKind::kCapsule:
-      return along * (shape.length / 2 - shape.radius) + shape.radius;
-    case robot::ShapeKind::kCylinder:
-      return along * shape.length / 2 + shape.radius * std::sqrt(1 - along * along);
-    case robot::ShapeKind::kSphere:
-      return shape.radius;
-    case robot::ShapeKind::kConvex:
-      break;
-  }
-  std::abort();  // no thing is
 }
 
 }  // namespace
@@ -131,7 +110,7 @@ void PutDown(const Ground& ground, double x, double y, const Quaternion& turn, T
   std::array<double, 3> down{};  // in the thing's own frame
   for (int i = 0; i < 3; ++i)
     down[i] = -(matrix[i] * up[0] + matrix[3 + i] * up[1] + matrix[6 + i] * up[2]);
-  const double reach = Reach(thing.shape, down);
+  const double reach = robot::ReachAlong(thing.shape, down);
   const double height = HighestWithin(ground, x, y, robot::RadiusAround(thing.shape));
   thing.position = {x + reach * up[0], y + reach * up[1], height + reach * up[2]};
 }

@@ -10,8 +10,9 @@
 namespace world {
 namespace {
 
-constexpr int kMost = 256;         // heights in a row, and rows
-constexpr double kHighest = 1000;  // [m]
+constexpr int kMost = 256;                // heights in a row, and rows
+constexpr double kHighest = 1000;         // [m]
+constexpr size_t kMostBytes = 1'000'000;  // of a file: the compiler reads no more of it
 
 HeightGrid Problem(std::string what) {
   HeightGrid grid;
@@ -147,6 +148,8 @@ HeightGrid ParsePicture(std::string_view bytes) {
 }  // namespace
 
 HeightGrid ParseHeights(std::string_view bytes) {
+  if (bytes.size() > kMostBytes)
+    return Problem(fmt::format("it has more than {} bytes", kMostBytes));
   if (bytes.starts_with("P2") || bytes.starts_with("P5")) return ParsePicture(bytes);
   return ParseNumbers(bytes);
 }

@@ -96,4 +96,20 @@ WorldDescription ReadWorld(std::string_view text, const std::filesystem::path& f
 // A world file's name ends so, and no other file of a task does.
 inline constexpr std::string_view kWorldEnding = ".toml";
 
+// The world among a task's texts, each of which has a `file` and a `text`; nothing where there is
+// none. Throws DescriptionError.
+template <typename Sources>
+std::optional<WorldDescription> WorldIn(const Sources& sources) {
+  const auto read = [&](const std::filesystem::path& path) -> std::optional<std::string> {
+    for (const auto& source : sources)
+      if (path == source.file) return source.text;
+    return std::nullopt;
+  };
+  for (const auto& source : sources) {
+    if (std::string_view(source.file).ends_with(kWorldEnding))
+      return ReadWorld(source.text, source.file, read);
+  }
+  return std::nullopt;
+}
+
 }  // namespace world

@@ -1,8 +1,5 @@
 #include "plugins/world/world_keys.h"
 
-#include <algorithm>
-#include <cassert>
-
 namespace world {
 namespace {
 
@@ -37,9 +34,7 @@ std::span<const robot::KeyTable> KeyTables() {
 }
 
 const std::vector<std::string_view>& KeysOf(std::string_view kind) {
-  const auto found = std::ranges::find(KeyTables(), kind, &robot::KeyTable::kind);
-  assert(found != KeyTables().end());
-  return found->keys;
+  return robot::KeysOf(kind, KeyTables());
 }
 
 }  // namespace world

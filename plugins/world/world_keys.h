@@ -7,7 +7,6 @@
 
 namespace world {
 
-// `kind`: of ground or of things.
 std::span<const robot::KeyTable> KeyTables();
 
 // Precondition: there is such a kind of table.

@@ -4,9 +4,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <array>
-#include <cctype>
 #include <cerrno>
 
 #include "base/file/read.h"
@@ -91,10 +89,17 @@ std::string Remedy(const std::string& message) {
   return "";
 }
 
-void CheckDoesNotCrash(const std::filesystem::path& file, const char* name, const mjVFS* files) {
-  if (!CrashesOn(name, files)) return;
-  throw UserError(fmt::format(
-      "{}: MuJoCo crashes on it: see whether it is well-formed and complete", file.string()));
+// Null, with MuJoCo's message, where it cannot make a model. Throws UserError where it crashes.
+MujocoModel TryLoad(const std::filesystem::path& file, const char* name, const MemoryFiles& files,
+                    std::string& message) {
+  if (CrashesOn(name, files.get())) {
+    throw UserError(fmt::format(
+        "{}: MuJoCo crashes on it: see whether it is well-formed and complete", file.string()));
+  }
+  std::array<char, 1024> error{};
+  MujocoModel model(mj_loadXML(name, files.get(), error.data(), error.size()));
+  message = error.data();
+  return model;
 }
 
 UserError NoModel(const std::filesystem::path& file, const std::string& message) {
@@ -112,11 +117,9 @@ MujocoModel LoadModel(ModelFile& file) {
   for (const auto& [name, place] : file.meshes()) files.Add(name, BytesOf(place));
   for (int attempt = 0;; ++attempt) {
     files.Add(kName, file.text());
-    CheckDoesNotCrash(file.file(), kName, files.get());
-    std::array<char, 1024> error{};
-    MujocoModel model(mj_loadXML(kName, files.get(), error.data(), error.size()));
+    std::string message;
+    MujocoModel model = TryLoad(file.file(), kName, files, message);
     if (model) return model;
-    const std::string message = error.data();
     if (attempt == kMostAttempts || !file.LeaveOut(message)) throw NoModel(file.file(), message);
     files.Remove(kName);
   }
@@ -124,9 +127,7 @@ MujocoModel LoadModel(ModelFile& file) {
 
 MujocoModel LoadMesh(const std::filesystem::path& file, double scale) {
   constexpr const char* kName = "model.xml";
-  std::string extension = file.extension().string();
-  std::ranges::transform(extension, extension.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string extension = ExtensionOf(file.string());
   UseMujoco();
   if (extension != ".stl" && extension != ".obj") {
     throw UserError(fmt::format("{}: neither STL nor OBJ: convert it", file.string()));
@@ -138,10 +139,9 @@ MujocoModel LoadMesh(const std::filesystem::path& file, double scale) {
                         "</asset><worldbody><body><freejoint/><geom type=\"mesh\" mesh=\"mesh\"/>"
                         "</body></worldbody></mujoco>",
                         extension, scale, scale, scale));
-  CheckDoesNotCrash(file, kName, files.get());
-  std::array<char, 1024> error{};
-  MujocoModel model(mj_loadXML(kName, files.get(), error.data(), error.size()));
-  if (!model) throw NoModel(file, error.data());
+  std::string message;
+  MujocoModel model = TryLoad(file, kName, files, message);
+  if (!model) throw NoModel(file, message);
   return model;
 }
 

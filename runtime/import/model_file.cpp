@@ -23,14 +23,14 @@ std::string ReadWhole(const std::filesystem::path& file) {
 
 double NumberIn(const std::string& text) { return std::strtod(text.c_str(), nullptr); }
 
+}  // namespace
+
 std::string ExtensionOf(const std::string& name) {
   std::string extension = std::filesystem::path(name).extension().string();
   std::ranges::transform(extension, extension.begin(),
                          [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; });
   return extension;
 }
-
-}  // namespace
 
 ModelFile::ModelFile(const std::filesystem::path& file) : file_(file), text_(ReadWhole(file)) {
   const std::string root = Root().name;

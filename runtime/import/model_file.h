@@ -62,4 +62,7 @@ class ModelFile {
   std::vector<std::string> warnings_;
 };
 
+// In lower case, with its dot.
+std::string ExtensionOf(const std::string& name);
+
 }  // namespace runtime

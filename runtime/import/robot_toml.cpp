@@ -74,21 +74,18 @@ std::string PointsText(const std::vector<robot::Vector3>& points) {
 
 void AddShape(const robot::LinkShape& shape, Row& row) {
   constexpr const char* kAxes[] = {"\"x\"", "\"y\"", "\"z\""};
+  row.Add("shape", Text(robot::NameOf(shape.kind)));
   switch (shape.kind) {
     case robot::ShapeKind::kBox:
-      row.Add("shape", "\"box\"");
       return row.Add("size", Numbers(shape.size));
     case robot::ShapeKind::kSphere:
-      row.Add("shape", "\"sphere\"");
       return row.Add("radius", Number(shape.radius));
     case robot::ShapeKind::kCapsule:
     case robot::ShapeKind::kCylinder:
-      row.Add("shape", shape.kind == robot::ShapeKind::kCapsule ? "\"capsule\"" : "\"cylinder\"");
       row.Add("axis", kAxes[shape.axis]);
       row.Add("radius", Number(shape.radius));
       return row.Add("length", Number(shape.length));
     case robot::ShapeKind::kConvex:
-      row.Add("shape", "\"convex\"");
       return row.Add("points", PointsText(shape.points));
   }
   std::abort();

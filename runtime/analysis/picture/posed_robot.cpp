@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "plugins/robot/shape_extent.h"
+
 namespace runtime {
 namespace {
 
@@ -50,7 +52,7 @@ PosedRobot::PosedRobot(const std::vector<robot::Link>& links, const Motion& moti
     const auto& [w, x, y, z] = shape.orientation;
     const Eigen::Quaterniond& turn = motion.orientation(frame, link);
     const Bounds bounds{motion.position(frame, link) + turn * Vector3d(shape.position.data()),
-                        BoundingRadius(shape)};
+                        robot::RadiusAround(shape)};
     const Eigen::Quaterniond shape_turn = turn * Eigen::Quaterniond(w, x, y, z);
     links_.push_back({Solid(shape), bounds,
                       (shape.IsMoved() ? shape_turn : turn).toRotationMatrix(), CoreOf(shape),

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "plugins/robot/shape_extent.h"
+
 namespace runtime {
 namespace {
 
@@ -202,27 +204,8 @@ double EdgeRadius(const robot::LinkShape& box) {
   return kRounding * *std::ranges::min_element(box.size);
 }
 
-double BoundingRadius(const robot::LinkShape& shape) {
-  switch (shape.kind) {
-    case robot::ShapeKind::kBox:
-      return 0.5 * Vector3d(shape.size.data()).norm();
-    case robot::ShapeKind::kCapsule:
-      return std::max(shape.radius, shape.length / 2);
-    case robot::ShapeKind::kCylinder:
-      return std::hypot(shape.radius, shape.length / 2);
-    case robot::ShapeKind::kSphere:
-      return shape.radius;
-    case robot::ShapeKind::kConvex:
-      break;
-  }
-  double farthest = 0;
-  for (const robot::Vector3& point : shape.points)
-    farthest = std::max(farthest, Vector3d(point.data()).norm());
-  return farthest;
-}
-
 double BoundingRadiusOfLink(const robot::LinkShape& shape) {
-  return BoundingRadius(shape) + Vector3d(shape.position.data()).norm();
+  return robot::RadiusAround(shape) + Vector3d(shape.position.data()).norm();
 }
 
 }  // namespace runtime

@@ -39,9 +39,7 @@ class Solid {
 // Of the edges of a box.
 double EdgeRadius(const robot::LinkShape& box);
 
-// Of the smallest sphere around the shape's center that holds the shape [m].
-double BoundingRadius(const robot::LinkShape& shape);
-// The same around its link's center.
+// Of a ball around its link's center that holds the shape [m].
 double BoundingRadiusOfLink(const robot::LinkShape& shape);
 
 }  // namespace runtime

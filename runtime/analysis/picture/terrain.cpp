@@ -25,7 +25,10 @@ Vector3d NormalOf(const world::Ground& ground, const world::HeightMap& map, cons
 }  // namespace
 
 Terrain::Terrain(const world::Ground& ground)
-    : ground_(ground), normal_(world::NormalOf(ground).data()), blocks_(world::BlocksOf(ground)) {}
+    : ground_(ground), normal_(world::NormalOf(ground).data()), blocks_(world::BlocksOf(ground)) {
+  if (const auto* map = std::get_if<world::HeightMap>(&ground_.shape))
+    highest_ = *std::ranges::max_element(map->heights);
+}
 
 std::optional<double> Terrain::DistanceToPlane(const Ray& ray) const {
   const double above = ray.origin.dot(normal_);
@@ -71,8 +74,7 @@ void Terrain::MeetBlock(const world::Block& block, const Ray& ray,
 void Terrain::MeetHills(const world::HeightMap& map, const Ray& ray,
                         std::optional<Hit>& first) const {
   if (!first || !(ray.direction.z() < 0)) return;
-  const double highest = *std::ranges::max_element(map.heights);
-  const double start = std::max(0.0, (highest - ray.origin.z()) / ray.direction.z());
+  const double start = std::max(0.0, (highest_ - ray.origin.z()) / ray.direction.z());
   const double step = std::min(map.size_x / (map.columns - 1), map.size_y / (map.rows - 1)) / 2;
   const auto is_below = [&](double distance) {
     const Vector3d place = ray.At(distance);

@@ -11,7 +11,6 @@ namespace runtime {
 
 class Terrain {
  public:
-  // `ground` outlives the object.
   explicit Terrain(const world::Ground& ground);
 
   std::optional<Hit> FirstHit(const Ray& ray) const;
@@ -23,9 +22,10 @@ class Terrain {
   void MeetBlock(const world::Block& block, const Ray& ray, std::optional<Hit>& first) const;
   void MeetHills(const world::HeightMap& map, const Ray& ray, std::optional<Hit>& first) const;
 
-  const world::Ground& ground_;
+  const world::Ground ground_;
   Eigen::Vector3d normal_;  // of the plane through the origin
   std::vector<world::Block> blocks_;
+  double highest_ = 0;  // of the hills [m]
 };
 
 }  // namespace runtime

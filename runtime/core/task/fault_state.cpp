@@ -21,7 +21,7 @@ FaultState::FaultState(host::TaskFrame& host)
 }
 
 void FaultState::NoteMemory() {
-  if (!memory_before_.empty()) {
+  if (!is_kept_ && !memory_before_.empty()) {
     std::memcpy(memory_before_.data(), host_.memory().data(), memory_before_.size());
   }
 }

@@ -7,6 +7,7 @@
 
 #include "runtime/base/build_task.h"
 #include "runtime/core/task/plugin_watch.h"
+#include "runtime/training/run/recorded_sources.h"
 #include "runtime/training/run/run_files.h"
 
 namespace runtime {
@@ -36,11 +37,7 @@ std::string WithoutEnd(std::string text) {
 
 TaskLoader::TaskLoader(std::filesystem::path run_folder, const RunRecord& run)
     : run_folder_(std::move(run_folder)) {
-  if (!run.robot.empty()) {
-    const std::filesystem::path robot = scratch_.path() / run.robot;
-    std::filesystem::create_directory(robot);
-    WriteFile(robot / "robot.toml", run.robot_description);
-  }
+  WriteRobot(run, scratch_.path());
   thread_ = std::thread([this] { Run(); });
 }
 

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <limits>
 #include <nlohmann/json.hpp>
-#include <string_view>
 
 #include "plugins/host/scalar_bytes.h"
 #include "runtime/core/module/element_names.h"
 #include "runtime/training/run/recorder.h"
+#include "runtime/training/run/timeline.h"
 
 namespace runtime {
 namespace {
@@ -49,7 +49,7 @@ size_t SizeOf(const Entry& entry) {
   return size_t{entry.rows} * entry.columns;
 }
 
-// The phase is one number, and so is the time for which it has been present.
+// The phase is one number, and so is how long it has lasted in the episode, in all its passes.
 constexpr size_t kOfPhase = 2;
 
 Json Single(const char* kind, const char* name, const char* unit, const char* doc) {
@@ -109,7 +109,7 @@ void WriteTask(const TaskInstance& task, std::span<const double> metrics, Row& r
 }
 
 void WriteContacts(const Environment& environment, Row& row) {
-  std::vector<uint8_t> bits((static_cast<size_t>(environment.link_count()) + 7) / 8);
+  std::vector<uint8_t> bits(ContactBytes(static_cast<size_t>(environment.link_count())));
   environment.CaptureContacts(bits);
   for (int i = 0; i < environment.link_count(); ++i) {
     row.Add(bits[static_cast<size_t>(i / 8)] >> i % 8 & 1);

@@ -14,10 +14,10 @@
 
 namespace runtime {
 
-// Time [s], return, actions begun; of each link the pose (Recorder::kFloatsPerLink) and whether it
-// has contact; of the active task the terms, metrics, goals, phase, memory, sensors and logs; of
-// each shadow its return. What there is not is not a number. A sensor is what the task has read
-// last.
+// Time [s], return, actions begun; of each link and thing the pose (Recorder::kFloatsPerLink), of
+// each link whether it has contact; of the active task the terms, metrics, goals, phase, memory,
+// sensors and logs; of each shadow its return. What there is not is not a number. A sensor is what
+// the task has read last.
 class ViewLayout {
  public:
   ViewLayout(const EpisodeModules& modules, const Context& context);
@@ -26,8 +26,7 @@ class ViewLayout {
   bool Fits(const EpisodeModules& modules) const;
 
   size_t size() const { return size_; }
-  // {"task", "hash", "links", "size", "values": [{"kind", "name", "type", "unit", "doc", "size",
-  // "elements", "line", "source"}]}: of the numbers after those of the links, in their order.
+  // As docs/api.md says under "The view": what the numbers after those of poses and contacts are.
   const std::string& json() const { return json_; }
 
   // `out`: size() numbers. After `steps` time steps of the episode. Precondition: Fits().

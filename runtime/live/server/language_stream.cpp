@@ -60,9 +60,9 @@ class LanguageStream final : public WebSocket {
   }
 
   void OnMessage(std::string_view content) override {
-    unread_bytes_ += content.size();
-    if (unread_bytes_ > kMostUnread) return Close();
     unread_.push_back(fmt::format("{}{}{}{}", kLength, content.size(), kHeaderEnd, content));
+    unread_bytes_ += unread_.back().size();
+    if (unread_bytes_ > kMostUnread) return Close();
     if (unread_.size() == 1) WriteNext();
   }
 
@@ -73,7 +73,7 @@ class LanguageStream final : public WebSocket {
 
   void OnWritten(error_code error) {
     if (error) return Close();
-    unread_bytes_ -= std::min(unread_bytes_, unread_.front().size());
+    unread_bytes_ -= unread_.front().size();
     unread_.pop_front();
     if (!unread_.empty()) WriteNext();
   }

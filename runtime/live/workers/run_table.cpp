@@ -19,9 +19,7 @@ std::string ReturnText(const RunProgress& run, double value) {
 }
 
 int64_t EpisodesLeft(const RunProgress& run) {
-  const bool is_over =
-      run.state == RunProgressState::kFinished || run.state == RunProgressState::kFailed;
-  return is_over ? 0 : std::max<int64_t>(run.episodes_planned - run.episodes, 0);
+  return run.is_over() ? 0 : std::max<int64_t>(run.episodes_planned - run.episodes, 0);
 }
 
 // Seconds of one episode, from those of all runs that this program has seen; 0: none yet.

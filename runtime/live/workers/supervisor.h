@@ -33,6 +33,10 @@ struct RunProgress {
   int64_t episodes_here = 0;  // as many are these
   int restarts = 0;
   std::string failure{};  // why it was given up
+
+  bool is_over() const {
+    return state == RunProgressState::kFinished || state == RunProgressState::kFailed;
+  }
 };
 
 // The run has done one more, of which a worker has printed this. As everywhere, the return of one

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/text/print.h"
+#include "base/text/shell_word.h"
 #include "runtime/base/child_process.h"
 #include "runtime/base/user_error.h"
 #include "runtime/trainer/commands.h"
@@ -20,13 +21,6 @@ namespace {
 
 constexpr size_t kLargestArray = 1000;  // what a cluster allows unless it was told otherwise
 constexpr int kSecondsToSave = 120;     // before the limit of its time a task is told
-
-// As a shell reads it.
-std::string Quoted(const std::string& word) {
-  std::string quoted = "'";
-  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return quoted + "'";
-}
 
 class SlurmEngine : public Engine {
  public:
@@ -149,11 +143,12 @@ std::string SlurmScript(const std::string& trainer, const std::string& list,
       "# Made by `trainer study`. Each task of the array trains one run from its last "
       "checkpoint.\n";
   for (const std::string& module : settings.modules) {
-    script += fmt::format("module load {} || exit 1\n", Quoted(module));
+    script += fmt::format("module load {} || exit 1\n", text::ShellWord(module));
   }
-  script += fmt::format("run=$(sed -n \"$((SLURM_ARRAY_TASK_ID + 1))p\" {})\n", Quoted(list));
+  script +=
+      fmt::format("run=$(sed -n \"$((SLURM_ARRAY_TASK_ID + 1))p\" {})\n", text::ShellWord(list));
   script += fmt::format("{} resume \"$run\" --quiet --jobs \"${{SLURM_CPUS_PER_TASK:-1}}\" &\n",
-                        Quoted(trainer));
+                        text::ShellWord(trainer));
   script +=
       "trainer=$!\n"
       "requeue=no\n"

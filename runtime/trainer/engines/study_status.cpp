@@ -14,11 +14,6 @@
 namespace runtime {
 namespace {
 
-bool IsOver(const RunStatus& run) {
-  return run.progress.state == RunProgressState::kFinished ||
-         run.progress.state == RunProgressState::kFailed;
-}
-
 std::string LowerCase(std::string text) {
   std::ranges::transform(text, text.begin(),
                          [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
@@ -27,7 +22,7 @@ std::string LowerCase(std::string text) {
 
 std::string PlaceText(const RunStatus& run) {
   if (run.progress.state == RunProgressState::kFailed) return run.progress.failure;
-  if (!run.task || IsOver(run)) return "";
+  if (!run.task || run.progress.is_over()) return "";
   if (!run.is_in_queue) return fmt::format("its last task ended as {}", run.task->state);
   return run.task->node.empty() ? run.task->reason : run.task->node;
 }
@@ -59,7 +54,7 @@ std::vector<RunStatus> ReadStudyStatus(const std::filesystem::path& folder) {
 }
 
 std::string StateText(const RunStatus& run) {
-  if (IsOver(run) || !run.is_in_queue) return std::string(NameOf(run.progress.state));
+  if (run.progress.is_over() || !run.is_in_queue) return std::string(NameOf(run.progress.state));
   return LowerCase(run.task->state);
 }
 

@@ -10,7 +10,7 @@ namespace runtime {
 
 // Of one value. Numbers have all their digits.
 struct ValueDifference {
-  std::string name;  // "return", "term forward", "careful: steps"
+  std::string name;  // "return", "term forward", "careful: return"
   std::string recorded;
   std::string here;
 };

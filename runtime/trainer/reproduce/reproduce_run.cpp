@@ -7,7 +7,6 @@
 #include "base/command_line/command.h"
 #include "runtime/base/scratch_folder.h"
 #include "runtime/base/user_error.h"
-#include "runtime/core/task/plugin_watch.h"
 #include "runtime/live/control/live_run.h"
 #include "runtime/trainer/runs/kept_run.h"
 #include "runtime/trainer/runs/many_runs.h"
@@ -78,15 +77,15 @@ Recorded ReadRecord(const ReproduceOptions& options) {
   return recorded;
 }
 
-void TrainAgain(const RunParts& run, const ModuleTypes& types, const ReproduceOptions& options,
+void TrainAgain(const RunParts& run, const ReproduceOptions& options,
                 const std::vector<EpisodeRecord>& recorded, Reproduction& found) {
   const StopRequest stop;
   Progress progress(options.style, run.record, stdout, stderr);
   ComparedRun compared(run, progress, stop, recorded);
-  Training training(run.graph, run.record, run.database, run.folder, progress, compared);
+  Training training(run.graph, run.record, run.database, progress, compared);
   training.Restore();
-  const int jobs = std::min<int>(JobsOrCores(options.jobs), PluginWatch::kMostThreads - 1);
-  if (jobs > 1) training.RunSideBySide(jobs, types, run.context);
+  const int jobs = EpisodesAtATime(options.jobs);
+  if (jobs > 1) training.RunSideBySide(jobs, run.types, run.context);
   training.Run(stop);
   found.equal = compared.equal();
   found.differences = compared.differences();
@@ -96,10 +95,7 @@ void TrainAgain(const RunParts& run, const ModuleTypes& types, const ReproduceOp
 // With the machine that `episode` was trained on.
 std::vector<CauseComparison> CompareCauses(const Recorded& recorded, const RebuiltRun& rebuilt,
                                            int64_t episode) {
-  MachineFacts there;
-  for (const MachineRecord& machine : recorded.machines) {
-    if (machine.episode <= episode) there = machine.facts;
-  }
+  const MachineFacts there = FactsAt(recorded.machines, episode);
   std::vector<CauseComparison> causes;
   for (const CompilerOfTask& each : rebuilt.compilers) {
     causes.push_back(
@@ -154,8 +150,8 @@ Reproduction ReproduceRun(const ReproduceOptions& options) {
   RunDatabase database = RunDatabase::Open(folder);
   KeptRun kept(folder, rebuilt.run, folder, ProgramModuleTypes());
   kept.graph.Start();
-  TrainAgain({folder, rebuilt.run, database, kept.graph, kept.types, kept.context}, kept.types,
-             options, recorded.episodes, found);
+  TrainAgain({folder, rebuilt.run, database, kept.graph, kept.types, kept.context}, options,
+             recorded.episodes, found);
   const bool is_done = found.equal == found.episodes;
   if (is_done && recorded.checkpoint) {
     found.is_state_equal = AreEqual(*recorded.checkpoint, *database.ReadCheckpoint());

@@ -108,8 +108,7 @@ Json ToJson(const RankCorrelation& order) {
   return {{"spearman", number(order.spearman)}, {"kendall", number(order.kendall)}};
 }
 
-}  // namespace
-
+// What the numbers do not say: a sentence each.
 std::vector<std::string> RescoreCaveats() {
   return {
       "the behavior was learned for the old task: what would be learned for the new one is "
@@ -119,6 +118,8 @@ std::vector<std::string> RescoreCaveats() {
       "both tasks have the defaults of their params, draw their goals as in a run with this "
       "seed, and begin with the memory of a new run; what was changed meanwhile is not repeated"};
 }
+
+}  // namespace
 
 std::string RescoreText(const std::string& new_task, const std::vector<RescoredRun>& runs) {
   std::string text = fmt::format("rescored by {}\n\n", new_task);

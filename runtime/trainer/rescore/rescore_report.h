@@ -9,9 +9,6 @@
 
 namespace runtime {
 
-// What the numbers do not say: a sentence each.
-std::vector<std::string> RescoreCaveats();
-
 // Each run with its episodes, then the runs in order if there are several, then the caveats.
 std::string RescoreText(const std::string& new_task, const std::vector<RescoredRun>& runs);
 nlohmann::ordered_json RescoreJson(const std::string& new_task,

@@ -63,12 +63,10 @@ class Watch {
 
   void Look() {
     const double time = environment_.time();
-    if (!old_task_.has_ended()) old_end_ = time;
-    if (!new_task_.has_ended()) new_end_ = time;
-    if (std::exchange(old_has_ended_, old_task_.has_ended()) != old_task_.has_ended())
-      old_end_ = time;
-    if (std::exchange(new_has_ended_, new_task_.has_ended()) != new_task_.has_ended())
-      new_end_ = time;
+    if (!old_has_ended_) old_end_ = time;
+    if (!new_has_ended_) new_end_ = time;
+    old_has_ended_ = old_task_.has_ended();
+    new_has_ended_ = new_task_.has_ended();
     if (difference_) return;
     if (old_task_.episode_return() != new_task_.episode_return()) {
       difference_ = {time, DifferentTerm(old_task_, new_task_)};

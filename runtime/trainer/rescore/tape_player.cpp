@@ -19,7 +19,6 @@ void TapePlayer::Insert(const Tape& tape) {
 void TapePlayer::StartOfEpisode() {
   step_ = 0;
   is_over_ = false;
-  has_diverged_ = false;
   StartActions(false);
   if (tape_->steps() == 0) EndOfEpisode(kEndOfTape);
 }
@@ -42,7 +41,6 @@ void TapePlayer::EndOfTimeStep(double) {
 void TapePlayer::EndOfEpisode(EpisodeEnd end) {
   if (is_over_) return;
   is_over_ = true;
-  has_diverged_ = end.kind == EndKind::kDiverged;
   episode_over_(end);
 }
 

@@ -22,7 +22,6 @@ class TapePlayer : public Module {
   void Insert(const Tape& tape);
   const double& discount() const { return discount_; }
   bool is_over() const { return is_over_; }
-  bool has_diverged() const { return has_diverged_; }
 
  private:
   void StartOfEpisode();
@@ -35,7 +34,6 @@ class TapePlayer : public Module {
   double discount_ = 1;
   size_t step_ = 0;
   bool is_over_ = true;
-  bool has_diverged_ = false;
   Eigen::VectorXd targets_;
 
   Slot<> start_of_episode_{this, "start_of_episode", Bind<&TapePlayer::StartOfEpisode>{}};

@@ -8,6 +8,7 @@
 
 #include "base/text/print.h"
 #include "runtime/base/folder_lock.h"
+#include "runtime/core/task/plugin_watch.h"
 #include "runtime/live/workers/run_table.h"
 #include "runtime/live/workers/supervisor.h"
 #include "runtime/trainer/commands.h"
@@ -92,14 +93,17 @@ int JobsOrCores(int jobs) {
   return jobs > 0 ? jobs : static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
 }
 
+int EpisodesAtATime(int jobs) {
+  constexpr int kMost = PluginWatch::kMostThreads - 1;
+  return std::min(JobsOrCores(jobs), kMost);
+}
+
 std::vector<RunProgress> RunsToTrain(const std::filesystem::path& folder,
                                      const std::vector<std::filesystem::path>& runs) {
   std::vector<RunProgress> found;
   for (const std::filesystem::path& run : runs) {
     RunProgress& progress = found.emplace_back(ReadProgressOrFailure(run, folder));
-    const bool is_over = progress.state == RunProgressState::kFinished ||
-                         progress.state == RunProgressState::kFailed;
-    if (!is_over) progress.state = RunProgressState::kWaiting;
+    if (!progress.is_over()) progress.state = RunProgressState::kWaiting;
   }
   return found;
 }

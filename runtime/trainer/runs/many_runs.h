@@ -31,6 +31,8 @@ RunProgress ReadProgressOrFailure(const std::filesystem::path& run,
 // --jobs; `what`: "how many runs to train at a time"; 0 stands for as many as there are cores.
 void AddJobsOption(command_line::Command& command, int& jobs, const std::string& what);
 int JobsOrCores(int jobs);
+// The same for the episodes of a run: no more than can be watched.
+int EpisodesAtATime(int jobs);
 
 // How far these runs of `folder` are; those that are not over wait.
 std::vector<RunProgress> RunsToTrain(const std::filesystem::path& folder,

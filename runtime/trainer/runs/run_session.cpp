@@ -7,7 +7,6 @@
 
 #include "runtime/analysis/report/report.h"
 #include "runtime/base/build_task.h"
-#include "runtime/core/task/plugin_watch.h"
 #include "runtime/live/server/server.h"
 #include "runtime/trainer/commands.h"
 #include "runtime/trainer/runs/many_runs.h"
@@ -72,11 +71,7 @@ std::unique_ptr<Server> StartServer(const RunParts& run, const SessionOptions& o
 // A run that is continued where other bits are computed is another run from there on.
 void NoteMachine(const RunParts& run, int64_t episode, Progress& progress) {
   const MachineFacts here = ThisMachine();
-  MachineFacts before;
-  for (const MachineRecord& machine : ReadMachines(run.folder)) {
-    if (machine.episode < episode) before = machine.facts;
-  }
-  const std::string why = WhyOtherBits(before, here);
+  const std::string why = WhyOtherBits(FactsAt(ReadMachines(run.folder), episode - 1), here);
   if (!why.empty()) {
     progress.Warn(
         fmt::format("warning: {}: this machine computes otherwise than the one before "
@@ -89,8 +84,7 @@ void NoteMachine(const RunParts& run, int64_t episode, Progress& progress) {
 // Where it cannot be now, it may be once another task is there.
 void RunSideBySide(Training& training, const RunParts& run, const SessionOptions& options,
                    Progress& progress) {
-  constexpr int kMost = PluginWatch::kMostThreads - 1;
-  const int jobs = std::min(JobsOrCores(options.jobs), kMost);
+  const int jobs = EpisodesAtATime(options.jobs);
   if (jobs == 1) return;
   const std::string why_not = training.WhyNotSideBySide();
   if (!why_not.empty() && options.jobs > 1) {
@@ -132,7 +126,7 @@ int RunSession(const RunParts& run, const SessionOptions& options) {
   const StopRequest stop;
   Progress progress(options.output.style(), run.record, stdout, stderr);
   LiveRun live(run, progress, options.when_done, stop);
-  Training training(run.graph, run.record, run.database, run.folder, progress, live);
+  Training training(run.graph, run.record, run.database, progress, live);
   training.Restore();
   NoteMachine(run, training.episodes_done() + 1, progress);
   RunSideBySide(training, run, options, progress);

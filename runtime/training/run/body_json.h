@@ -11,9 +11,10 @@ namespace runtime {
 
 // The shapes of the robot's links and of the things in its world (null: none), for who draws the
 // recordings, in the order of their poses there: a JSON list with one object for each,
-// {"name", "shape": "box"|"capsule"|"cylinder"|"sphere", "size": [x, y, z], "radius", "length",
-// "axis": 0|1|2} and, where the shape is not around the link's center or turned, "position":
-// [x, y, z], "orientation": [w, x, y, z]; of a thing "thing": true.
+// {"name", "shape": "box"|"capsule"|"cylinder"|"sphere"|"convex", "size": [x, y, z], "radius",
+// "length", "axis": 0|1|2} and, where the shape is not around the link's center or turned,
+// "position": [x, y, z], "orientation": [w, x, y, z]; of a convex one "points": [[x, y, z], ...];
+// of a thing "thing": true.
 std::string BodyJson(const robot::RobotDescription& robot,
                      const world::WorldDescription* world = nullptr);
 

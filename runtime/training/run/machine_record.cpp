@@ -25,6 +25,14 @@ std::vector<MachineRecord> ReadMachines(const std::filesystem::path& folder) {
   return ReadTable(SqliteDatabase(folder / "run.db", SqliteAccess::kRead));
 }
 
+MachineFacts FactsAt(const std::vector<MachineRecord>& machines, int64_t episode) {
+  MachineFacts facts;
+  for (const MachineRecord& machine : machines) {
+    if (machine.episode <= episode) facts = machine.facts;
+  }
+  return facts;
+}
+
 void SetMachine(const std::filesystem::path& folder, const MachineRecord& machine) {
   SqliteDatabase database(folder / "run.db", SqliteAccess::kWrite);
   SqliteTransaction transaction(database, kNoting);

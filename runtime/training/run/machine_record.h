@@ -17,6 +17,10 @@ struct MachineRecord {
 // Of the run in `folder`, ascending; none where an older version has trained it. Throws UserError.
 std::vector<MachineRecord> ReadMachines(const std::filesystem::path& folder);
 
+// Those of the machine on which this episode was trained; none where `machines`, ascending, do not
+// say.
+MachineFacts FactsAt(const std::vector<MachineRecord>& machines, int64_t episode);
+
 // From its episode on the run is trained there; what stands there of later ones goes. For the
 // trainer that works on the run. Throws UserError.
 void SetMachine(const std::filesystem::path& folder, const MachineRecord& machine);

@@ -8,21 +8,12 @@ namespace runtime {
 
 world::Ground GroundOf(const RunRecord& run) {
   if (run.tasks.empty()) return {};
-  const std::vector<SourceRecord>& sources = run.tasks.front().sources;
-  const auto read = [&](const std::filesystem::path& path) -> std::optional<std::string> {
-    for (const SourceRecord& source : sources)
-      if (path == source.file) return source.text;
-    return std::nullopt;
-  };
-  for (const SourceRecord& source : sources) {
-    if (!source.file.ends_with(world::kWorldEnding)) continue;
-    try {
-      return world::ReadWorld(source.text, source.file, read).ground;
-    } catch (const robot::DescriptionError&) {
-      return {};
-    }
+  try {
+    const auto world = world::WorldIn(run.tasks.front().sources);
+    return world ? world->ground : world::Ground{};
+  } catch (const robot::DescriptionError&) {
+    return {};
   }
-  return {};
 }
 
 nlohmann::json GroundJson(const world::Ground& ground) {

@@ -10,13 +10,13 @@ namespace runtime {
 
 static_assert(std::endian::native == std::endian::little, "recordings are little-endian");
 
-Recorder::Recorder(int link_count, double time_step)
-    : frame_size_(static_cast<size_t>(link_count) * kFloatsPerLink),
+Recorder::Recorder(int pose_count, double time_step)
+    : frame_size_(static_cast<size_t>(pose_count) * kFloatsPerLink),
       capacity_(static_cast<size_t>(kMaximumDuration / kFrameInterval) + 1),
       time_step_(time_step),
       steps_per_frame_at_start_(std::max(1L, std::lround(kFrameInterval / time_step))),
       poses_(capacity_ * frame_size_),
-      timeline_(link_count, capacity_) {
+      timeline_(pose_count, capacity_) {
   StartEpisode();
 }
 

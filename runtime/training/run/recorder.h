@@ -20,12 +20,12 @@ class Recorder {
   static constexpr int kFloatsPerLink = 7;         // x y z qw qx qy qz
 
   // Takes all memory it will ever need. A longer episode is recorded at a coarser interval.
-  Recorder(int link_count, double time_step);
+  Recorder(int pose_count, double time_step);
 
   void StartEpisode();
 
   // Call after the start of the episode and after each time step. Where the next frame is due,
-  // the result is the place to write it to: kFloatsPerLink floats for each link; otherwise it is
+  // the result is the place to write it to: kFloatsPerLink floats for each pose; otherwise it is
   // empty.
   std::span<float> NextFrame();
 

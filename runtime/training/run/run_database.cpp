@@ -298,7 +298,7 @@ void RunDatabase::Impl::WriteEvaluation(int64_t episode, const Evaluation& evalu
 
 void RunDatabase::AddEpisode(const EpisodeRecord& episode,
                              const std::optional<Recording>& recording,
-                             const std::optional<Checkpoint>& checkpoint) {
+                             const std::optional<Checkpoint>& checkpoint, const std::string& tape) {
   WriteStatements& write = *impl_->write;
   SqliteTransaction transaction(*impl_->database, fmt::format("save episode {}", episode.number));
   write.episode
@@ -320,6 +320,7 @@ void RunDatabase::AddEpisode(const EpisodeRecord& episode,
     if (!recording->timeline.empty()) {
       write.timeline.Bind(episode.number, Bytes(recording->timeline)).Run();
     }
+    if (!tape.empty()) write.tape.Bind(episode.number, Bytes(tape)).Run();
   }
   if (checkpoint) impl_->WriteCheckpoint(*checkpoint);
   transaction.Commit();

@@ -49,9 +49,10 @@ class RunDatabase {
   int64_t ReadLastRecordedEpisode() const;                    // 0 if there is none
   std::vector<RecordedEpisode> ReadRecordedEpisodes() const;  // ascending
 
-  // All of these at once or nothing.
+  // All of these at once or nothing. `tape`: that of the recording (runtime/training/run/tape.h),
+  // or empty.
   void AddEpisode(const EpisodeRecord& episode, const std::optional<Recording>& recording,
-                  const std::optional<Checkpoint>& checkpoint);
+                  const std::optional<Checkpoint>& checkpoint, const std::string& tape = {});
   void WriteCheckpoint(const Checkpoint& checkpoint);
   // Returns the id that the task, or the change, has from now on; the record's own does not count.
   int64_t AddTask(const TaskRecord& task);

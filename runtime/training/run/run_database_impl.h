@@ -38,6 +38,7 @@ struct WriteStatements {
                 "save an episode"),
         recording(database, "INSERT INTO recording VALUES (?, ?, ?, ?, ?)", "save a recording"),
         timeline(database, "INSERT INTO timeline VALUES (?, ?)", "save a recording"),
+        tape(database, "INSERT INTO tape VALUES (?, ?)", "save a recording"),
         checkpoint(database, "INSERT OR REPLACE INTO checkpoint VALUES (1, ?, ?)",
                    "save a checkpoint"),
         set_value(database, "INSERT OR REPLACE INTO run VALUES (?, ?)", "save the run's state") {}
@@ -52,6 +53,7 @@ struct WriteStatements {
   SqliteStatement learner;
   SqliteStatement recording;
   SqliteStatement timeline;
+  SqliteStatement tape;
   SqliteStatement checkpoint;
   SqliteStatement set_value;
 };

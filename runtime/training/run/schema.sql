@@ -191,8 +191,8 @@ CREATE TABLE IF NOT EXISTS machine (
   facts TEXT NOT NULL          -- JSON (machine.h)
 );
 
--- `poses`: zstd of little-endian float32 [frames][links][7]: x y z qw qx qy qz of each link's frame
--- at its center, world frame.
+-- `poses`: zstd of little-endian float32 [frames][poses][7]: x y z qw qx qy qz of the frame
+-- of each link, and then of each of the world's things, at its center, world frame.
 CREATE TABLE IF NOT EXISTS recording (
   episode INTEGER PRIMARY KEY REFERENCES episode ON DELETE CASCADE,
   is_best INTEGER NOT NULL,       -- 1: the highest return up to then
@@ -206,7 +206,7 @@ CREATE TABLE IF NOT EXISTS recording (
 -- zstd of the time at which the episode was over [s], a little-endian float64, and then, for each
 -- frame of the recording and for the end of the episode, little-endian float32 values: columns of
 -- what was paid since the value before, in all and for each term of the active task, of its metrics,
--- and, where it has phases, of the present one's number; then a bit for each link, in whole bytes,
+-- and, where it has phases, of the present one's number; then a bit for each pose (0 for a thing), in whole bytes,
 -- whether it touched something.
 CREATE TABLE IF NOT EXISTS timeline (
   episode INTEGER PRIMARY KEY REFERENCES recording ON DELETE CASCADE,

@@ -157,13 +157,6 @@ Tape Unpack(std::string_view packed) {
   return tape;
 }
 
-void WriteTape(const std::filesystem::path& folder, int64_t episode, const std::string& packed) {
-  const SqliteDatabase database(folder / "run.db", SqliteAccess::kWrite);
-  SqliteStatement(database, "INSERT OR REPLACE INTO tape VALUES (?, ?)", "save a recording")
-      .Bind(episode, std::as_bytes(std::span(packed)))
-      .Run();
-}
-
 std::string ReadTape(const std::filesystem::path& folder, int64_t episode) {
   const SqliteDatabase database(folder / "run.db", SqliteAccess::kRead);
   if (!HasTable(database, "tape")) return "";

@@ -39,10 +39,7 @@ std::string Pack(const Tape& tape);
 // Throws UserError where it is damaged.
 Tape Unpack(std::string_view packed);
 
-// Keeps the tape of an episode whose recording is in the run's database (schema.sql). Throws
-// RecordError.
-void WriteTape(const std::filesystem::path& folder, int64_t episode, const std::string& packed);
-// "" where there is none. Throws UserError.
+// Of an episode of the run in `folder`; "" where there is none. Throws UserError.
 std::string ReadTape(const std::filesystem::path& folder, int64_t episode);
 
 }  // namespace runtime

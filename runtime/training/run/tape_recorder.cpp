@@ -2,25 +2,15 @@
 
 #include <cmath>
 #include <limits>
+#include <span>
 
 namespace runtime {
-namespace {
-
-// It tells to the bit what the controller was told.
-const SensorOut& TargetsOf(const RobotEnvironment& environment) {
-  const robot::SensorDescription& sensor =
-      robot::Sensors()[static_cast<size_t>(robot::SensorId::kJointTarget)];
-  return static_cast<const SensorOut&>(environment.FindPort(sensor.name));
-}
-
-}  // namespace
 
 TapeRecorder::TapeRecorder(Environment& environment, const Learner& learner)
     : environment_(dynamic_cast<RobotEnvironment*>(&environment)),
       learner_(learner),
       most_steps_(static_cast<size_t>(std::lround(kMaximumDuration / environment.time_step()))) {
   if (environment_ == nullptr) return;
-  targets_ = &TargetsOf(*environment_);
   commands_ = &static_cast<const In<Eigen::VectorXd>&>(environment_->FindPort("joint_targets"));
 }
 
@@ -37,15 +27,13 @@ void TapeRecorder::StartEpisode(const std::optional<robot::StartState>& drawn) {
 bool TapeRecorder::NoteTargets() {
   is_whole_ = commands_->connected();
   if (!is_whole_) return false;
-  const auto joints = static_cast<size_t>((*commands_)().size());
+  const std::span<const double> targets = environment_->told();
   if (tape_.targets.capacity() == 0) {
-    tape_.joints = joints;
-    tape_.targets.reserve(joints * most_steps_);
+    tape_.joints = targets.size();
+    tape_.targets.reserve(targets.size() * most_steps_);
     tape_.actions.reserve(most_steps_ + 1);
   }
-  const Environment::Peek peek(*environment_);
-  const double* targets = (*targets_)().reals();
-  tape_.targets.insert(tape_.targets.end(), targets, targets + joints);
+  tape_.targets.insert(tape_.targets.end(), targets.begin(), targets.end());
   return true;
 }
 

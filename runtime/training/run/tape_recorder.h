@@ -7,7 +7,6 @@
 #include <string>
 
 #include "plugins/robot/start_state.h"
-#include "runtime/core/module/sensor_data.h"
 #include "runtime/training/learning/learner.h"
 #include "runtime/training/run/tape.h"
 #include "runtime/training/simulation/robot_environment.h"
@@ -38,8 +37,7 @@ class TapeRecorder {
 
   RobotEnvironment* environment_;  // or null
   const Learner& learner_;
-  const SensorOut* targets_ = nullptr;
-  const In<Eigen::VectorXd>* commands_ = nullptr;  // has as many elements
+  const In<Eigen::VectorXd>* commands_ = nullptr;
   size_t most_steps_;
   bool is_whole_ = false;
   int actions_ = 0;  // that have started

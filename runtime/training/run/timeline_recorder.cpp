@@ -26,9 +26,9 @@ class Payments {
 
 }  // namespace
 
-TimelineRecorder::TimelineRecorder(int link_count, size_t most_frames)
+TimelineRecorder::TimelineRecorder(int pose_count, size_t most_frames)
     : most_frames_(most_frames),
-      contact_bytes_(ContactBytes(static_cast<size_t>(link_count))),
+      contact_bytes_(ContactBytes(static_cast<size_t>(pose_count))),
       contacts_((most_frames + 1) * contact_bytes_) {}
 
 bool TimelineRecorder::IsOf(const UniversalTask& task) const {

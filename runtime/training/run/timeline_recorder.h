@@ -13,7 +13,7 @@ namespace runtime {
 class TimelineRecorder {
  public:
   // For at most `most_frames` frames.
-  TimelineRecorder(int link_count, size_t most_frames);
+  TimelineRecorder(int pose_count, size_t most_frames);
 
   // The next episode is of this task, as long as nobody puts another in its place: then it has no
   // timeline. Takes memory where the task needs more than those before it.

@@ -26,11 +26,10 @@ double SecondsSince(std::chrono::steady_clock::time_point start) {
 }  // namespace
 
 Training::Training(ModuleGraph& graph, const RunRecord& run, RunDatabase& database,
-                   std::filesystem::path folder, Progress& progress, TrainingHooks& hooks)
+                   Progress& progress, TrainingHooks& hooks)
     : graph_(graph),
       run_(run),
       database_(database),
-      folder_(std::move(folder)),
       progress_(progress),
       hooks_(hooks),
       environment_(graph.FindOnly<Environment>()),
@@ -119,17 +118,10 @@ void Training::Finish(const EpisodeRecord& episode, const UniversalTask& task,
   const std::optional<Recording> recording = RecordingOf(episode, task, recorder);
   statistics_.Add(episode);
   const std::optional<Checkpoint> checkpoint = CheckpointIfDue(is_last);
-  database_.AddEpisode(episode, recording, checkpoint);
-  if (recording) SaveTape(episode.number, tape);
+  database_.AddEpisode(episode, recording, checkpoint, recording ? tape.Finish() : "");
   progress_.FinishEpisode(episode, statistics_);
   warnings_.About(episode, task, learner_);
   hooks_.AfterEpisode(episode, statistics_, checkpoint.has_value());
-}
-
-// After its recording, to which it belongs: one that is lost with the machine is lost alone.
-void Training::SaveTape(int64_t episode, const TapeRecorder& tape) const {
-  const std::string packed = tape.Finish();
-  if (!packed.empty()) WriteTape(folder_, episode, packed);
 }
 
 EpisodeRecord Training::RunNextEpisode(const StopRequest& stop) {

@@ -29,9 +29,9 @@ class Training {
  public:
   // `graph`: started, with one environment, one learner and a task that pays it; throws UserError
   // where it has not. Everything passed must outlive the training.
-  // `run` grows as tasks are loaded and episodes planned. `folder`: that of the database.
-  Training(ModuleGraph& graph, const RunRecord& run, RunDatabase& database,
-           std::filesystem::path folder, Progress& progress, TrainingHooks& hooks);
+  // `run` grows as tasks are loaded and episodes planned.
+  Training(ModuleGraph& graph, const RunRecord& run, RunDatabase& database, Progress& progress,
+           TrainingHooks& hooks);
 
   // From now on `jobs` episodes at a time, where the learner and the tasks allow that; what comes
   // of them is the same. `types` and `context`, which the graph was made of, outlive the training.
@@ -61,7 +61,6 @@ class Training {
   Collector* WaitForCollector(const StopRequest& stop, bool& has_changed);
   void Finish(const EpisodeRecord& episode, const UniversalTask& task, const Recorder& recorder,
               const TapeRecorder& tape, const StopRequest& stop);
-  void SaveTape(int64_t episode, const TapeRecorder& tape) const;
   // Lets whoever wants to change something do so, after `step` time steps of the episode.
   // Returns whether somebody did.
   bool AllowChanges(int64_t step);
@@ -74,7 +73,6 @@ class Training {
   ModuleGraph& graph_;
   const RunRecord& run_;
   RunDatabase& database_;
-  const std::filesystem::path folder_;
   Progress& progress_;
   TrainingHooks& hooks_;
   Environment& environment_;

@@ -5,7 +5,7 @@
 #include <set>
 #include <utility>
 
-#include "plugins/robot/shape_radius.h"
+#include "plugins/robot/shape_extent.h"
 #include "runtime/training/simulation/convex_ground.h"
 
 namespace runtime {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "plugins/robot/shape_extent.h"
 #include "runtime/training/simulation/link_frames.h"
 
 namespace runtime {
@@ -19,26 +20,8 @@ double ReachDown(const robot::LinkShape& shape, const Eigen::Quaterniond& link) 
     return ReachDown(centered, link * Eigen::Quaterniond(w, x, y, z)) -
            (link * Eigen::Vector3d(shape.position.data())).z();
   }
-  // The heights of the ends of the link's own axes.
-  const Eigen::RowVector3d heights = link.toRotationMatrix().row(2).cwiseAbs();
-  switch (shape.kind) {
-    case robot::ShapeKind::kBox:
-      return heights.dot(Eigen::Map<const Eigen::Vector3d>(shape.size.data())) / 2;
-    case robot::ShapeKind::kCapsule:
-      return heights[shape.axis] * (shape.length / 2 - shape.radius) + shape.radius;
-    case robot::ShapeKind::kCylinder: {
-      const double tilt = std::min(1., heights[shape.axis]);
-      return tilt * shape.length / 2 + shape.radius * std::sqrt(1 - tilt * tilt);
-    }
-    case robot::ShapeKind::kSphere:
-      return shape.radius;
-    case robot::ShapeKind::kConvex:
-      break;
-  }
-  double reach = -std::numeric_limits<double>::infinity();
-  for (const robot::Vector3& point : shape.points)
-    reach = std::max(reach, -(link * Eigen::Vector3d(point.data())).z());
-  return reach;
+  const Eigen::RowVector3d up = link.toRotationMatrix().row(2);  // in the link's frame
+  return robot::ReachAlong(shape, {-up[0], -up[1], -up[2]});
 }
 
 }  // namespace

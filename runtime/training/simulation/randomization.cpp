@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "runtime/base/user_error.h"
+#include "runtime/core/module/episode_seed.h"
 
 namespace runtime {
 namespace {
@@ -21,17 +22,7 @@ enum Purpose : uint64_t {
   kPushSpeed
 };
 
-// The finalizer of SplitMix64 (G. Steele and others, "Fast splittable pseudorandom number
-// generators", 2014).
-uint64_t Mix(uint64_t bits) {
-  bits = (bits ^ (bits >> 30)) * 0xbf58476d1ce4e5b9u;
-  bits = (bits ^ (bits >> 27)) * 0x94d049bb133111ebu;
-  return bits ^ (bits >> 31);
-}
-
-uint64_t Add(uint64_t key, uint64_t number) {
-  return Mix(key + 0x9e3779b97f4a7c15u * (number + 1));
-}
+uint64_t Add(uint64_t key, uint64_t number) { return SplitMix(key + kSplitMixStep * (number + 1)); }
 
 void CheckIsRange(const std::vector<double>& range, const std::string& name) {
   if (range.empty()) return;

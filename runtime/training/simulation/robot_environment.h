@@ -61,6 +61,9 @@ class RobotEnvironment : public Environment {
 
   const std::string& profile() const override { return profile_; }
   const std::string& start_pose() const { return start_pose_; }
+  // What the controller was told last [rad], one for each joint. Precondition: an episode was
+  // started.
+  std::span<const double> told() const { return world_->controller().targets(); }
   // The links, and after them the things of the world.
   int pose_count() const override;
   int link_count() const override { return static_cast<int>(robot_.links.size()); }

@@ -6,10 +6,11 @@
 namespace runtime {
 
 TreeFactor::TreeFactor(std::vector<TreeJoint> joints, bool has_fixed_root, int free_bodies)
-    : joints_(std::move(joints)),
-      eliminations_(joints_.size()),
-      has_fixed_root_(has_fixed_root),
-      free_(free_bodies) {}
+    : joints_(std::move(joints)), eliminations_(joints_.size()), has_fixed_root_(has_fixed_root) {
+  if (!has_fixed_root) roots_.emplace_back();
+  for (int k = 0; k < free_bodies; ++k)
+    roots_.emplace_back().body = joints_.size() + 1 + static_cast<size_t>(k);
+}
 
 void TreeFactor::Factorize(std::span<Matrix6> inertias) {
   for (size_t j = joints_.size(); j-- > 0;) {
@@ -18,8 +19,7 @@ void TreeFactor::Factorize(std::span<Matrix6> inertias) {
     const Matrix6 felt = eliminations_[j].Eliminate(joint, at_joint);
     inertias[joint.parent] += InertiaAt(-joint.parent_arm, felt);
   }
-  if (!has_fixed_root_) root_ = Factor6(inertias[0]);
-  for (size_t k = 0; k < free_.size(); ++k) free_[k] = Factor6(inertias[BodyOf(k)]);
+  for (Root& root : roots_) root.factor = Factor6(inertias[root.body]);
 }
 
 Matrix6 TreeFactor::Elimination::Eliminate(TreeJoint& joint, const Matrix6& inertia) {
@@ -45,25 +45,18 @@ void TreeFactor::Solve(std::span<Vector6> momenta, std::span<Vector6> velocities
     const Vector6 felt = eliminations_[j].PassOn(joint, at_joint, joint.load);
     momenta[joint.parent] += ForceAt(-joint.parent_arm, felt);
   }
-  if (has_fixed_root_) {
-    velocities[0].setZero();
-  } else {
-    SolveFree(0, root_, momenta, velocities);
+  if (has_fixed_root_) velocities[0].setZero();
+  for (const auto& [body, factor] : roots_) {
+    factor.SolveLower(momenta[body]);
+    velocities[body] = momenta[body].cwiseProduct(factor.inverse_diagonal());
+    factor.SolveUpper(velocities[body]);
   }
-  for (size_t k = 0; k < free_.size(); ++k) SolveFree(BodyOf(k), free_[k], momenta, velocities);
   for (size_t j = 0; j < joints_.size(); ++j) {
     const TreeJoint& joint = joints_[j];
     const Vector6 parent = VelocityAt(joint.parent_arm, velocities[joint.parent]);
     velocities[joint.child] =
         VelocityAt(-joint.child_arm, eliminations_[j].Velocity(joint, parent));
   }
-}
-
-void TreeFactor::SolveFree(size_t body, const Factor6& factor, std::span<Vector6> momenta,
-                           std::span<Vector6> velocities) const {
-  factor.SolveLower(momenta[body]);
-  velocities[body] = momenta[body].cwiseProduct(factor.inverse_diagonal());
-  factor.SolveUpper(velocities[body]);
 }
 
 Vector6 TreeFactor::Elimination::PassOn(TreeJoint& joint, const Vector6& impulse,
@@ -107,16 +100,12 @@ void TreeFactor::Decompose(std::span<Vector6> impulses, std::span<Part> parts) {
     std::visit([&](const auto& free) { free.AddTo(part); }, joint.free);
   }
   parts[0].setZero();
-  if (!has_fixed_root_) DecomposeFree(0, root_, impulses, parts);
-  for (size_t k = 0; k < free_.size(); ++k) DecomposeFree(BodyOf(k), free_[k], impulses, parts);
-}
-
-void TreeFactor::DecomposeFree(size_t body, const Factor6& factor, std::span<Vector6> impulses,
-                               std::span<Part> parts) {
-  parts[body].setZero();
-  if (impulses[body].isZero(0)) return;
-  factor.SolveLower(impulses[body]);
-  parts[body].head<6>() = impulses[body].cwiseProduct(factor.inverse_diagonal().cwiseSqrt());
+  for (const auto& [body, factor] : roots_) {
+    parts[body].setZero();
+    if (impulses[body].isZero(0)) continue;
+    factor.SolveLower(impulses[body]);
+    parts[body].head<6>() = impulses[body].cwiseProduct(factor.inverse_diagonal().cwiseSqrt());
+  }
 }
 
 }  // namespace runtime

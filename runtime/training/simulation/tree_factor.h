@@ -60,6 +60,11 @@ class TreeFactor {
   void Decompose(std::span<Vector6> impulses, std::span<Part> parts);
 
  private:
+  // A body that no joint holds to another.
+  struct Root {
+    size_t body = 0;
+    Factor6 factor{};
+  };
   // Of one joint's child.
   struct Elimination {
     Factor6 factor;  // L D L'
@@ -76,16 +81,8 @@ class TreeFactor {
 
   std::vector<TreeJoint> joints_;
   std::vector<Elimination> eliminations_;  // of the joints' children
-  void SolveFree(size_t body, const Factor6& factor, std::span<Vector6> momenta,
-                 std::span<Vector6> velocities) const;
-  static void DecomposeFree(size_t body, const Factor6& factor, std::span<Vector6> impulses,
-                            std::span<Part> parts);
-  // The number of a free body.
-  size_t BodyOf(size_t free) const { return joints_.size() + 1 + free; }
-
   bool has_fixed_root_;
-  Factor6 root_;
-  std::vector<Factor6> free_;
+  std::vector<Root> roots_;  // body 0 unless it is fixed, and the free bodies
 };
 
 }  // namespace runtime

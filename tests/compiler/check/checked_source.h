@@ -21,8 +21,7 @@ inline const robot::RobotDescription& Humanoid() {
 }
 
 // A task that was parsed and checked, for the humanoid or for no robot. What it imports and extends
-// is on the disk, and its tables and worlds are in
-// tests/compiler/check/tables.
+// is on the disk, and its tables and worlds are in tests/compiler/check/tables.
 struct CheckedSource {
   static inline const std::filesystem::path kTables = SOURCE_DIR "/tests/compiler/check/tables";
 

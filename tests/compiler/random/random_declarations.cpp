@@ -15,7 +15,7 @@ void TaskWriter::DeclareSensors() {
 void TaskWriter::DeclareSensor(const std::string& type_name, const Unit& unit) {
   const std::string name = NewName("s");
   const Type type = TypeOf(type_name);
-  Line(fmt::format("sensor {}: {}", name, TypeText(type, unit)));
+  Line(fmt::format("sensor {}: {}", name, DeclaredType(type, unit)));
   readable_.push_back({name, type, unit});
 }
 
@@ -34,7 +34,7 @@ void TaskWriter::DeclareConst(const Type& type, const Unit& unit) {
   consts_.push_back({NewName("c"), type, unit, true});
   const std::string one = ConstantOf(ScalarType(type.scalar), unit);
   const bool is_vec3 = type.shape == Shape::kVector && type.rows == 3;
-  Line(fmt::format("const {}: {} = {}", consts_.back().name, TypeText(type, unit),
+  Line(fmt::format("const {}: {} = {}", consts_.back().name, DeclaredType(type, unit),
                    is_vec3 ? fmt::format("vec3({0}, 2 * {0}, -({0}))", one) : one));
 }
 
@@ -51,7 +51,7 @@ void TaskWriter::DeclareParams() {
         ScalarType(random_.OneOf({Scalar::kBool, Scalar::kInt, Scalar::kReal, Scalar::kReal}));
     const Unit unit = type.scalar == Scalar::kReal ? expressions_.RandomUnit() : Unit{};
     params_.push_back({NewName("p"), type, unit});
-    Line(fmt::format("param {}: {} = {}", params_.back().name, TypeText(type, unit),
+    Line(fmt::format("param {}: {} = {}", params_.back().name, DeclaredType(type, unit),
                      ConstantOf(type, unit)));
   }
   readable_.insert(readable_.end(), params_.begin(), params_.end());
@@ -68,7 +68,7 @@ void TaskWriter::DeclareMemory() {
     const Type type = expressions_.RandomType();
     const Unit unit = UnitFor(type);
     memory_.push_back({NewName("v"), type, unit});
-    Line(fmt::format("memory {}: {} = {}{}", memory_.back().name, TypeText(type, unit),
+    Line(fmt::format("memory {}: {} = {}{}", memory_.back().name, DeclaredType(type, unit),
                      InitialValue(type, unit),
                      random_.OneOf({"", " per action", " per run", " per episode"})));
   }
@@ -95,13 +95,13 @@ void TaskWriter::AddTable(const std::string& type_name, const std::string& file,
                           const Unit& argument, const Unit& unit) {
   const Type type = TypeOf(type_name);
   const std::string table = NewName("table");
-  Line(fmt::format("table {}: {} = \"{}\"", table, TypeText(type, unit), file));
+  Line(fmt::format("table {}: {} = \"{}\"", table, DeclaredType(type, unit), file));
   Callable function{
       NewName("f"), type, unit, {{NewName("a"), ScalarType(Scalar::kReal), argument}}};
   const std::string& name = function.arguments.front().name;
   Line(fmt::format("fn {}({}: {}) -> {} = {}({}{})", function.name, name,
-                   TypeText(ScalarType(Scalar::kReal), argument), TypeText(type, unit), table, name,
-                   random_.OneOf({"", ", loop"})));
+                   DeclaredType(ScalarType(Scalar::kReal), argument), DeclaredType(type, unit),
+                   table, name, random_.OneOf({"", ", loop"})));
   callable_.push_back(function);
   tables_.push_back({table, type, argument});
 }
@@ -119,7 +119,7 @@ void TaskWriter::DeclareGoal() {
   if (is_real && random_.OneIn(2))
     value += fmt::format(" + normal({}, 0.5{})", number, UnitOfLiteral(model.unit));
   goals_.push_back({NewName("g"), model.type, model.unit});
-  Line(fmt::format("goal {}: {} = {}{}", goals_.back().name, TypeText(model.type, model.unit),
+  Line(fmt::format("goal {}: {} = {}{}", goals_.back().name, DeclaredType(model.type, model.unit),
                    value, random_.OneOf({"", " per episode", " per 7 ms", " per 3 ms .. 12 ms"})));
   readable_.push_back(goals_.back());
 }
@@ -160,10 +160,10 @@ void TaskWriter::DeclareFunction() {
   std::string parameters;
   for (const Readable& argument : function.arguments) {
     parameters += fmt::format("{}{}: {}", parameters.empty() ? "" : ", ", argument.name,
-                              TypeText(argument.type, argument.unit));
+                              DeclaredType(argument.type, argument.unit));
   }
   const std::string header = fmt::format("fn {}({}) -> {}", function.name, parameters,
-                                         TypeText(function.type, function.unit));
+                                         DeclaredType(function.type, function.unit));
   if (random_.OneIn(2)) {
     Line(header + " = " + expressions.OfType(function.type, function.unit));
   } else {

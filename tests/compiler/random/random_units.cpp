@@ -42,7 +42,7 @@ std::string UnitOfLiteral(const Unit& unit) {
   return above + below;
 }
 
-std::string TypeText(const Type& type, const Unit& unit) {
+std::string DeclaredType(const Type& type, const Unit& unit) {
   if (IsPlain(unit)) return ToString(type);
   std::string text;
   for (const Factor& factor : FactorsOf(unit)) {

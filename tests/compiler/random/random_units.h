@@ -15,7 +15,7 @@ inline const Type kQuaternionType{Scalar::kReal, Shape::kQuaternion, 4};
 bool IsSmall(const Unit& unit);
 
 // A type with a unit, as a declaration writes it: "vec3 [m/s]".
-std::string TypeText(const Type& type, const Unit& unit);
+std::string DeclaredType(const Type& type, const Unit& unit);
 // " m/s" or " / s", to stand behind a number; "" for a plain one.
 std::string UnitOfLiteral(const Unit& unit);
 

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "plugins/robot/shape_extent.h"
+
 namespace runtime {
 namespace {
 
@@ -95,10 +97,10 @@ TEST(FirstHit, MeetsTheRoundCornersOfABox) {
   ExpectHit(kBrick, {Vector3d(3.6, 8.6, 13.6) + 9 * out, -out}, 9 - 1.4, out);
 }
 
-TEST(BoundingRadius, HoldsTheWholeShape) {
-  EXPECT_EQ(BoundingRadius(kBall), 2);
-  EXPECT_EQ(BoundingRadius(kRod), 3);
-  EXPECT_DOUBLE_EQ(BoundingRadius(kBrick), std::sqrt(350.));
+TEST(RadiusAround, HoldsTheWholeShape) {
+  EXPECT_EQ(robot::RadiusAround(kBall), 2);
+  EXPECT_EQ(robot::RadiusAround(kRod), 3);
+  EXPECT_DOUBLE_EQ(robot::RadiusAround(kBrick), std::sqrt(350.));
 }
 
 // An octahedron: the face between three axes has the normal (1, 1, 1) / sqrt(3).
@@ -113,7 +115,7 @@ TEST(ShapesTest, AConvexShapeIsEnteredThroughItsFaces) {
   EXPECT_NEAR((hit->normal - normal).norm(), 0, 1e-12);
   EXPECT_FALSE(FirstHit(shape, {{3, 1.01, 0}, {-1, 0, 0}}));
   EXPECT_FALSE(FirstHit(shape, {{3, 0, 0}, {1, 0, 0}}));
-  EXPECT_EQ(BoundingRadius(shape), 1);
+  EXPECT_EQ(robot::RadiusAround(shape), 1);
 }
 
 }  // namespace

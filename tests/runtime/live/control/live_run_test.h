@@ -82,7 +82,7 @@ class Trainer {
         record_(database_.ReadRun()),
         live_({folder, record_, database_, agent_.graph(), agent_.types(), agent_.context()},
               progress_, when_done, stop_),
-        training_(agent_.graph(), record_, database_, folder, progress_, live_) {
+        training_(agent_.graph(), record_, database_, progress_, live_) {
     record_.episodes_planned = episodes;
     training_.Restore();
     live_.PublishTo(&events);
