@@ -26,7 +26,7 @@ const std::map<std::string, Folders> kMayInclude = {
     {"plugins/abi", {}},
     {"plugins/host", {"base/file", "base/seal"}},
     {"plugins/robot", {"base/file", "base/text"}},
-    {"plugins/world", {"base/variant", "plugins/robot"}},
+    {"plugins/world", {"base/text", "base/variant", "plugins/robot"}},
 
     {"libtaskc", {"base/text", "plugins/host"}},
 
@@ -48,8 +48,8 @@ const std::map<std::string, Folders> kMayInclude = {
      {"base/text", "compiler/analyze", "compiler/bounds", "compiler/check", "compiler/compose",
       "compiler/format", "compiler/source", "compiler/syntax", "plugins/robot", "plugins/world"}},
     {"compiler/spec",
-     {"compiler/check", "compiler/compose", "compiler/language_server", "compiler/report",
-      "compiler/source", "compiler/syntax", "plugins/robot"}},
+     {"base/text", "compiler/check", "compiler/compose", "compiler/language_server",
+      "compiler/report", "compiler/source", "compiler/syntax", "plugins/robot"}},
     {"compiler/bounds", {"base/variant", "compiler/check", "compiler/source"}},
     {"compiler/weights", {"compiler/check"}},
     {"compiler/emit", {"base/variant", "compiler/check", "compiler/source", "compiler/syntax"}},
@@ -85,7 +85,7 @@ const std::map<std::string, Folders> kMayInclude = {
      {"plugins/robot", "plugins/world", "runtime/base", "runtime/core/module", "runtime/core/shape",
       "runtime/core/task", "runtime/training/environment"}},
     {"runtime/training/signal",
-     {"base/file", "plugins/robot", "runtime/base", "runtime/core/module"}},
+     {"base/file", "base/text", "plugins/robot", "runtime/base", "runtime/core/module"}},
     {"runtime/training/run",
      {"base/variant", "base/file", "base/seal", "base/text", "plugins/host", "plugins/robot",
       "plugins/world", "runtime/base", "runtime/core/module", "runtime/core/task",

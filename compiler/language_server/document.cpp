@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/text/trim.h"
+
 namespace compiler {
 namespace {
 
@@ -13,12 +15,6 @@ size_t BeginOfLine(std::string_view text, size_t offset) {
 
 std::string_view LineFrom(std::string_view text, size_t begin) {
   return text.substr(begin, std::min(text.find_first_of("\r\n", begin), text.size()) - begin);
-}
-
-std::string_view Trim(std::string_view text) {
-  constexpr std::string_view kBlanks = " \t\f\r";
-  const size_t begin = std::min(text.find_first_not_of(kBlanks), text.size());
-  return text.substr(begin, text.find_last_not_of(kBlanks) + 1 - begin);
 }
 
 }  // namespace
@@ -58,7 +54,7 @@ std::string DocAbove(std::string_view text, uint32_t offset) {
   std::vector<std::string_view> lines;
   for (size_t begin = BeginOfLine(text, offset); begin > 0;) {
     begin = BeginOfLine(text, begin - 1);
-    std::string_view line = Trim(LineFrom(text, begin));
+    std::string_view line = text::Trimmed(LineFrom(text, begin));
     if (line.starts_with("allow ")) continue;
     if (!line.starts_with("///") || line.starts_with("////")) break;
     line.remove_prefix(3);
@@ -75,9 +71,9 @@ std::string CodeOfLine(std::string_view text, uint32_t offset) {
   std::string_view line = LineFrom(text, BeginOfLine(text, offset));
   const size_t comment = line.find("//");
   if (comment != std::string_view::npos && line.find('"') > comment) line = line.substr(0, comment);
-  line = Trim(line);
+  line = text::Trimmed(line);
   if (line.ends_with('{')) line.remove_suffix(1);
-  return std::string(Trim(line));
+  return std::string(text::Trimmed(line));
 }
 
 }  // namespace compiler

@@ -2,17 +2,9 @@
 
 #include <algorithm>
 
+#include "base/text/trim.h"
+
 namespace compiler {
-namespace {
-
-std::string_view Trimmed(std::string_view text) {
-  const size_t begin = std::min(text.find_first_not_of(" \n"), text.size());
-  const size_t end = text.find_last_not_of(" \n");
-  return end == std::string_view::npos ? "" : text.substr(begin, end + 1 - begin);
-}
-
-}  // namespace
-
 std::string SectionOf(std::string_view manual, std::string_view heading) {
   const std::string line = "# " + std::string(heading) + "\n";
   const size_t at = manual.find(line);
@@ -22,7 +14,7 @@ std::string SectionOf(std::string_view manual, std::string_view heading) {
   do {
     end = manual.find("\n#", end + 1);
   } while (end != std::string_view::npos && manual.substr(end + 1).starts_with("#!"));
-  return std::string(Trimmed(manual.substr(begin, end - begin)));
+  return std::string(text::Trimmed(manual.substr(begin, end - begin)));
 }
 
 std::string MeaningOf(std::string_view manual, std::string_view function) {
@@ -35,7 +27,7 @@ std::string MeaningOf(std::string_view manual, std::string_view function) {
     if (!line.starts_with("| `") || column == std::string_view::npos) continue;
     if (line.substr(0, column).find(call) == std::string_view::npos) continue;
     std::string_view cell = line.substr(column + 3);
-    cell = Trimmed(cell.substr(0, cell.rfind('|')));
+    cell = text::Trimmed(cell.substr(0, cell.rfind('|')));
     if (!meaning.empty()) meaning += "; ";
     std::ranges::copy_if(cell, std::back_inserter(meaning), [](char c) { return c != '`'; });
   }

@@ -4,8 +4,10 @@
 
 #include <cctype>
 #include <charconv>
-#include <cmath>
-#include <optional>
+#include <vector>
+
+#include "base/text/cells.h"
+#include "base/text/trim.h"
 
 namespace world {
 namespace {
@@ -21,19 +23,6 @@ HeightGrid Problem(std::string what) {
 }
 
 bool IsSpace(char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; }
-
-std::string_view Trim(std::string_view text) {
-  while (!text.empty() && IsSpace(text.front())) text.remove_prefix(1);
-  while (!text.empty() && IsSpace(text.back())) text.remove_suffix(1);
-  return text;
-}
-
-std::optional<double> NumberIn(std::string_view text) {
-  double number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return number;
-}
 
 // Rows from the file's first to its last line become rows from the last to the first.
 void TurnOver(HeightGrid& grid) {
@@ -56,19 +45,16 @@ HeightGrid Checked(HeightGrid grid) {
 
 // Adds the numbers of a line. Returns what is wrong with it.
 std::string AddLine(std::string_view line, size_t number, HeightGrid& grid) {
-  int columns = 0;
-  while (true) {
-    const size_t comma = line.find(',');
-    const std::string_view cell = Trim(line.substr(0, comma));
-    const std::optional<double> height = NumberIn(cell);
-    if (!height) return fmt::format("line {}: `{}` is not a number", number, cell);
-    if (!(*height >= 0 && *height <= kHighest))
+  const std::vector<std::string_view> cells = text::CellsOf(line);
+  const int columns = static_cast<int>(cells.size());
+  for (const std::string_view cell : cells) {
+    double height = 0;
+    if (text::ReadNumber(cell, height) != std::errc())
+      return fmt::format("line {}: `{}` is not a number", number, cell);
+    if (!(height >= 0 && height <= kHighest))
       return fmt::format("line {}: the height {} is not between 0 and {} m", number, cell,
                          kHighest);
-    grid.values.push_back(*height);
-    ++columns;
-    if (comma == std::string_view::npos) break;
-    line.remove_prefix(comma + 1);
+    grid.values.push_back(height);
   }
   if (grid.rows > 0 && columns != grid.columns)
     return fmt::format("line {} has {} heights, and the lines above have {}", number, columns,
@@ -82,7 +68,7 @@ HeightGrid ParseNumbers(std::string_view text) {
   HeightGrid grid;
   for (size_t number = 1; !text.empty(); ++number) {
     const size_t end = std::min(text.find('\n'), text.size());
-    const std::string_view line = Trim(text.substr(0, end));
+    const std::string_view line = text::Trimmed(text.substr(0, end));
     text.remove_prefix(std::min(end + 1, text.size()));
     if (line.empty()) continue;
     if (std::string problem = AddLine(line, number, grid); !problem.empty())

@@ -3,12 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <string>
 #include <utility>
 
 #include "base/file/read.h"
+#include "base/text/cells.h"
+#include "base/text/trim.h"
 #include "runtime/base/user_error.h"
 
 namespace runtime {
@@ -17,28 +18,11 @@ namespace {
 // A run records what the file holds.
 constexpr size_t kMostBytes = 1'000'000;
 
-std::string_view Trimmed(std::string_view text) {
-  constexpr std::string_view kBlanks = " \t\r";
-  const size_t begin = text.find_first_not_of(kBlanks);
-  if (begin == std::string_view::npos) return "";
-  return text.substr(begin, text.find_last_not_of(kBlanks) + 1 - begin);
-}
-
-std::vector<std::string_view> Cells(std::string_view line) {
-  std::vector<std::string_view> cells;
-  while (true) {
-    const size_t comma = line.find(',');
-    cells.push_back(Trimmed(line.substr(0, comma)));
-    if (comma == std::string_view::npos) return cells;
-    line.remove_prefix(comma + 1);
-  }
-}
-
 // "m/s" of "wish [m/s]"; "" where there are no brackets.
 std::string_view UnitOf(std::string_view heading) {
   const size_t open = heading.find('[');
   if (open == std::string_view::npos || !heading.ends_with(']')) return "";
-  return Trimmed(heading.substr(open + 1, heading.size() - open - 2));
+  return text::Trimmed(heading.substr(open + 1, heading.size() - open - 2));
 }
 
 class SignalFileReader {
@@ -55,7 +39,7 @@ class SignalFileReader {
           file_.string(), kMostBytes));
     for (std::string_view rest = reading.bytes; !rest.empty();) {
       const size_t end = std::min(rest.find('\n'), rest.size());
-      ReadLine(Trimmed(rest.substr(0, end)));
+      ReadLine(text::Trimmed(rest.substr(0, end)));
       rest.remove_prefix(std::min(end + 1, rest.size()));
     }
     if (read_.samples.empty()) Fail("there are no rows of numbers below the headings");
@@ -70,7 +54,7 @@ class SignalFileReader {
   void ReadLine(std::string_view line) {
     ++line_;
     if (line.empty()) return;
-    const std::vector<std::string_view> cells = Cells(line);
+    const std::vector<std::string_view> cells = text::CellsOf(line);
     if (read_.elements == 0) return ReadHeadings(cells);
     if (cells.size() != 1 + read_.elements)
       Fail(fmt::format("there are {} columns here, and {} headings", cells.size(),
@@ -95,10 +79,8 @@ class SignalFileReader {
 
   double NumberIn(std::string_view cell) const {
     double number = 0;
-    const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), number);
-    const bool is_number = error == std::errc() && end == cell.data() + cell.size();
     if (cell.empty()) Fail("there is an empty cell: write a number");
-    if (!is_number || !std::isfinite(number))
+    if (text::ReadNumber(cell, number) != std::errc() || !std::isfinite(number))
       Fail(fmt::format("`{}` is not a finite number", cell));
     return number;
   }
