@@ -79,14 +79,15 @@ Eigen::Matrix4Xf Posture(const Motion& motion, int frame) {
 }
 
 // Fills in what is known of the contacts of one link.
-void DescribeContacts(const Motion& motion, const robot::LinkShape& shape, int link,
+void DescribeContacts(const Motion& motion, const robot::LinkShape& shape, int link, double scale,
                       Behavior& behavior) {
   bool touches = false;
   int frames_down = 0;
   int touchdowns = 0;
   for (int frame = 0; frame < motion.frame_count(); ++frame) {
     const double lowest =
-        LowestPoint(shape, motion.position(frame, link).z(), motion.orientation(frame, link));
+        LowestPoint(shape, motion.position(frame, link).z(), motion.orientation(frame, link)) /
+        scale;
     const bool touches_now =
         lowest < (touches ? Behavior::kLiftedDistance : Behavior::kFloorDistance);
     if (touches_now && !touches && frame > 0) ++touchdowns;
@@ -94,7 +95,8 @@ void DescribeContacts(const Motion& motion, const robot::LinkShape& shape, int l
     frames_down += touches ? 1 : 0;
   }
   behavior.contact_shares[link] = static_cast<double>(frames_down) / motion.frame_count();
-  behavior.touchdowns[link] = touchdowns / std::max(motion.duration(), kLeastDuration);
+  const double duration = motion.duration() / std::sqrt(scale);
+  behavior.touchdowns[link] = touchdowns / std::max(duration, kLeastDuration);
 }
 
 double Square(double value) { return value * value; }
@@ -151,14 +153,15 @@ double ContactDistance(const Behavior& a, const Behavior& b) {
 
 }  // namespace
 
-Behavior DescribeBehavior(const Motion& motion, const std::vector<robot::Link>& links) {
+Behavior DescribeBehavior(const Motion& motion, const std::vector<robot::Link>& links,
+                          double scale) {
   Behavior behavior;
-  behavior.velocity = MeanVelocity(motion);
+  behavior.velocity = MeanVelocity(motion) / std::sqrt(scale);
   behavior.turns = Turns(motion);
   std::vector<double> heights;
   std::vector<double> tilts;
   for (int frame = 0; frame < motion.frame_count(); ++frame) {
-    heights.push_back(motion.position(frame, 0).z());
+    heights.push_back(motion.position(frame, 0).z() / scale);
     tilts.push_back((motion.orientation(frame, 0) * Vector3d::UnitZ()).z());
   }
   behavior.heights = Quantiles(std::move(heights));
@@ -171,7 +174,7 @@ Behavior DescribeBehavior(const Motion& motion, const std::vector<robot::Link>& 
   behavior.contact_shares.resize(motion.link_count);
   behavior.touchdowns.resize(motion.link_count);
   for (int link = 0; link < motion.link_count; ++link) {
-    DescribeContacts(motion, links[static_cast<size_t>(link)].shape, link, behavior);
+    DescribeContacts(motion, links[static_cast<size_t>(link)].shape, link, scale, behavior);
   }
   return behavior;
 }

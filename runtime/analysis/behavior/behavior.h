@@ -1,5 +1,9 @@
 // What a robot did in an episode, in numbers that say nothing of when it did it: a gait is the same
 // behavior whichever foot begins, and however long it is watched.
+//
+// Lengths and times are those of a robot as large as the humanoid of the paper that moves alike:
+// lengths are divided by the robot's scale (robot_scale.h), times by its square root, as in
+// Froude's law of similar motions under gravity.
 #pragma once
 
 #include <Eigen/Core>
@@ -33,8 +37,9 @@ struct Behavior {
   Eigen::VectorXd touchdowns;      // how often it comes down on it [1/s], as in a second at least
 };
 
-// `links`: those of the motion, with their shapes; the first is the base.
-Behavior DescribeBehavior(const Motion& motion, const std::vector<robot::Link>& links);
+// `links`: those of the motion, with their shapes; the first is the base. `scale`: of their robot.
+Behavior DescribeBehavior(const Motion& motion, const std::vector<robot::Link>& links,
+                          double scale);
 
 // How different two behaviors of one robot are. Each part is 1 where a person begins to call them
 // different: a pace apart by 0.15 m/s, 0.6 of a turn more, ... (behavior.cpp).

@@ -9,6 +9,7 @@
 #include "plugins/robot/sensors.h"
 #include "runtime/analysis/behavior/behavior.h"
 #include "runtime/analysis/behavior/clustering.h"
+#include "runtime/analysis/behavior/robot_scale.h"
 #include "runtime/analysis/study/behavior_groups.h"
 #include "runtime/base/user_error.h"
 #include "runtime/training/run/body_json.h"
@@ -109,7 +110,9 @@ class ProbeReader {
     const RecordedBody body = ParseBody(record.body).value();
     part_count_ = static_cast<int>(body.parts.size());
     links_ = body.links();
-    limits_.emplace(ReadKeptRobot(run, record.robot_description));
+    const robot::RobotDescription robot = ReadKeptRobot(run, record.robot_description);
+    limits_.emplace(robot);
+    if (!links_.empty()) scale_ = ScaleOf(robot);
   }
 
   void AddCandidate(Find find) {
@@ -117,7 +120,7 @@ class ProbeReader {
       const Motion motion = OfLinks(ReadMotion(find.recording, part_count_), links_.size());
       find.extremes = ExtremesOf(motion);
       find.beyond = Beyond(*limits_, find.extremes);
-      candidates_.push_back({std::move(find), DescribeBehavior(motion, links_)});
+      candidates_.push_back({std::move(find), DescribeBehavior(motion, links_, scale_)});
     } catch (const UserError& error) {
       results_.notes.push_back(fmt::format("The recording of episode {} of {} is left out: {}.",
                                            find.episode.number, find.run, error.what()));
@@ -155,6 +158,7 @@ class ProbeReader {
   int part_count_ = 0;  // of the recordings
   std::vector<robot::Link> links_;
   std::optional<BaseLimits> limits_;
+  double scale_ = 1;
   std::vector<Candidate> candidates_;
 };
 

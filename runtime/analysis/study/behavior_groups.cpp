@@ -4,11 +4,19 @@
 
 #include "runtime/analysis/behavior/behavior.h"
 #include "runtime/analysis/behavior/clustering.h"
+#include "runtime/analysis/behavior/robot_scale.h"
+#include "runtime/base/scratch_folder.h"
 #include "runtime/base/user_error.h"
 #include "runtime/training/run/body_json.h"
+#include "runtime/training/run/run_files.h"
 
 namespace runtime {
 namespace {
+
+double ScaleOfRobot(const StudyExperiment& experiment) {
+  const ScratchFolder scratch;
+  return ScaleOf(ReadKeptRobot(scratch.path(), experiment.record().robot_description));
+}
 
 struct RunBehavior {
   size_t run = 0;
@@ -21,6 +29,7 @@ std::vector<RunBehavior> FinalBehaviors(const StudyExperiment& experiment,
   const RecordedBody body = ParseBody(experiment.record().body).value();
   const std::vector<robot::Link> links = body.links();
   if (links.empty()) return behaviors;
+  const double scale = ScaleOfRobot(experiment);
   for (size_t i = 0; i < experiment.runs.size(); ++i) {
     const StudyRun& run = experiment.runs[i];
     if (!run.is_finished()) continue;
@@ -28,7 +37,7 @@ std::vector<RunBehavior> FinalBehaviors(const StudyExperiment& experiment,
       const std::optional<FinalRecording> final = ReadFinalRecording(run);
       if (!final) continue;
       const Motion motion = ReadMotion(final->recording, static_cast<int>(body.parts.size()));
-      behaviors.push_back({i, DescribeBehavior(OfLinks(motion, links.size()), links)});
+      behaviors.push_back({i, DescribeBehavior(OfLinks(motion, links.size()), links, scale)});
     } catch (const UserError& error) {
       notes.push_back(
           fmt::format("The last recording of {} is left out: {}.", run.name, error.what()));

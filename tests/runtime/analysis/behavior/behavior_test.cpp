@@ -18,10 +18,10 @@ constexpr double kPi = std::numbers::pi;
 constexpr double kDuration = 10;     // of a motion, unless it says otherwise [s]
 constexpr double kTolerance = 1e-6;  // postures are floats
 
-// A body and a foot, both spheres of 0.1 m radius.
-std::vector<robot::Link> Links() {
+// A body and a foot, both spheres of 0.1 m radius, times the scale.
+std::vector<robot::Link> Links(double scale) {
   robot::Link body;
-  body.shape = {robot::ShapeKind::kSphere, {}, 0.1, 0, 2};
+  body.shape = {robot::ShapeKind::kSphere, {}, 0.1 * scale, 0, 2};
   return {body, body};
 }
 
@@ -34,18 +34,20 @@ struct Script {
   double duration = kDuration;
 };
 
-Behavior BehaviorOf(const Script& script) {
-  Motion motion{0.02, 2, {}, {}};
-  const auto frames = std::lround(script.duration / motion.frame_interval) + 1;
+// Of a robot so many times as large, which does the same as slowly as gravity has it.
+Behavior BehaviorOf(const Script& script, double scale = 1) {
+  constexpr double kInterval = 0.02;  // [s]
+  Motion motion{kInterval * std::sqrt(scale), 2, {}, {}};
+  const auto frames = std::lround(script.duration / kInterval) + 1;
   for (long frame = 0; frame < frames; ++frame) {
-    const double time = motion.frame_interval * static_cast<double>(frame);
+    const double time = kInterval * static_cast<double>(frame);
     const Quaterniond turn = script.body_turn(time);
-    motion.positions.push_back(script.body(time));
+    motion.positions.push_back(scale * script.body(time));
     motion.orientations.push_back(turn);
-    motion.positions.emplace_back(0, 0, script.foot_height(time));
+    motion.positions.emplace_back(0, 0, scale * script.foot_height(time));
     motion.orientations.push_back(turn * AngleAxisd(script.foot_angle(time), Vector3d::UnitX()));
   }
-  return DescribeBehavior(motion, Links());
+  return DescribeBehavior(motion, Links(scale), scale);
 }
 
 Script Walk(double speed) {
@@ -129,6 +131,18 @@ TEST(DescribeBehavior, ARecordingOfOneFrameIsAtRest) {
   const Behavior behavior = BehaviorOf(script);
   EXPECT_EQ(behavior.velocity, Vector2d(0, 0));
   EXPECT_EQ(behavior.turns, Vector3d(0, 0, 0));
+}
+
+TEST(DescribeBehavior, IsThatOfTheSmallRobotForALargeOneThatMovesAlike) {
+  for (const Script& script : {Walk(0.3), Roll(2), Steps(7), Swing(0.5, 0)}) {
+    const Behavior small = BehaviorOf(script);
+    const Behavior large = BehaviorOf(script, 4);
+    EXPECT_TRUE(large.velocity.isApprox(small.velocity, kTolerance));
+    EXPECT_TRUE(large.heights.isApprox(small.heights, kTolerance));
+    EXPECT_EQ(large.contact_shares, small.contact_shares);
+    EXPECT_TRUE(large.touchdowns.isApprox(small.touchdowns, kTolerance));
+    EXPECT_LT(DistanceBetween(large, small).total(), 2e-3);  // postures are floats
+  }
 }
 
 TEST(DistanceBetween, IsZeroForTheSame) {
