@@ -7,12 +7,13 @@
 #include <set>
 #include <string_view>
 
+#include "runtime/analysis/export/c_motion.h"
+#include "runtime/analysis/export/c_text.h"
+
 namespace runtime {
 namespace {
 
 using Value = PolicyGraph::Value;
-
-constexpr const char* kResult = "joint_targets";  // a parameter of policy_step
 
 constexpr const char* kOperations = R"(
 static inline void policy_normalize(int size, const float x[], const float mean[],
@@ -39,15 +40,6 @@ static inline void policy_clamp(int size, const float x[], const float low[], co
 }
 )";
 
-// What a comment's line can hold: other people's names must neither end it nor go on in the next.
-std::string Comment(std::string_view text) {
-  std::string safe(text);
-  for (char& c : safe) {
-    if (static_cast<unsigned char>(c) < 0x20 || c == '\\' || c == '?') c = '_';
-  }
-  return safe;
-}
-
 std::string Enumerator(const std::string& prefix, std::string_view name,
                        std::set<std::string>& taken) {
   std::string word = prefix;
@@ -69,28 +61,22 @@ std::string Enumeration(const char* type, const char* prefix,
   std::string text = fmt::format("enum {} {{\n", type);
   std::set<std::string> taken;
   for (const auto& [name, unit] : elements) {
-    text += fmt::format("  {},  // {}{}\n", Enumerator(prefix, name, taken), Comment(name),
-                        unit.empty() ? "" : " [" + Comment(unit) + "]");
+    text += fmt::format("  {},  // {}{}\n", Enumerator(prefix, name, taken), CComment(name),
+                        unit.empty() ? "" : " [" + CComment(unit) + "]");
   }
   return text + "};\n";
-}
-
-std::string Literal(float value) {
-  if (std::isinf(value)) return value > 0 ? "INFINITY" : "-INFINITY";
-  std::string text = fmt::to_string(value);  // reads back to the same bits
-  if (text.find_first_of(".e") == std::string::npos) text += ".0";
-  return text + "f";
 }
 
 // The arrays and statements of the steps, from the first to the last.
 class Statements {
  public:
-  explicit Statements(const PolicyGraph& policy) : names_{"observation"}, sizes_{} {
+  explicit Statements(const PolicyGraph& policy)
+      : result_(policy.result.name), names_{"observation"}, sizes_{} {
     sizes_.push_back(static_cast<Eigen::Index>(policy.observation.size()));
     for (const PolicyGraph::Step& step : policy.steps) {
       const Value value = names_.size();
-      const bool is_result = value == policy.joint_targets.value;
-      names_.push_back(is_result ? kResult : fmt::format("value_{}", value));
+      const bool is_result = value == policy.result.value;
+      names_.push_back(is_result ? policy.result.name : fmt::format("value_{}", value));
       std::visit(*this, step);
     }
   }
@@ -124,7 +110,7 @@ class Statements {
   // Of the value that the present step makes.
   void SetSize(Eigen::Index size) {
     sizes_.push_back(size);
-    if (names_.back() == kResult) return;
+    if (names_.back() == result_) return;
     buffers_ += fmt::format("  float {}[{}];\n", names_.back(), size);
   }
   std::string Size() const { return fmt::to_string(sizes_.back()); }
@@ -132,19 +118,7 @@ class Statements {
   // Returns its name.
   std::string Array(const char* what, const Eigen::VectorXf& elements) {
     const std::string name = fmt::format("policy_{}_{}", what, names_.size() - 1);
-    arrays_ += fmt::format("\nstatic const float {}[{}] = {{", name, elements.size());
-    constexpr size_t kWidth = 100;
-    size_t column = kWidth;
-    for (const float element : elements) {
-      const std::string word = Literal(element) + ",";
-      if (column + 1 + word.size() > kWidth) {
-        arrays_ += "\n   ";
-        column = 3;
-      }
-      arrays_ += " " + word;
-      column += 1 + word.size();
-    }
-    arrays_ += "\n};\n";
+    arrays_ += CArray(name, elements);
     return name;
   }
 
@@ -153,6 +127,7 @@ class Statements {
         fmt::format("  policy_{}({}, {});\n", operation, fmt::join(arguments, ", "), names_.back());
   }
 
+  const std::string& result_;
   std::vector<std::string> names_;  // of the values
   std::vector<Eigen::Index> sizes_;
   std::string arrays_;
@@ -160,13 +135,23 @@ class Statements {
   std::string calls_;
 };
 
+// How often what is to be called, and what comes of it.
+std::string Usage(const ExportedPolicy& policy) {
+  const std::string decisions =
+      fmt::format("// Call policy_step() every {:.9g} s", policy.seconds_per_decision);
+  if (!policy.graph.motion) return decisions + ", and hold the targets until then.";
+  return decisions + R"(: it says how far the targets are from a motion.
+// Call policy_targets() in each step of the controller, with the time since the motion began, for
+// the targets.)";
+}
+
 std::string Introduction(const ExportedPolicy& policy) {
   std::string text = "// What a robot has learned, as a function of what it observes.\n//\n";
   for (const auto& [key, value] : policy.facts)
-    text += fmt::format("//   {:<10} {}\n", key, Comment(value));
+    text += fmt::format("//   {:<10} {}\n", key, CComment(value));
   return text + fmt::format(R"(//
-// Call policy_step() every {:.9g} s, and hold the targets until then. Both arrays are in the order of
-// the enumerations, in these units; observations are as they are measured.
+{} All arrays are in
+// the order of the enumerations, in these units; observations are as they are measured.
 #ifndef TASKC_POLICY_H
 #define TASKC_POLICY_H
 
@@ -177,22 +162,24 @@ std::string Introduction(const ExportedPolicy& policy) {
 #define POLICY_SECONDS_PER_DECISION {}
 
 )",
-                            policy.seconds_per_decision, policy.graph.observation.size(),
-                            policy.graph.joint_targets.elements.size(),
-                            Literal(static_cast<float>(policy.seconds_per_decision)));
+                            Usage(policy), policy.graph.observation.size(),
+                            policy.graph.result.elements.size(),
+                            CLiteral(static_cast<float>(policy.seconds_per_decision)));
 }
 
 }  // namespace
 
 std::string CHeaderOf(const ExportedPolicy& policy) {
-  const Statements statements(policy.graph);
+  const PolicyGraph& graph = policy.graph;
+  const Statements statements(graph);
   return Introduction(policy) +
-         Enumeration("policy_observation", "POLICY_OBSERVATION_", policy.graph.observation) + "\n" +
-         Enumeration("policy_target", "POLICY_TARGET_", policy.graph.joint_targets.elements) +
-         statements.arrays() + kOperations + R"(
-static inline void policy_step(const float observation[], float joint_targets[]) {
-)" + statements.buffers() +
-         statements.calls() + "}\n\n#endif\n";
+         Enumeration("policy_observation", "POLICY_OBSERVATION_", graph.observation) + "\n" +
+         Enumeration("policy_target", "POLICY_TARGET_", graph.result.elements) +
+         statements.arrays() + kOperations +
+         fmt::format("\nstatic inline void policy_step(const float observation[], float {}[]) {{\n",
+                     graph.result.name) +
+         statements.buffers() + statements.calls() + "}\n" +
+         (graph.motion ? CMotion(*graph.motion) : "") + "\n#endif\n";
 }
 
 }  // namespace runtime

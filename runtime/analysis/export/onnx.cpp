@@ -19,7 +19,7 @@ constexpr int kOperatorSet = 13;
 constexpr const char* kInput = "observation";
 
 std::vector<PolicyGraph::Output> OutputsOf(const PolicyGraph& policy) {
-  std::vector<PolicyGraph::Output> outputs = {policy.joint_targets};
+  std::vector<PolicyGraph::Output> outputs = {policy.result};
   outputs.insert(outputs.end(), policy.others.begin(), policy.others.end());
   return outputs;
 }
@@ -106,6 +106,21 @@ Json ElementsJson(const std::vector<PolicyElement>& elements) {
   return json;
 }
 
+Json MotionJson(const PolicyGraph& policy) {
+  const PolicyMotion& motion = *policy.motion;
+  Json joints = Json::array();
+  for (Eigen::Index i = 0; i < motion.shape.rows(); ++i) {
+    const Eigen::RowVectorXd row = motion.shape.row(i);
+    joints.push_back({{"name", policy.result.elements[static_cast<size_t>(i)].name},
+                      {"shape", std::vector<double>(row.begin(), row.end())},
+                      {"low", motion.low[i]},
+                      {"high", motion.high[i]}});
+  }
+  return {{"kind", motion.is_periodic ? "periodic" : "one_shot"},
+          {"frequency", motion.frequency},
+          {"joints", std::move(joints)}};
+}
+
 // How the observation is measured, or null.
 const PolicyGraph::Normalize* MeasureOf(const PolicyGraph& graph) {
   for (const PolicyGraph::Step& step : graph.steps) {
@@ -153,6 +168,7 @@ std::string OnnxOf(const ExportedPolicy& policy) {
   add(kInput, text(ObservationJson(policy.graph)));
   for (const PolicyGraph::Output& output : OutputsOf(policy.graph))
     add(output.name, text(ElementsJson(output.elements)));
+  if (policy.graph.motion) add("motion", text(MotionJson(policy.graph)));
   return model.SerializeAsString();
 }
 

@@ -1,9 +1,11 @@
 #include "runtime/trainer/results/decision_recorder.h"
 
+#include <utility>
+
 namespace runtime {
 
 DecisionRecorder::DecisionRecorder(const Environment& environment, Module& learner,
-                                   Port& joint_targets)
+                                   const std::vector<Port*>& results)
     : Module("recorder"),
       environment_(environment),
       learners_in_(learner.FindPort("observation")),
@@ -11,8 +13,12 @@ DecisionRecorder::DecisionRecorder(const Environment& environment, Module& learn
   Port::Disconnect(learners_source_, learners_in_);
   Port::Connect(learners_source_, source_);
   Port::Connect(observation_, learners_in_);
-  Port::Connect(joint_targets, joint_targets_);
+  for (Port* result : results) {
+    results_.push_back(std::make_unique<In<Eigen::VectorXd>>(this, result->name()));
+    Port::Connect(*result, *results_.back());
+  }
   Port::Connect(learner.FindPort("execute"), execute_);
+  Port::Connect(environment.FindPort("start_of_time_step"), start_of_time_step_);
 }
 
 DecisionRecorder::~DecisionRecorder() {
@@ -26,11 +32,17 @@ const Eigen::VectorXd& DecisionRecorder::Observe() {
 }
 
 void DecisionRecorder::Note(const Eigen::VectorXd& action) {
-  std::vector<double>& decision = decisions_.emplace_back();
-  decision.push_back(environment_.time());
-  const Eigen::VectorXd* parts[] = {&seen_, &action, &joint_targets_()};
-  for (const Eigen::VectorXd* part : parts)
-    decision.insert(decision.end(), part->begin(), part->end());
+  pending_ = {environment_.time()};
+  for (const Eigen::VectorXd* part : {&std::as_const(seen_), &action})
+    pending_.insert(pending_.end(), part->begin(), part->end());
+}
+
+// The action space has begun the time step before: it was connected before.
+void DecisionRecorder::NoteResults(double) {
+  if (pending_.empty()) return;
+  for (const auto& result : results_)
+    pending_.insert(pending_.end(), (*result)().begin(), (*result)().end());
+  decisions_.push_back(std::exchange(pending_, {}));
 }
 
 }  // namespace runtime

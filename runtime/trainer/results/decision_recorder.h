@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "runtime/core/module/module_graph.h"
@@ -9,30 +10,36 @@
 namespace runtime {
 
 // Listens to what a policy sees and does: it stands between the learner's in port `observation` and
-// what that read before, and hears of each action after the action space has.
+// what that read before, and reads what the action space makes of each action when the robot begins
+// to follow it.
 class DecisionRecorder : public Module {
  public:
-  // Connects itself. `joint_targets`: out port of the action space. All outlive this object.
-  DecisionRecorder(const Environment& environment, Module& learner, Port& joint_targets);
+  // Connects itself. `results`: out ports of the action space. All outlive this object.
+  DecisionRecorder(const Environment& environment, Module& learner,
+                   const std::vector<Port*>& results);
   ~DecisionRecorder() override;  // connects the learner as it was before
 
   // For each decision: the time in the episode [s], the observation that it was made for, the
-  // action, the joints' targets.
+  // action, the results.
   const std::vector<std::vector<double>>& decisions() const { return decisions_; }
 
  private:
   const Eigen::VectorXd& Observe();
   void Note(const Eigen::VectorXd& action);
+  void NoteResults(double time_step);
 
   const Environment& environment_;
   Port& learners_in_;
   Port& learners_source_;
-  Eigen::VectorXd seen_;  // last
+  Eigen::VectorXd seen_;         // last
+  std::vector<double> pending_;  // a decision that waits for its results
   std::vector<std::vector<double>> decisions_;
   In<Eigen::VectorXd> source_{this, "source"};
-  In<Eigen::VectorXd> joint_targets_{this, "joint_targets"};
+  std::vector<std::unique_ptr<In<Eigen::VectorXd>>> results_;
   Out<Eigen::VectorXd> observation_{this, "observation", Bind<&DecisionRecorder::Observe>{}};
   Slot<const Eigen::VectorXd&> execute_{this, "execute", Bind<&DecisionRecorder::Note>{}};
+  Slot<double> start_of_time_step_{this, "start_of_time_step",
+                                   Bind<&DecisionRecorder::NoteResults>{}};
 };
 
 }  // namespace runtime

@@ -119,14 +119,17 @@ LearnedPolicy::LearnedPolicy(const std::filesystem::path& folder, const ModuleTy
   const Learner& learner = performer_->learner();
   const PolicyPart& part = LearnersPart(kept, learner);
   action_space_ = &FindActionSpace(environment, learner);
+  // Motions begin where the robot does.
+  if (!kept.graph.FindAll<MotionPart>().empty()) performer_->RunEpisode(1, [](int64_t) {});
 
   PolicyGraph& graph = exported_.graph;
   graph.observation = ObservedElements(learner, kept.robot);
   const PolicyGraph::Value action = part.AddTo(graph, PolicyGraph::kObservation);
   const auto& space = dynamic_cast<const PolicyPart&>(*action_space_);
-  graph.joint_targets = {"joint_targets", space.AddTo(graph, action), {}};
+  graph.result.value = space.AddTo(graph, action);
+  graph.result.name = graph.motion ? "joint_offsets" : "joint_targets";
   for (const robot::Joint& joint : kept.robot.joints)
-    graph.joint_targets.elements.push_back({joint.name, "rad"});
+    graph.result.elements.push_back({joint.name, "rad"});
   if (!IsFinite(graph)) {
     throw UserError(fmt::format("{}: what `{}` has learned is not finite: its run has diverged",
                                 folder.string(), learner.name()));
@@ -135,16 +138,23 @@ LearnedPolicy::LearnedPolicy(const std::filesystem::path& folder, const ModuleTy
   exported_.facts = FactsOf(folder, run);
 }
 
+std::vector<Port*> LearnedPolicy::ResultPorts() const {
+  std::vector<Port*> ports = {&action_space_->FindPort("joint_targets")};
+  if (exported_.graph.motion)
+    ports.insert(ports.begin(), &action_space_->FindPort(exported_.graph.result.name));
+  return ports;
+}
+
 std::string LearnedPolicy::RunEpisode() {
-  DecisionRecorder recorder(performer_->environment(), performer_->learner(),
-                            action_space_->FindPort("joint_targets"));
+  DecisionRecorder recorder(performer_->environment(), performer_->learner(), ResultPorts());
   performer_->RunEpisode(1, [](int64_t) {});
   const PolicyGraph& graph = exported_.graph;
   std::vector<std::string> columns = {"time [s]"};
   AddColumns("observation", graph.observation, columns);
   for (const PolicyGraph::Output& output : graph.others)
     AddColumns(output.name.c_str(), output.elements, columns);
-  AddColumns("joint_targets", graph.joint_targets.elements, columns);
+  for (const Port* port : ResultPorts())
+    AddColumns(port->name().c_str(), graph.result.elements, columns);
   return CsvOf(columns, recorder.decisions());
 }
 

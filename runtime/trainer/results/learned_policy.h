@@ -22,11 +22,13 @@ class LearnedPolicy {
   const ExportedPolicy& exported() const { return exported_; }
 
   // An episode of it in the profile that it was learned in, decision by decision, as
-  // comma-separated values: "time [s]", then "observation/NAME [UNIT]", "action/NAME" and
-  // "joint_targets/NAME [rad]".
+  // comma-separated values: "time [s]", then "observation/NAME [UNIT]", "action/NAME", with a
+  // motion "joint_offsets/NAME [rad]", and "joint_targets/NAME [rad]".
   std::string RunEpisode();
 
  private:
+  std::vector<Port*> ResultPorts() const;
+
   std::unique_ptr<Performer> performer_;
   Module* action_space_ = nullptr;
   ExportedPolicy exported_;

@@ -50,4 +50,18 @@ void JointMotion::ComputeTargets(double time, Eigen::VectorXd& targets) {
   stops_.Limit(targets);
 }
 
+PolicyMotion JointMotion::AsFunctionOfTime() const {
+  const bool is_periodic = motion_.is_periodic();
+  Eigen::MatrixXd columns = motion_.Columns();
+  const Eigen::Index places = is_periodic ? 1 : columns.cols();  // the rest are oscillations
+  columns.leftCols(places).colwise() -= rest_;
+  Eigen::MatrixXd shape = mapping_.factors() * columns;
+  if (half_period_later_) {
+    for (Eigen::Index k = 1; 2 * k < columns.cols(); k += 2) columns.middleCols<2>(2 * k - 1) *= -1;
+    shape += half_period_later_->factors() * columns;
+  }
+  shape.leftCols(places).colwise() += pose_;
+  return {is_periodic, frequency(), shape, stops_.low, stops_.high};
+}
+
 }  // namespace runtime

@@ -7,6 +7,7 @@
 #include "runtime/training/learning/dof_mapping.h"
 #include "runtime/training/learning/joint_stops.h"
 #include "runtime/training/learning/parametric_motion.h"
+#include "runtime/training/learning/policy_graph.h"
 
 namespace runtime {
 
@@ -32,6 +33,8 @@ class JointMotion {
   void Take(const Eigen::VectorXd& parameters) { motion_.Take(parameters, rest_); }
   // Those of the motion that was taken, at `time` [s]; `targets` has an element for each joint.
   void ComputeTargets(double time, Eigen::VectorXd& targets);
+  // The same for all times.
+  PolicyMotion AsFunctionOfTime() const;
 
  private:
   robot::DofConfiguration dof_;

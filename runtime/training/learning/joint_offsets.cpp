@@ -81,12 +81,6 @@ void JointOffsets::StartOfTimeStep(double) {
 }
 
 PolicyGraph::Value JointOffsets::AddTo(PolicyGraph& graph, PolicyGraph::Value action) const {
-  if (motion_.connected()) {
-    throw UserError(fmt::format(
-        "the policy cannot be exported: `{}` is connected, and with a motion the joints' targets "
-        "change from one time step to the next, whatever is observed",
-        motion_.full_name()));
-  }
   if (!wheels_.empty()) {
     throw UserError(
         fmt::format("the policy cannot be exported: the target of `{}`, a joint without stops, "
@@ -99,10 +93,24 @@ PolicyGraph::Value JointOffsets::AddTo(PolicyGraph& graph, PolicyGraph::Value ac
   }
   graph.others.push_back({"action", action, std::move(elements)});
   graph.time_steps = hold_;
-  const PolicyGraph::Value targets = graph.Add(PolicyGraph::Affine{
-      action, (scale_ * mapping_.factors()).cast<float>(), rest_.cast<float>()});
+  const Eigen::VectorXd from = motion_.connected() ? Eigen::VectorXd::Zero(rest_.size()) : rest_;
+  const PolicyGraph::Value targets = graph.Add(
+      PolicyGraph::Affine{action, (scale_ * mapping_.factors()).cast<float>(), from.cast<float>()});
+  if (motion_.connected()) {
+    graph.motion = Motion().AsFunctionOfTime();
+    return targets;
+  }
   return graph.Add(
       PolicyGraph::Clamp{targets, stops_.low.cast<float>(), stops_.high.cast<float>()});
+}
+
+const MotionPart& JointOffsets::Motion() const {
+  const Module& source = motion_.Connections().front()->owner();
+  if (const auto* part = dynamic_cast<const MotionPart*>(&source)) return *part;
+  throw UserError(
+      fmt::format("the policy cannot be exported: `{}` is connected to `{}`, whose joint targets "
+                  "are no function of time; those of a MotionGenerator are",
+                  motion_.full_name(), source.name()));
 }
 
 void JointOffsets::EndOfTimeStep(double) {

@@ -22,15 +22,17 @@ namespace runtime {
 // A joint without stops, as that of a wheel, is moved from where it is in each time step: an offset
 // that is held turns it at stiffness / damping * offset.
 //
-//   in  motion: the joints' targets that the offsets are from, in each time step; unconnected: the
-//       rest pose
+//   in   motion: the joints' targets that the offsets are from, in each time step; unconnected: the
+//        rest pose
+//   out  joint_targets
+//        joint_offsets: how far they are meant to be from there, whatever the stops [rad]
 class JointOffsets : public Module, public PolicyPart {
  public:
   JointOffsets(std::string name, const Context& context);
 
   void Start() override { ActionSize(); }
 
-  // Throws UserError also where the offsets are from a motion.
+  // Throws UserError also where the offsets are from the targets of a module that is no MotionPart.
   PolicyGraph::Value AddTo(PolicyGraph& graph, PolicyGraph::Value action) const override;
 
  private:
@@ -41,6 +43,7 @@ class JointOffsets : public Module, public PolicyPart {
 
   void OffsetFrom(const Eigen::VectorXd& pose);
   void OffsetWheels();
+  const MotionPart& Motion() const;
 
   // When the action's size is first asked for: modules may be started in any order.
   void Prepare();
@@ -64,6 +67,7 @@ class JointOffsets : public Module, public PolicyPart {
 
   In<Eigen::VectorXd> motion_{this, "motion", "", In<Eigen::VectorXd>::Need::kOptional};
   Out<Eigen::VectorXd> joint_targets_{this, "joint_targets", &targets_};
+  Out<Eigen::VectorXd> joint_offsets_{this, "joint_offsets", &offsets_};
   Out<int> action_size_out_{this, "action_size", Bind<&JointOffsets::ActionSize>{}};
   Slot<const Eigen::VectorXd&> execute_{this, "execute", Bind<&JointOffsets::Execute>{}};
   Slot<double> start_of_time_step_{this, "start_of_time_step",

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "runtime/training/learning/motion_module.h"
+#include "runtime/training/learning/policy_graph.h"
 
 namespace runtime {
 
@@ -13,12 +14,14 @@ namespace runtime {
 //   out  joint_targets: of the motion
 //        phase: where in it the robot is, cos p and sin p; p grows by 2 pi in a period, or by pi
 //        from the beginning of a motion that is done once to its end
-class MotionGenerator : public MotionModule {
+class MotionGenerator : public MotionModule, public MotionPart {
  public:
   MotionGenerator(std::string name, const Context& context);
 
   // Throws UserError also where there are not as many parameters as such a motion has.
   void Start() override;
+
+  PolicyMotion AsFunctionOfTime() const override { return motion().AsFunctionOfTime(); }
 
  private:
   void StartOfEpisode();

@@ -35,6 +35,19 @@ void ParametricMotion::Take(const Eigen::VectorXd& parameters, const Eigen::Vect
   rest_ = (rest - centers_).cwiseQuotient(halves_);
 }
 
+Eigen::MatrixXd ParametricMotion::Columns() const {
+  const Eigen::MatrixXd shape = halves_.asDiagonal() * shape_.transpose();
+  if (!is_periodic()) {
+    Eigen::MatrixXd columns(coordinates(), shape.cols() + 1);
+    columns << halves_.cwiseProduct(rest_), shape;
+    return columns.colwise() + centers_;
+  }
+  Eigen::MatrixXd columns = shape;
+  columns.col(0) += centers_;
+  for (int k = 2; k <= settings_.harmonics; ++k) columns.middleCols<2>(2 * k - 1) /= k;
+  return columns;
+}
+
 const Eigen::VectorXd& ParametricMotion::At(double time) {
   FillBasis(time);
   values_.noalias() = shape_.transpose() * basis_;

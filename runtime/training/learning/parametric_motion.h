@@ -48,11 +48,15 @@ class ParametricMotion {
   // nothing.
   void Take(const Eigen::VectorXd& parameters, const Eigen::VectorXd& rest);
   double frequency() const { return frequency_; }  // f of that motion
+  // The coefficients of that motion, each a column of the coordinates' [coordinates x columns]: of
+  // 1, sin(2 pi f t), cos(2 pi f t), sin(4 pi f t), ...; or the rest and the knots.
+  Eigen::MatrixXd Columns() const;
   // Its coordinates at `time` [s]. Allocates nothing.
   const Eigen::VectorXd& At(double time);
 
- private:
   bool is_periodic() const { return settings_.kind == kPeriodic; }
+
+ private:
   int per_coordinate() const {
     return is_periodic() ? 1 + 2 * settings_.harmonics : settings_.knots;
   }

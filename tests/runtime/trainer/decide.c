@@ -27,7 +27,13 @@ int main(int argc, char** argv) {
       if (*next == ',') ++next;
     }
     for (int i = 0; i < POLICY_OBSERVATIONS; ++i) observation[i] = (float)numbers[1 + i];
+#ifdef POLICY_MOTION_COLUMNS
+    float offsets[POLICY_TARGETS];
+    policy_step(observation, offsets);
+    policy_targets(numbers[0], offsets, targets);
+#else
     policy_step(observation, targets);
+#endif
     for (int i = 0; i < POLICY_TARGETS; ++i) {
       const double difference = fabs(targets[i] - numbers[size - POLICY_TARGETS + i]);
       if (!(difference <= largest)) largest = difference;

@@ -69,6 +69,35 @@ TEST_F(ExportPolicyTest, OfWhatTheTaskObserves) {
   EXPECT_THAT(Text("decisions.csv"), HasSubstr("action/"));
 }
 
+class ExportPolicyOnMotionTest : public ExportPolicyTest {
+ protected:
+  // With what a short search finds to stand on.
+  void TrainOnMotion(const std::vector<std::string>& shape) const {
+    std::vector<std::string> words = {
+        "train",     TaskFile("leaning"), "--agent", "motion_search", "--profile",
+        "fast-tree", "--episodes",        "6",       "--out",         RunFolder("search")};
+    for (const std::string& setting : shape) words.insert(words.end(), {"--set", setting});
+    const ProgramResult search = Trainer(words);
+    ASSERT_EQ(search.exit_status, 0) << search.errors;
+    const ProgramResult file =
+        Trainer({"export", RunFolder("search"), "--motion", RunFolder("motion.toml")});
+    ASSERT_EQ(file.exit_status, 0) << file.errors;
+    TrainPpo("leaning", {"--agent", RunFolder("motion.toml")});
+  }
+};
+
+TEST_F(ExportPolicyOnMotionTest, Periodic) {
+  TrainOnMotion({"action_space.dof=5", "action_space.harmonics=3"});
+  ExpectSameDecisions();
+  EXPECT_THAT(Text("policy.h"), HasSubstr("how far the targets are from a motion"));
+  EXPECT_THAT(Text("decisions.csv"), HasSubstr("joint_offsets/neck_yaw [rad]"));
+}
+
+TEST_F(ExportPolicyOnMotionTest, DoneOnce) {
+  TrainOnMotion({"action_space.dof=5", "action_space.kind=one_shot"});
+  ExpectSameDecisions();
+}
+
 TEST_F(ExportPolicyTest, SaysWhichLearnersHaveOne) {
   Train("run", 2);
   const ProgramResult result = Export({"--onnx", RunFolder("policy.onnx")});

@@ -35,6 +35,19 @@ TEST(Onnx, SaysWhatItsNumbersAre) {
             R"([{"name":"left","unit":"rad"},{"name":"right*/","unit":"rad"}])");
 }
 
+TEST(Onnx, HoldsTheMotionThatItsPolicyStandsOn) {
+  ExportedPolicy policy = SamplePolicy();
+  policy.graph.motion = SampleMotion();
+  onnx::ModelProto model;
+  ASSERT_TRUE(model.ParseFromString(OnnxOf(policy)));
+  const auto& entries = model.metadata_props();
+  EXPECT_EQ(entries.rbegin()->key(), "motion");
+  EXPECT_EQ(entries.rbegin()->value(),
+            R"({"kind":"periodic","frequency":0.5,"joints":[)"
+            R"({"name":"left","shape":[0.25,1.0,0.5],"low":-1.0,"high":1.0},)"
+            R"({"name":"right*/","shape":[0.0,0.0,-0.5],"low":-0.25,"high":0.25}]})");
+}
+
 TEST(Onnx, TakesManyObservationsAtOnce) {
   const onnx::ModelProto model = SampleModel();
   const onnx::ValueInfoProto& input = model.graph().input(0);

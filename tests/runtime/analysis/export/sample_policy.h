@@ -25,8 +25,17 @@ inline ExportedPolicy SamplePolicy() {
   value = graph.Add(PolicyGraph::Affine{value, MatrixXf{{0.5}, {-0.5}}, VectorXf{{0, 0}}});
   value = graph.Add(
       PolicyGraph::Clamp{value, VectorXf{{-kInfinity, -0.125}}, VectorXf{{kInfinity, kInfinity}}});
-  graph.joint_targets = {"joint_targets", value, {{"left", "rad"}, {"right*/", "rad"}}};
+  graph.result = {"joint_targets", value, {{"left", "rad"}, {"right*/", "rad"}}};
   return policy;
+}
+
+// A period of 2 s.
+inline PolicyMotion SampleMotion() {
+  return {.is_periodic = true,
+          .frequency = 0.5,
+          .shape = Eigen::MatrixXd{{0.25, 1, 0.5}, {0, 0, -0.5}},
+          .low = Eigen::VectorXd{{-1, -0.25}},
+          .high = Eigen::VectorXd{{1, 0.25}}};
 }
 
 }  // namespace runtime

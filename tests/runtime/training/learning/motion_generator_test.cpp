@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -72,6 +73,67 @@ TEST(MotionGenerator, DoesWhatAMotionPlayerDoesFromTheStartOfEachEpisode) {
     }
   }
 }
+
+// What PolicyMotion says of its shape, before the stops.
+Eigen::VectorXd PlaceIn(const PolicyMotion& motion, double time) {
+  const Eigen::MatrixXd& s = motion.shape;
+  const double turns = motion.frequency * time;
+  if (motion.is_periodic) {
+    Eigen::VectorXd place = s.col(0);
+    for (Eigen::Index k = 1; 2 * k < s.cols(); ++k) {
+      const double angle = 2 * pi * static_cast<double>(k) * turns;
+      place += std::sin(angle) * s.col(2 * k - 1) + std::cos(angle) * s.col(2 * k);
+    }
+    return place;
+  }
+  const Eigen::Index knots = s.cols() - 1;
+  const double along = std::min(turns, 1.0) * static_cast<double>(knots);
+  const Eigen::Index i = std::min(static_cast<Eigen::Index>(along), knots - 1);
+  const double t = along - static_cast<double>(i);
+  const auto rate = [&](Eigen::Index k) -> Eigen::VectorXd {
+    if (k == 0 || k == knots) return Eigen::VectorXd::Zero(s.rows());
+    return (s.col(k + 1) - s.col(k - 1)) / 2;
+  };
+  return (2 * t * t * t - 3 * t * t + 1) * s.col(i) + (3 * t * t - 2 * t * t * t) * s.col(i + 1) +
+         (t * t * t - 2 * t * t + t) * rate(i) + (t * t * t - t * t) * rate(i + 1);
+}
+
+struct MotionKind {
+  const char* kind;
+  const char* symmetry;
+  size_t parameters;
+};
+
+class AsFunctionOfTimeTest : public testing::TestWithParam<MotionKind> {};
+
+TEST_P(AsFunctionOfTimeTest, SaysWhereItIs) {
+  GeneratorStage stage;
+  stage.generator.Set("kind", std::string(GetParam().kind));
+  stage.generator.Set("symmetry", std::string(GetParam().symmetry));
+  stage.generator.Set("harmonics", int64_t{3});
+  stage.generator.Set("knots", int64_t{4});
+  std::vector<double> parameters(GetParam().parameters);
+  for (size_t i = 0; i < parameters.size(); ++i)
+    parameters[i] = std::sin(static_cast<double>(i + 1)) / 2;
+  stage.generator.Set("parameters", parameters);
+  stage.generator.Start();
+  stage.start_of_episode();
+  const PolicyMotion motion = stage.generator.AsFunctionOfTime();
+  for (int step = 0; step < 400; ++step) {
+    stage.start_of_time_step(kGeneratorTimeStep);
+    const Eigen::VectorXd place = PlaceIn(motion, step * kGeneratorTimeStep);
+    ASSERT_LT((place.cwiseMax(motion.low).cwiseMin(motion.high) - stage.joint_targets()).norm(),
+              1e-12)
+        << step;
+    stage.end_of_time_step(kGeneratorTimeStep);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Motions, AsFunctionOfTimeTest,
+                         testing::Values(MotionKind{"periodic", "none", 1 + 5 * 7},
+                                         MotionKind{"periodic", "alternating", 1 + 5 * 7},
+                                         MotionKind{"one_shot", "none", 1 + 5 * 4},
+                                         MotionKind{"one_shot", "mirrored", 1 + 5 * 4}));
 
 // One hertz: a period has 200 time steps.
 TEST(MotionGenerator, ThePhaseTurnsOnceInAPeriod) {
