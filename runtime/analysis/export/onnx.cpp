@@ -101,9 +101,9 @@ class OnnxGraph {
 };
 
 Json ElementsJson(const std::vector<PolicyElement>& elements) {
-  Json json = Json::array();
-  for (const auto& [name, unit] : elements) json.push_back({{"name", name}, {"unit", unit}});
-  return json;
+  Json list = Json::array();
+  for (const auto& [name, unit] : elements) list.push_back({{"name", name}, {"unit", unit}});
+  return list;
 }
 
 Json MotionJson(const PolicyGraph& policy) {
@@ -134,15 +134,15 @@ const PolicyGraph::Normalize* MeasureOf(const PolicyGraph& graph) {
 double Rounded(float value) { return std::stod(fmt::to_string(value)); }
 
 Json ObservationJson(const PolicyGraph& graph) {
-  Json json = ElementsJson(graph.observation);
+  Json list = ElementsJson(graph.observation);
   const PolicyGraph::Normalize* measure = MeasureOf(graph);
-  if (measure == nullptr) return json;
-  for (size_t i = 0; i < json.size(); ++i) {
+  if (measure == nullptr) return list;
+  for (size_t i = 0; i < list.size(); ++i) {
     const auto index = static_cast<Eigen::Index>(i);
-    json[i]["mean"] = Rounded(measure->mean[index]);
-    json[i]["deviation"] = Rounded(1 / measure->factor[index]);
+    list[i]["mean"] = Rounded(measure->mean[index]);
+    list[i]["deviation"] = Rounded(1 / measure->factor[index]);
   }
-  return json;
+  return list;
 }
 
 }  // namespace
@@ -160,8 +160,8 @@ std::string OnnxOf(const ExportedPolicy& policy) {
     entry.set_key(key);
     entry.set_value(value);
   };
-  const auto text = [](const Json& json) {
-    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  const auto text = [](const Json& value) {
+    return value.dump(-1, ' ', false, Json::error_handler_t::replace);
   };
   for (const auto& [key, value] : policy.facts) add(key, value);
   add("decisions_per_second", fmt::format("{:.9g}", 1 / policy.seconds_per_decision));
