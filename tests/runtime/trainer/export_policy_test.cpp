@@ -11,9 +11,10 @@ using testing::HasSubstr;
 class ExportPolicyTest : public TrainerTest {
  protected:
   // Trains PPO on `task` for long enough to learn a few times.
-  void TrainPpo(const std::string& task, std::vector<std::string> more = {}) const {
+  void TrainPpo(const std::string& task, std::vector<std::string> more = {},
+                const std::string& agent = "ppo") const {
     std::vector<std::string> words = {
-        "train",     TaskFile(task),       "--agent",    "ppo",
+        "train",     TaskFile(task),       "--agent",    agent,
         "--profile", "fast-tree",          "--episodes", "12",
         "--out",     RunFolder("run"),     "--set",      "learner.batch=20",
         "--set",     "learner.minibatch=8"};
@@ -82,7 +83,7 @@ class ExportPolicyOnMotionTest : public ExportPolicyTest {
     const ProgramResult file =
         Trainer({"export", RunFolder("search"), "--motion", RunFolder("motion.toml")});
     ASSERT_EQ(file.exit_status, 0) << file.errors;
-    TrainPpo("leaning", {"--agent", RunFolder("motion.toml")});
+    TrainPpo("leaning", {}, RunFolder("motion.toml"));
   }
 };
 

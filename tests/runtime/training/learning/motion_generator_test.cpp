@@ -99,17 +99,23 @@ Eigen::VectorXd PlaceIn(const PolicyMotion& motion, double time) {
 }
 
 struct MotionKind {
-  const char* kind;
-  const char* symmetry;
+  std::string kind;
+  std::string symmetry;
+  std::string dof;
   size_t parameters;
+
+  friend void PrintTo(const MotionKind& motion, std::ostream* out) {
+    *out << motion.kind << ", " << motion.symmetry;
+  }
 };
 
 class AsFunctionOfTimeTest : public testing::TestWithParam<MotionKind> {};
 
 TEST_P(AsFunctionOfTimeTest, SaysWhereItIs) {
   GeneratorStage stage;
-  stage.generator.Set("kind", std::string(GetParam().kind));
-  stage.generator.Set("symmetry", std::string(GetParam().symmetry));
+  stage.generator.Set("kind", GetParam().kind);
+  stage.generator.Set("symmetry", GetParam().symmetry);
+  stage.generator.Set("dof", GetParam().dof);
   stage.generator.Set("harmonics", int64_t{3});
   stage.generator.Set("knots", int64_t{4});
   std::vector<double> parameters(GetParam().parameters);
@@ -130,10 +136,10 @@ TEST_P(AsFunctionOfTimeTest, SaysWhereItIs) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Motions, AsFunctionOfTimeTest,
-                         testing::Values(MotionKind{"periodic", "none", 1 + 5 * 7},
-                                         MotionKind{"periodic", "alternating", 1 + 5 * 7},
-                                         MotionKind{"one_shot", "none", 1 + 5 * 4},
-                                         MotionKind{"one_shot", "mirrored", 1 + 5 * 4}));
+                         testing::Values(MotionKind{"periodic", "none", "5", 1 + 5 * 7},
+                                         MotionKind{"periodic", "alternating", "all", 1 + 8 * 7},
+                                         MotionKind{"one_shot", "none", "5", 1 + 5 * 4},
+                                         MotionKind{"one_shot", "mirrored", "all", 1 + 8 * 4}));
 
 // One hertz: a period has 200 time steps.
 TEST(MotionGenerator, ThePhaseTurnsOnceInAPeriod) {
