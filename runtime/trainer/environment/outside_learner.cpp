@@ -1,25 +1,34 @@
 #include "runtime/trainer/environment/outside_learner.h"
 
+#include <cassert>
 #include <utility>
 
 #include "runtime/core/module/connections.h"
 
 namespace runtime {
 
-OutsideLearner::OutsideLearner(std::string name, Outside& outside, double discount)
-    : Learner(std::move(name)), outside_(outside), discount_(discount) {}
+OutsideLearner::OutsideLearner(std::string name, double discount)
+    : Learner(std::move(name)), discount_(discount) {}
 
 void OutsideLearner::Start() { RequireConnections(*this); }
 
+void OutsideLearner::Decide(const Eigen::VectorXd& action) {
+  assert(is_asked_);
+  is_asked_ = false;
+  execute_(action);
+}
+
 void OutsideLearner::SelectFirst() {
+  is_asked_ = false;
   told_ = 0;
   last_reward_ = 0;
-  action_ = &outside_.Begin(observation_in_());
+  observation_ = observation_in_();
 }
 
 void OutsideLearner::LearnAndSelect(double reward) {
   told_ += reward;
-  action_ = &outside_.Decide(observation_in_(), reward);
+  last_reward_ = reward;
+  observation_ = observation_in_();
 }
 
 void OutsideLearner::LearnFromEnd(double reward, const EpisodeEnd&) { last_reward_ = reward; }
@@ -27,7 +36,8 @@ void OutsideLearner::LearnFromEnd(double reward, const EpisodeEnd&) { last_rewar
 // Of an episode that has diverged nothing is learned, but who decides wants to know.
 void OutsideLearner::FinishEpisode() {
   const bool has_diverged = episode_end().kind == EndKind::kDiverged;
-  outside_.End(observation_in_(), has_diverged ? episode_return() - told_ : last_reward_);
+  if (has_diverged) last_reward_ = episode_return() - told_;
+  observation_ = observation_in_();
 }
 
 }  // namespace runtime

@@ -9,32 +9,29 @@
 
 namespace runtime {
 
-// Who decides. The vectors that they get are valid during the call, those that they give until the
-// next one. Whatever they throw ends the episode where it is.
-class Outside {
- public:
-  virtual ~Outside() = default;
-
-  // An episode has begun, and is seen like this. Returns the first action.
-  virtual const Eigen::VectorXd& Begin(const Eigen::VectorXd& observation) = 0;
-  // The action is over, and has brought `reward`. Returns the next one.
-  virtual const Eigen::VectorXd& Decide(const Eigen::VectorXd& observation, double reward) = 0;
-  // The episode is over, and the last action has brought `reward`.
-  virtual void End(const Eigen::VectorXd& observation, double reward) = 0;
-};
-
 // Its ports are those of a learner that sees an observation and whose actions are vectors, as
-// Ppo's. Episodes end at once.
+// Ppo's. Episodes end at once. When it is to decide it waits: an action begins by Decide(), between
+// two time steps, right before the first one that it moves the robot in.
 class OutsideLearner : public Learner {
  public:
   static constexpr const char* kType = "OutsideLearner";
 
-  // `outside` outlives this object.
-  OutsideLearner(std::string name, Outside& outside, double discount);
+  OutsideLearner(std::string name, double discount);
 
   void Start() override;
 
   int action_size() const { return action_size_in_(); }
+  const Port& observation_port() const { return observation_in_; }
+
+  // Whether no time step may be run before it is told what to do.
+  bool is_asked() const { return is_asked_; }
+  // Precondition: is_asked(); `action` has action_size() elements.
+  void Decide(const Eigen::VectorXd& action);
+
+  // What was seen when an episode began, an action was over, or the episode: whichever was last.
+  const Eigen::VectorXd& observation() const { return observation_; }
+  // What the action has brought that was over last, also with the episode; 0 before.
+  double reward() const { return last_reward_; }
 
   const double& discount() const override { return discount_; }
   bool ends_at_once() const override { return true; }
@@ -45,16 +42,16 @@ class OutsideLearner : public Learner {
 
  private:
   void SelectFirst() override;
-  void Execute() override { execute_(*action_); }
+  void Execute() override { is_asked_ = true; }
   void LearnAndSelect(double reward) override;
   void LearnFromEnd(double reward, const EpisodeEnd& end) override;
   void FinishEpisode() override;
 
-  Outside& outside_;
   const double discount_;
-  const Eigen::VectorXd* action_ = nullptr;
-  double told_ = 0;         // of the rewards
-  double last_reward_ = 0;  // of the action at the end
+  bool is_asked_ = false;
+  Eigen::VectorXd observation_;
+  double told_ = 0;  // of the rewards of this episode
+  double last_reward_ = 0;
 
   In<Eigen::VectorXd> observation_in_{this, "observation"};
   In<int> action_size_in_{this, "action_size"};

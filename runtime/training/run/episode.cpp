@@ -4,12 +4,23 @@
 #include <ctime>
 
 namespace runtime {
-namespace {
 
-// Without the time that it took.
-EpisodeRecord RecordOf(const EpisodeModules& modules) {
+void StartEpisode(int64_t number, const EpisodeModules& modules, const NoteStart& note_start) {
+  modules.environment.SetNextEpisode(number);
+  modules.learner.SetNextEpisode(number);
+  modules.tasks.active->SetNextEpisode(number);
+  for (UniversalTask* shadow : modules.tasks.shadows) shadow->SetNextEpisode(number);
+  std::optional<robot::StartState> drawn;
+  modules.environment.StartDrawnEpisode(
+      [&](uint32_t attempt) { return drawn = modules.tasks.active->DrawStart(attempt); });
+  if (note_start) note_start(drawn);
+}
+
+EpisodeRecord RecordOfEpisode(int64_t number, int64_t steps, const EpisodeModules& modules) {
   const Learner& learner = modules.learner;
   EpisodeRecord episode;
+  episode.number = number;
+  episode.steps = steps;
   episode.actions = learner.action_count();
   episode.simulated_seconds = modules.environment.time();
   episode.active = EvaluationOf(*modules.tasks.active);
@@ -23,8 +34,6 @@ EpisodeRecord RecordOf(const EpisodeModules& modules) {
   }
   return episode;
 }
-
-}  // namespace
 
 void NoteLearner(const Learner& learner, const Environment& environment, EpisodeRecord& episode) {
   episode.active.faults += learner.passed_over_count();
@@ -49,22 +58,13 @@ EpisodeRecord RunEpisode(int64_t number, const EpisodeModules& modules, const Af
   const Clock::time_point start = Clock::now();
   const double cpu_start = ThreadSeconds();
   int64_t steps = 0;
-  modules.environment.SetNextEpisode(number);
-  modules.learner.SetNextEpisode(number);
-  modules.tasks.active->SetNextEpisode(number);
-  for (UniversalTask* shadow : modules.tasks.shadows) shadow->SetNextEpisode(number);
-  std::optional<robot::StartState> drawn;
-  modules.environment.StartDrawnEpisode(
-      [&](uint32_t attempt) { return drawn = modules.tasks.active->DrawStart(attempt); });
-  if (note_start) note_start(drawn);
+  StartEpisode(number, modules, note_start);
   after_step(steps);
   while (!modules.learner.episode_over()) {
     modules.environment.RunTimeStep();
     after_step(++steps);
   }
-  EpisodeRecord episode = RecordOf(modules);
-  episode.number = number;
-  episode.steps = steps;
+  EpisodeRecord episode = RecordOfEpisode(number, steps, modules);
   episode.wall_seconds = std::chrono::duration<double>(Clock::now() - start).count();
   episode.cpu_seconds = ThreadSeconds() - cpu_start;
   return episode;

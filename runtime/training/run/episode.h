@@ -25,6 +25,12 @@ using AfterStep = std::function<void(int64_t steps)>;
 // Called when the episode has started, with what the task drew for its start.
 using NoteStart = std::function<void(const std::optional<robot::StartState>& drawn)>;
 
+// An episode in parts, for who runs its time steps between other things: StartEpisode(), then
+// Environment::RunTimeStep() until the learner says that it is over.
+void StartEpisode(int64_t number, const EpisodeModules& modules, const NoteStart& note_start = {});
+// Of an episode that is over; without the time that it took.
+EpisodeRecord RecordOfEpisode(int64_t number, int64_t steps, const EpisodeModules& modules);
+
 // Runs an episode; `number` is its own. `tasks` may change in `after_step`: the record is of those
 // at the end.
 EpisodeRecord RunEpisode(int64_t number, const EpisodeModules& modules, const AfterStep& after_step,
