@@ -6,7 +6,7 @@
 #include <numeric>
 #include <thread>
 
-#include "runtime/analysis/picture/color.h"
+#include "runtime/analysis/picture/background.h"
 #include "runtime/analysis/picture/ground.h"
 #include "runtime/analysis/picture/posed_robot.h"
 #include "runtime/analysis/picture/render.h"
@@ -16,7 +16,6 @@ namespace runtime {
 namespace {
 
 constexpr double kSmoothing = 0.4;  // half the time over which the camera's way is averaged [s]
-constexpr uint32_t kBackground = 0xf3f5f6;  // as on the pages (web/src/style/theme.css)
 
 // The pose of a link at a time between two frames, which are close to each other.
 void AddPose(const Motion& motion, double time, int link, Motion& out) {
@@ -65,18 +64,6 @@ std::vector<Camera> Smoothed(const std::vector<Camera>& cameras, int half) {
     smooth[static_cast<size_t>(i)].position = sum / (2 * reach + 1);
   }
   return smooth;
-}
-
-// Puts what is drawn before the background.
-void FillBackground(Image& image) {
-  const Layer background = Layer::Of(LightOf(kBackground), 1);
-  for (int y = 0; y < image.height; ++y) {
-    for (int x = 0; x < image.width; ++x) {
-      uint8_t* const pixel = image.pixel(x, y);
-      const uint32_t rgb = static_cast<uint32_t>(pixel[0] << 16 | pixel[1] << 8 | pixel[2]);
-      StorePixel(Layer::Of(LightOf(rgb), pixel[3] / 255.).Over(background), pixel);
-    }
-  }
 }
 
 }  // namespace
