@@ -38,6 +38,15 @@ function(project_optimize name level)
   target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O${level}>)
 endfunction()
 
+# project_share_code(TARGET...): these libraries are also part of shared ones. Calls within them stay
+# direct, as in a program.
+function(project_share_code)
+  foreach(name IN LISTS ARGN)
+    set_target_properties(${name} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+    target_compile_options(${name} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-fno-semantic-interposition>)
+  endforeach()
+endfunction()
+
 # project_library(NAME SOURCES file... [PUBLIC library...] [PRIVATE library...])
 function(project_library name)
   cmake_parse_arguments(arg "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})

@@ -19,7 +19,7 @@ case ${1:-} in
   *) echo "error: expected nothing or --fix" >&2; exit 2 ;;
 esac
 
-find base bench compiler fuzz libtaskc plugins runtime tests -name '*.[ch]' -o -name '*.cpp' |
+find base bench compiler fuzz libtaskc libtaskc_sim plugins runtime tests -name '*.[ch]' -o -name '*.cpp' |
   xargs -P "$(nproc)" -n 100 "$program" "${action[@]}" || {
   echo "error: some files are not laid out as .clang-format says; tests/format.sh --fix mends them" >&2
   exit 1

@@ -1,11 +1,35 @@
 #include "base/file/search_path.h"
 
 #include <cstdlib>
+#include <mutex>
 #include <string>
+#include <utility>
 
 namespace file {
+namespace {
+
+struct Known {
+  std::mutex mutex;
+  std::filesystem::path folder;  // "": as the program says
+};
+
+Known& TheFolder() {
+  static Known known;
+  return known;
+}
+
+}  // namespace
+
+void SetSharedFolder(std::filesystem::path folder) {
+  const std::lock_guard lock(TheFolder().mutex);
+  TheFolder().folder = std::move(folder);
+}
 
 std::filesystem::path SharedFolder() {
+  {
+    const std::lock_guard lock(TheFolder().mutex);
+    if (!TheFolder().folder.empty()) return TheFolder().folder;
+  }
   const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe");
   return program.parent_path().parent_path() / "share/taskc";
 }
