@@ -185,6 +185,8 @@ TEST_F(InstallTest, PythonFindsWhatItWasInstalledWith) {
   Run("mkdir examples && mv embed_cpp python examples/");
   EXPECT_THAT(Run(python + " examples/python/judge.py picture.png"),
               testing::HasSubstr("damping 3: return 24.494, docked after 5.7 s"));
+  EXPECT_THAT(Run(python + " examples/python/crawl.py 1 picture.png"),
+              testing::HasSubstr("generation 0: mean return"));
 }
 
 }  // namespace

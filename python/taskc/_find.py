@@ -1,4 +1,4 @@
-"""Where the program `taskc` and the library libtaskc are."""
+"""Where the program `taskc`, the libraries and the tasks that come with them are."""
 
 from __future__ import annotations
 
@@ -6,12 +6,10 @@ import os
 import shutil
 import sysconfig
 from pathlib import Path
-from typing import Iterator, Optional
+from typing import Iterator, List, Optional
 
 from ._abi import ABI_VERSION
 from ._errors import CompilerError
-
-LIBRARY = f"libtaskc.so.{ABI_VERSION}"
 
 
 def _prefixes() -> Iterator[Path]:
@@ -39,20 +37,35 @@ def find_program() -> str:
     )
 
 
-def _beside_program() -> Optional[Path]:
+def _beside_program(file: str) -> Optional[Path]:
     folders = ["lib", "lib64"]
     multiarch = sysconfig.get_config_var("MULTIARCH")
     if multiarch:
         folders.append(f"lib/{multiarch}")
     for prefix in _prefixes():
         for folder in folders:
-            library = prefix / folder / LIBRARY
+            library = prefix / folder / file
             if library.is_file():
                 return library
     return None
 
 
-def find_library() -> str:
-    """The path of libtaskc, or the name by which the system may know it."""
-    beside = _beside_program()
-    return LIBRARY if beside is None else str(beside)
+def find_library(name: str) -> str:
+    """The path of a library, "libtaskc", or the file's name by which the system may know it."""
+    file = f"{name}.so.{ABI_VERSION}"
+    beside = _beside_program(file)
+    return file if beside is None else str(beside)
+
+
+def shared_task(name: str) -> Optional[Path]:
+    """The file of a task that comes with taskc, by its name; None where there is none."""
+    for prefix in _prefixes():
+        file = prefix / "share" / "taskc" / "tasks" / f"{name}.task"
+        if file.is_file():
+            return file
+    return None
+
+
+def shared_task_names() -> List[str]:
+    return sorted({file.stem for prefix in _prefixes()
+                   for file in (prefix / "share" / "taskc" / "tasks").glob("*.task")})

@@ -1,4 +1,4 @@
-"""libtaskc by ctypes."""
+"""The libraries by ctypes."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import ctypes
 from ctypes import (POINTER, byref, c_char_p, c_double, c_int32, c_int64, c_size_t, c_uint32,
                     c_uint64, c_void_p)
 from functools import lru_cache
-from typing import Any
+from typing import Any, Dict, List
 
 from . import _abi
 from ._errors import HostError
@@ -50,44 +50,58 @@ _OTHERS = {
 }
 
 
-@lru_cache(maxsize=None)
-def library() -> Any:
-    """The library, loaded once."""
+def load(name: str, functions: Dict[str, List[Any]], others: Dict[str, Any], error: str,
+         abi_version: str) -> Any:
+    """A library, with what its functions take. Those of `functions` return a status, which raises.
+
+    error, abi_version: the functions that say what went wrong, and for which ABI it is.
+    """
     try:
-        loaded = ctypes.CDLL(find_library())
-    except OSError as error:
-        raise HostError(0, f"{error}: install taskc, or set TASKC_HOME to the folder that it was "
+        loaded = ctypes.CDLL(find_library(name))
+    except OSError as failure:
+        raise HostError(0, f"{failure}: install taskc, or set TASKC_HOME to the folder that it was "
                            "installed to, with bin/ and lib/ in it") from None
-    for name, arguments in _FUNCTIONS.items():
-        function = getattr(loaded, name)
+
+    def raise_failure(status: int, function: Any, arguments: Any) -> int:
+        del function, arguments
+        if status != 0:
+            raise HostError(status, getattr(loaded, error)().decode())
+        return status
+
+    for function_name, arguments in functions.items():
+        function = getattr(loaded, function_name)
         function.argtypes = arguments
         function.restype = c_int32
-        function.errcheck = _raise_failure
-    for name, (result, arguments) in _OTHERS.items():
-        function = getattr(loaded, name)
+        function.errcheck = raise_failure
+    for function_name, (result, arguments) in others.items():
+        function = getattr(loaded, function_name)
         function.argtypes = arguments
         function.restype = result
-    if loaded.taskc_abi_version() != _abi.ABI_VERSION:
-        raise HostError(5, f"the library has ABI {loaded.taskc_abi_version()}, and this package is "
-                           f"for {_abi.ABI_VERSION}: install both from one version of taskc")
+    version = getattr(loaded, abi_version)()
+    if version != _abi.ABI_VERSION:
+        raise HostError(5, f"the library has ABI {version}, and this package is for "
+                           f"{_abi.ABI_VERSION}: install both from one version of taskc")
     return loaded
 
 
-def _raise_failure(status: int, function: Any, arguments: Any) -> int:
-    del function, arguments
-    if status != 0:
-        raise HostError(status, library().taskc_error().decode())
-    return status
+@lru_cache(maxsize=None)
+def library() -> Any:
+    """libtaskc, loaded once."""
+    return load("libtaskc", _FUNCTIONS, _OTHERS, "taskc_error", "taskc_abi_version")
 
 
 class Handle:
-    """A task or an instance of the library, ended with this object."""
+    """Something that a library has made, ended with this object."""
 
     def __init__(self, make: Any, end: Any, *arguments: Any):
         self.pointer = c_void_p()
         self._end = end
         make(*arguments, byref(self.pointer))
 
-    def __del__(self) -> None:
+    def end(self) -> None:
         if getattr(self, "pointer", None):
             self._end(self.pointer)
+            self.pointer = c_void_p()
+
+    def __del__(self) -> None:
+        self.end()

@@ -36,8 +36,11 @@ class Task:
     """A compiled task: what it reads, pays, measures and ends. See load()."""
 
     def __init__(self, plugin: "Union[str, os.PathLike[str]]",
-                 warnings: "Sequence[_compiler.Diagnostic]" = ()):
-        """Opens a plugin. Raises HostError for a file that is none, or not for this version."""
+                 warnings: "Sequence[_compiler.Diagnostic]" = (), source: Optional[str] = None):
+        """Opens a plugin. Raises HostError for a file that is none, or not for this version.
+
+        source: the .task file that it was compiled from, if that is known
+        """
         self._library = library()
         self._handle = Handle(self._library.taskc_open, self._library.taskc_close,
                               os.fsencode(plugin))
@@ -46,6 +49,7 @@ class Task:
             raise AssertionError("taskc._abi does not say what taskc/plugin.h says")
         described = self._plugin
         self.file = os.fspath(plugin)
+        self.source = source
         self.warnings = list(warnings)
         self.name: str = _describe.text(described.name)
         self.doc: str = _describe.text(described.doc)
@@ -206,4 +210,4 @@ def load(file: "Union[str, os.PathLike[str]]",
     if os.fspath(file).endswith(".so"):
         return Task(file)
     plugin, diagnostics = _compiler.build(file, robots)
-    return Task(plugin, diagnostics)
+    return Task(plugin, diagnostics, os.fspath(file))

@@ -7,11 +7,12 @@ from pathlib import Path
 import numpy as np
 
 import taskc
+from taskc._gymnasium import Env
 
 TASKS = Path(os.environ["TASKS"])
 
 
-class Cart:
+class Cart(Env):
     """Moves by what it is told; is over after six steps, or where it is told more than 2."""
 
     action_space = "a space"
@@ -126,7 +127,7 @@ class Wrapping(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, r"\['plase'\], which it does not read"):
             taskc.Wrapper(self.cart, self.env.task, {**SENSORS, "plase": 0})
         with self.assertRaisesRegex(ValueError, "say how long a step is"):
-            taskc.Wrapper(object(), self.env.task, SENSORS)
+            taskc.Wrapper(Env(), self.env.task, SENSORS)
 
 
 if __name__ == "__main__":

@@ -1,0 +1,144 @@
+"""Many robots in a task as a Gymnasium VectorEnv."""
+
+from __future__ import annotations
+
+from typing import Any, Dict, List, Optional, Sequence, Tuple, Union
+
+import numpy as np
+
+from ._environment import (MOST_SEED, about, check_render_mode, check_seed, metadata_of,
+                           warn_of_mode)
+from ._gymnasium import AutoresetMode, VectorEnv, limitless, unit
+from ._sim import Sim
+
+Infos = Dict[str, Any]
+
+
+def _column(values: List[Any], over: np.ndarray) -> np.ndarray:
+    """Of the environments that are over, in their order, in an array for all of them."""
+    is_text = isinstance(values[0], str)
+    column = np.full(len(over), None, object) if is_text else np.zeros(
+        len(over), np.asarray(values[0]).dtype)
+    column[over] = values
+    return column
+
+
+def _combined(infos: List[Infos], over: np.ndarray) -> Infos:
+    """One info for all, as Gymnasium has it: an array for each key, and beside it, under "_key",
+    which environments have it."""
+    combined: Infos = {}
+    for key in infos[0]:
+        values = [info[key] for info in infos]
+        combined[key] = (_combined(values, over) if isinstance(values[0], dict)
+                         else _column(values, over))
+        combined["_" + key] = over
+    return combined
+
+
+class RobotVectorEnv(VectorEnv):
+    """See taskc.make_vec(). All environments are stepped at once, in threads of the library.
+
+    `infos` has "terms", for each reward term an array of what it has paid in the episode that the
+    reward is of; and "task" where episodes are over, as that of one environment (RobotEnv), each key
+    with an array, and under "_key" for which environments it holds. With autoreset in the same step
+    "final_obs" and "final_info" are there, too.
+    """
+
+    def __init__(self, sim: Sim, autoreset_mode: AutoresetMode, copy: bool = True,
+                 render_mode: Optional[str] = None, render_size: int = 256):
+        check_render_mode(render_mode)
+        self.sim = sim
+        self.num_envs = sim.count
+        self.metadata = {**metadata_of(sim), "autoreset_mode": autoreset_mode}
+        self.render_mode = render_mode
+        self.render_size = render_size
+        self.observed = sim.observed
+        self.single_observation_space = limitless((sim.observation_size,))
+        self.single_action_space = unit((sim.action_size,))
+        self.observation_space = limitless((sim.count, sim.observation_size))
+        self.action_space = unit((sim.count, sim.action_size))
+        self.closed = False
+        self._copies = copy
+        self._keeps_last = autoreset_mode == AutoresetMode.SAME_STEP
+        self._was_reset = False
+        self._all = np.ones(sim.count, np.bool_)
+        self._term_masks = {"_" + name: self._all for name in sim.term_names}
+        self._action_shape = (sim.count, sim.action_size)
+
+    @property
+    def dt(self) -> float:
+        """How long a step is [s]; 0 where that differs."""
+        return self.sim.decision_time
+
+    def reset(self, *, seed: "Optional[Union[int, Sequence[Optional[int]]]]" = None,
+              options: Optional[Dict[str, Any]] = None) -> Tuple[np.ndarray, Infos]:
+        """Begins episodes. seed: of the first environment, the others following; or one for each;
+        without, the next ones, or at first some that are drawn.
+        options: {"reset_mask": [num_envs] of bool}: only in these environments."""
+        which = None if options is None else options.get("reset_mask")
+        if which is not None and np.shape(which) != (self.num_envs,):
+            raise ValueError(f"reset_mask has the shape {np.shape(which)}, not ({self.num_envs},)")
+        super().reset(seed=seed if isinstance(seed, int) else None)
+        self.sim.reset(which, self._seeds(seed))
+        self._was_reset = True
+        return self._observations(), {}
+
+    def _seeds(self, seed: "Optional[Union[int, Sequence[Optional[int]]]]") -> Optional[List[int]]:
+        if seed is None and self._was_reset:
+            return None
+        if seed is None:
+            seed = int(self.np_random.integers(MOST_SEED - self.num_envs))
+        if isinstance(seed, (int, np.integer)):
+            seed = [int(seed) + i for i in range(self.num_envs)]
+        if len(seed) != self.num_envs:
+            raise ValueError(f"there are {len(seed)} seeds for {self.num_envs} environments")
+        seeds = [int(self.np_random.integers(MOST_SEED)) if each is None else int(each)
+                 for each in seed]
+        for each in seeds:
+            check_seed(each)
+        return seeds
+
+    def step(self, actions: Any) -> Tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray, Infos]:
+        sim = self.sim
+        if np.shape(actions) != self._action_shape:
+            raise ValueError(f"actions have the shape {self._action_shape}, and these have "
+                             f"{np.shape(actions)}")
+        sim.step(actions)
+        terminated, truncated = sim.terminated.copy(), sim.truncated.copy()
+        sums = sim.term_sums.copy()
+        terms = dict(zip(sim.term_names, sums.T))
+        terms.update(self._term_masks)
+        infos: Infos = {"terms": terms, "_terms": self._all}
+        over = terminated | truncated
+        if over.any():
+            self._add_ends(over, infos)
+        return self._observations(), sim.rewards.copy(), terminated, truncated, infos
+
+    def _observations(self) -> np.ndarray:
+        return self.sim.observations.copy() if self._copies else self.sim.observations
+
+    def _add_ends(self, over: np.ndarray, infos: Infos) -> None:
+        ended = np.flatnonzero(over)
+        infos["task"] = _combined([about(self.sim.last_episode(int(i))) for i in ended], over)
+        infos["_task"] = over
+        if not self._keeps_last:
+            return
+        last = np.full(self.num_envs, None, object)
+        for i in ended:
+            last[i] = self.sim.final_observations[i].copy()
+        infos["final_obs"] = last
+        infos["_final_obs"] = over
+        infos["final_info"] = {"task": infos["task"], "_task": over}
+        infos["_final_info"] = over
+
+    def render(self) -> Optional[Tuple[np.ndarray, ...]]:
+        """A picture of each, uint8 [render_size, render_size, 3], with render_mode="rgb_array"."""
+        if self.render_mode is None:
+            warn_of_mode()
+            return None
+        return tuple(self.sim.render(i, self.render_size) for i in range(self.num_envs))
+
+    def close_extras(self, **others: Any) -> None:
+        del others
+        self.sim.close()
+        self.closed = True
