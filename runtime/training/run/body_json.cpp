@@ -68,11 +68,33 @@ nlohmann::ordered_json PartJson(const std::string& name, const robot::LinkShape&
   return json;
 }
 
+nlohmann::ordered_json JointJson(const robot::RobotDescription& robot, const robot::Joint& joint) {
+  nlohmann::ordered_json json = {{"name", joint.name},
+                                 {"kind", NameOf(joint.kind)},
+                                 {"parent", joint.parent},
+                                 {"axis", joint.axis}};
+  if (joint.HasStops()) json["stops"] = {joint.low, joint.high};
+  if (joint.kind == robot::JointKind::kSlider) {
+    const robot::Vector3& from = robot.links[static_cast<size_t>(joint.parent)].position;
+    robot::Vector3 offset = robot.links[static_cast<size_t>(joint.child)].position;
+    for (size_t i = 0; i < offset.size(); ++i) offset[i] -= from[i];
+    json["radius"] = joint.radius;
+    json["offset"] = offset;
+  }
+  return json;
+}
+
 }  // namespace
 
 std::string BodyJson(const robot::RobotDescription& robot, const world::WorldDescription* world) {
   nlohmann::ordered_json parts = nlohmann::ordered_json::array();
-  for (const robot::Link& link : robot.links) parts.push_back(PartJson(link.name, link.shape));
+  for (const robot::Link& link : robot.links) {
+    parts.push_back(PartJson(link.name, link.shape));
+    parts.back()["mass"] = link.mass;
+  }
+  for (const robot::Joint& joint : robot.joints) {
+    parts[static_cast<size_t>(joint.child)]["joint"] = JointJson(robot, joint);
+  }
   if (world != nullptr) {
     for (const world::Thing& thing : world->things) {
       parts.push_back(PartJson(thing.name, thing.shape));

@@ -14,7 +14,10 @@ namespace runtime {
 // {"name", "shape": "box"|"capsule"|"cylinder"|"sphere"|"convex", "size": [x, y, z], "radius",
 // "length", "axis": 0|1|2} and, where the shape is not around the link's center or turned,
 // "position": [x, y, z], "orientation": [w, x, y, z]; of a convex one "points": [[x, y, z], ...];
-// of a thing "thing": true.
+// of a thing "thing": true; of a link its "mass" [kg] and the "joint" that it hangs on, if any:
+// {"name", "kind": "hinge"|"continuous"|"slider", "parent": link index, "axis": [x, y, z], "stops":
+// [low, high] where it has any}, of a slider also its pinion's "radius" [m] and the "offset" of the
+// link from its parent in the zero pose. What these say is said in robot_description.h.
 std::string BodyJson(const robot::RobotDescription& robot,
                      const world::WorldDescription* world = nullptr);
 

@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <nlohmann/json.hpp>
+
 #include "base/seal/sha256.h"
 #include "runtime/training/run/body_json.h"
 #include "tests/runtime/analysis/picture/decode_png.h"
@@ -35,6 +37,37 @@ TEST(Body, IsKeptWithTheShapesThatAreMoved) {
   EXPECT_FALSE(links[0].shape.IsMoved());
   EXPECT_EQ(links[1].shape.position, robot.links[1].shape.position);
   EXPECT_EQ(links[1].shape.orientation, robot.links[1].shape.orientation);
+}
+
+TEST(Body, SaysWhatALinkWeighsAndHangsOn) {
+  robot::RobotDescription robot;
+  const robot::LinkShape ball = {robot::ShapeKind::kSphere, {}, 0.1};
+  robot.links = {{"trunk", 2.5, {}, ball},
+                 {"arm", 0.5, {0.1, 0, 0.2}, ball},
+                 {"rod", 0.25, {0.1, 0.3, 0.2}, ball}};
+  robot.joints = {{"shoulder", 0, 1, {0, 1, 0}, {}, -0.5, 1.5},
+                  {"slide",
+                   1,
+                   2,
+                   {1, 0, 0},
+                   {},
+                   -robot::kUnlimited,
+                   robot::kUnlimited,
+                   robot::JointKind::kSlider,
+                   0.02}};
+  const auto body = nlohmann::json::parse(BodyJson(robot));
+  EXPECT_EQ(body[0]["mass"], 2.5);
+  EXPECT_FALSE(body[0].contains("joint"));
+  const nlohmann::json& shoulder = body[1]["joint"];
+  EXPECT_EQ(shoulder["name"], "shoulder");
+  EXPECT_EQ(shoulder["kind"], "hinge");
+  EXPECT_EQ(shoulder["parent"], 0);
+  EXPECT_EQ(shoulder["axis"], (std::vector<double>{0, 1, 0}));
+  EXPECT_EQ(shoulder["stops"], (std::vector<double>{-0.5, 1.5}));
+  const nlohmann::json& slide = body[2]["joint"];
+  EXPECT_FALSE(slide.contains("stops"));
+  EXPECT_EQ(slide["radius"], 0.02);
+  EXPECT_EQ(slide["offset"], (std::vector<double>{0, 0.3, 0}));
 }
 
 TEST(Body, TellsThingsFromLinks) {
