@@ -13,18 +13,13 @@ import { TermCurves } from "./charts/term_curves.ts";
 import { ValueCharts } from "./charts/value_charts.ts";
 import { decodeReport, type Recording, type Report } from "./data/report_data.ts";
 import { kWindows, usualWindow } from "./data/statistics.ts";
-import { tellingTime } from "./data/timeline.ts";
-import { formatCount, formatNumber } from "./data/words.ts";
-import { byId, element, hasWebGl, prefersReducedMotion } from "./page/dom.ts";
+import { byId, element, prefersReducedMotion } from "./page/dom.ts";
 import { showEvaluations } from "./page/evaluations.ts";
 import { showHistory } from "./page/history.ts";
 import { showKeyFigures, showMasthead } from "./page/masthead.ts";
 import { showProvenance, showSources } from "./page/provenance.ts";
 import { settingsOf } from "./page/settings.ts";
-import { fragmentOf, momentIn } from "./replay/link.ts";
-import { durationOf } from "./replay/motion.ts";
-import { Viewer } from "./replay/viewer.ts";
-import { TimelinePanel } from "./timeline/panel.ts";
+import { Replays } from "./replays.ts";
 
 /** The charts; `replay` is called for a recording whose mark is chosen. */
 function showCharts(report: Report, replay: (recording: Recording) => void): LearningCurve {
@@ -77,89 +72,6 @@ function connectWindow(window: number, apply: (window: number) => void): void {
   select.addEventListener("change", () => apply(Number(select.value)));
 }
 
-function fillRecordings(report: Report, select: HTMLSelectElement): void {
-  report.recordings.forEach((recording, i) => {
-    const value = formatNumber(report.returns[report.episode.indexOf(recording.episode)]);
-    const best = recording.best ? ", best" : "";
-    const words = `${formatCount(recording.episode)} — return ${value}${best}`;
-    select.append(element("option", { value: String(i) }, words));
-  });
-}
-
-/** The viewer, or a message in its place where there is nothing to show or no way to show it. */
-function makeViewer(report: Report): Viewer | undefined {
-  const refuse = (message: string): undefined => {
-    byId("stage-message", HTMLElement).textContent = message;
-    byId("replay", HTMLElement).classList.add("unavailable");
-    return undefined;
-  };
-  if (!report.run["robot"]) return refuse("Without a robot there is nothing to replay.");
-  if (report.recordings.length === 0) return refuse("No episode has been recorded yet.");
-  if (!hasWebGl()) {
-    return refuse(
-      "This browser offers no WebGL, so the replay cannot be drawn here. " +
-        "Hardware acceleration can be switched on in the browser’s settings. " +
-        "The curves are complete without it.",
-    );
-  }
-  return new Viewer(report);
-}
-
-/** The timeline under the replay; without a replay it has a time of its own. */
-function makeTimeline(report: Report, viewer: Viewer | undefined): TimelinePanel {
-  const panel: TimelinePanel = new TimelinePanel(
-    report,
-    {
-      section: byId("timeline-section", HTMLElement),
-      rows: byId("timeline", HTMLElement),
-      now: byId("timeline-now", HTMLElement),
-      source: byId("timeline-source", HTMLElement),
-    },
-    (time) => {
-      viewer?.pause();
-      if (viewer) viewer.seek(time);
-      else panel.setTime(time);
-    },
-  );
-  viewer?.onTime((time) => panel.setTime(time));
-  return panel;
-}
-
-/** What to show of a recording before it is played: not a robot that stands still. */
-const openingOf = (recording: Recording): number =>
-  recording.timeline ? tellingTime(recording.timeline) : durationOf(recording) / 2;
-
-const kSettleTime = 200; // before the page's address follows the replay [ms]
-
-/** The recording that the page's address leads to. */
-const linkedIn = (report: Report): Recording | undefined =>
-  report.recordings.find(({ episode }) => episode === momentIn(location.hash)?.episode);
-
-/** The page's address leads to the moment at which the replay stands, and the replay to that. */
-function connectLinks(
-  report: Report,
-  viewer: Viewer,
-  chosen: HTMLSelectElement,
-  replay: (recording: Recording) => void,
-): void {
-  const seek = (): void => viewer.seek(momentIn(location.hash)?.time ?? 0);
-  let timer = 0;
-  viewer.onRest((time) => {
-    window.clearTimeout(timer);
-    timer = window.setTimeout(() => {
-      const episode = report.recordings[Number(chosen.value)]?.episode;
-      if (episode) history.replaceState(null, "", fragmentOf({ episode, time }));
-    }, kSettleTime);
-  });
-  window.addEventListener("hashchange", () => {
-    const recording = linkedIn(report);
-    if (!recording) return;
-    replay(recording);
-    seek();
-  });
-  if (linkedIn(report)) seek();
-}
-
 function main(): void {
   const report = decodeReport(byId("report-data", HTMLElement).textContent ?? "");
   showMasthead(report);
@@ -169,28 +81,12 @@ function main(): void {
   showEvaluations(report);
   showSources(report);
   showProvenance(report);
-  const chosen = byId("recording", HTMLSelectElement);
-  fillRecordings(report, chosen);
-  const viewer = makeViewer(report);
-  const timeline = makeTimeline(report, viewer);
-  const replay = (recording: Recording): void => {
-    chosen.value = String(report.recordings.indexOf(recording));
-    timeline.show(recording);
-    viewer?.show(recording, openingOf(recording));
-    curve.select(recording);
-  };
+  const replays: Replays = new Replays(report, (recording) => curve.select(recording));
   const curve = showCharts(report, (recording) => {
-    replay(recording);
-    if (viewer && !prefersReducedMotion()) viewer.play();
+    replays.show(recording);
+    if (!prefersReducedMotion()) replays.viewer?.play();
   });
-  chosen.addEventListener("change", () => {
-    const recording = report.recordings[Number(chosen.value)];
-    if (recording) replay(recording);
-  });
-  const best = report.recordings.find((recording) => recording.best);
-  const first = linkedIn(report) ?? best ?? report.recordings[0];
-  if (first) replay(first);
-  if (viewer) connectLinks(report, viewer, chosen, replay);
+  replays.open();
   document.documentElement.dataset["ready"] = "true";
 }
 

@@ -107,8 +107,11 @@ test("a trace has the least and the greatest value of each pixel", () => {
   assert.deepEqual(columns[0], { low: -2, high: 1 });
   assert.deepEqual(columns[1], { low: NaN, high: NaN });
   assert.deepEqual(columns[3], { low: 3, high: 3 });
-  assert.deepEqual(extremesOf(data.values, true), { low: -2, high: 3 });
-  assert.deepEqual(extremesOf(Float64Array.from([NaN]), false), { low: 0, high: 0 });
+  assert.deepEqual(extremesOf(data, true), { low: -2, high: 3 });
+  const none = { ...data, values: Float64Array.from([NaN]) };
+  assert.deepEqual(extremesOf(none, false), { low: 0, high: 0 });
+  const beside = Float64Array.from([7, NaN]);
+  assert.deepEqual(extremesOf({ ...none, beside }, false), { low: 7, high: 7 });
 });
 
 test("the time axis has round marks", () => {

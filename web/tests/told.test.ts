@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { toldAt } from "../src/replay/told.ts";
+import { goalsAt, placesIn, toldAt, velocitiesIn } from "../src/replay/told.ts";
 
 const kGoals = [
   { time: 0, name: "command", type: "vec2", unit: "m/s", value: [0.25, -0.5] },
@@ -16,4 +16,11 @@ test("a goal holds until it is drawn again", () => {
 
 test("who is told nothing sees nothing", () => {
   assert.equal(toldAt([], 1), "");
+});
+
+test("places and velocities can be drawn, and nothing else", () => {
+  const place = { time: 0, name: "target", type: "vec2", unit: "m", value: [1, 2] };
+  const goals = [...goalsAt(kGoals, 1), place];
+  assert.deepEqual(placesIn(goals).map(({ name }) => name), ["target"]);
+  assert.deepEqual(velocitiesIn(goals).map(({ name, value }) => [name, value]), [["command", [0.25, -0.5]]]);
 });

@@ -1,7 +1,15 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { decodeClip, decodeLayout, Frame, type ViewValue } from "../src/live/view_frames.ts";
+import {
+  decodeClip,
+  decodeLayout,
+  forcesIn,
+  Frame,
+  goalsIn,
+  torquesIn,
+  type ViewValue,
+} from "../src/live/view_frames.ts";
 import { History } from "../src/live/history.ts";
 
 const kLinks = 2;
@@ -43,6 +51,29 @@ test("a frame is read as it was written", () => {
   assert.equal(frame.actions, 1);
   assert.deepEqual([...frame.contacts], [1, 0]);
   assert.deepEqual([...frame.valuesOf(layout.values[1] as ViewValue)], [0.1, 0.2, 0.3].map(Math.fround));
+});
+
+test("forces, torques and goals are those that the task has", () => {
+  const parsed = JSON.parse(kText) as { size: number; values: object[] };
+  const more = [
+    { kind: "goal", name: "target", type: "vec2", unit: "m", doc: "", size: 2 },
+    { kind: "sensor", name: "contact_force", type: "vec3[link]", unit: "N", doc: "", size: 6 },
+    { kind: "sensor", name: "joint.torque", type: "real[joint]", unit: "N m", doc: "", size: 2 },
+  ];
+  Object.assign(more[2] as object, { elements: ["joint.torque[hip]", "joint.torque[knee]"] });
+  const size = parsed.size + 10;
+  const layout = decodeLayout(JSON.stringify({ ...parsed, size, values: [...parsed.values, ...more] }));
+  const bytes = bytesOf(true, [[0.5, 0, 0]], size);
+  new Float32Array(bytes, 7 * 8).set([1, 2, 0, 0, 9, 3, 4, 5, -0.5, 0.25], parsed.size);
+  const frame = new Frame(decodeClip(layout, bytes), 0);
+  assert.deepEqual([...(forcesIn(frame) ?? [])], [0, 0, 9, 3, 4, 5]);
+  assert.deepEqual([...torquesIn(frame)], [["hip", -0.5], ["knee", 0.25]]);
+  const [goal] = goalsIn(frame);
+  assert.deepEqual([goal?.name, goal?.time, goal?.value], ["target", 0.5, [1, 2]]);
+  const plain = new Frame(decodeClip(decodeLayout(kText), bytesOf(true, [[0, 0, 0]], parsed.size)), 0);
+  assert.equal(forcesIn(plain), undefined);
+  assert.equal(torquesIn(plain).size, 0);
+  assert.deepEqual(goalsIn(plain), []);
 });
 
 test("what does not add up is refused", () => {

@@ -4,6 +4,17 @@ import { decodeFloats } from "./base64.ts";
 import type { Estimate } from "./estimate.ts";
 import { decodeTimeline, type EncodedTimeline, type Timeline } from "./timeline.ts";
 
+/** What a link hangs on: plugins/robot/robot_description.h. */
+export interface Joint {
+  name: string;
+  kind: "hinge" | "continuous" | "slider";
+  parent: number; // index of the link
+  axis: [number, number, number];
+  stops?: [number, number]; // [rad]
+  radius?: number; // of a slider's pinion [m]
+  offset?: [number, number, number]; // of a slider's link from its parent, at angle 0 [m]
+}
+
 /** A link of the robot, or a thing of its world; lengths in meters, `axis` 0, 1, 2 = x, y, z of the link's own frame. */
 export interface BodyLink {
   name: string;
@@ -17,6 +28,8 @@ export interface BodyLink {
   position?: [number, number, number];
   orientation?: [number, number, number, number]; // w, x, y, z
   thing?: true;
+  mass?: number; // of a link, about its center [kg]; not of a run of before it was recorded
+  joint?: Joint;
 }
 
 /** What the robot stands on. */

@@ -1,10 +1,13 @@
 // The robot in the picture, and the words around it.
 
 import type { Scenery } from "../data/report_data.ts";
-import { formatCount, formatLength, formatRatio } from "../data/words.ts";
+import { formatCount, formatRatio } from "../data/words.ts";
 import { byId, hasWebGl, onThemeChange } from "../page/dom.ts";
+import { AidSwitches } from "../replay/aid_switches.ts";
+import { jointsInWords } from "../replay/joints.ts";
 import { Stage } from "../replay/stage.ts";
-import { poseSize, type Clip, type Frame } from "./view_frames.ts";
+import { placeInWords } from "../replay/stage_words.ts";
+import { forcesIn, goalsIn, poseSize, torquesIn, type Clip, type Frame } from "./view_frames.ts";
 import type { Shown, ViewSource } from "./view_source.ts";
 import { goalsInWords } from "./value_words.ts";
 
@@ -25,12 +28,14 @@ export class RobotView {
   private readonly host = byId("stage", HTMLElement);
   private readonly place = byId("place", HTMLElement);
   private readonly told = byId("told", HTMLElement);
+  private readonly joints = byId("joints", HTMLElement);
   private readonly words = byId("shown", HTMLElement);
+  private readonly aids = new AidSwitches(() => (this.mustDraw = true));
   private clip: Clip | undefined;
   private mustDraw = true;
 
   constructor(
-    scenery: Scenery,
+    private readonly scenery: Scenery,
     private readonly source: ViewSource,
   ) {
     this.stage = this.makeStage(scenery);
@@ -52,6 +57,7 @@ export class RobotView {
     stage.canvas.addEventListener("pointerdown", () => stage.canvas.focus({ preventScroll: true }));
     stage.setZoomable(false);
     this.host.prepend(stage.canvas);
+    this.aids.connect(stage);
     const redraw = (): void => void (this.mustDraw = true);
     new ResizeObserver(() => {
       stage.setSize(this.host.clientWidth, this.host.clientHeight);
@@ -83,9 +89,13 @@ export class RobotView {
       if (clip !== this.clip) this.showEpisode(this.stage, clip);
       this.stage.setTime(time);
     }
+    if (clip.layout !== this.clip?.layout) this.offerAids(frame);
     this.clip = clip;
-    this.stage.setContacts(frame.contacts);
+    const { contacts } = frame;
+    const touches = (link: number): boolean => contacts[link] === 1;
+    this.stage.setInstant({ touches, forces: forcesIn(frame), goals: goalsIn(frame) });
     this.stage.draw();
+    this.showJoints(this.stage, frame);
     this.mustDraw = false;
   }
 
@@ -93,10 +103,22 @@ export class RobotView {
     stage.continueWith(motionOf(clip));
   }
 
+  private offerAids(frame: Frame): void {
+    this.aids.offer({ body: this.scenery.body, hasContacts: true, goals: goalsIn(frame) });
+  }
+
+  /** Of the picked link; torques where the task reads them. */
+  private showJoints(stage: Stage, frame: Frame): void {
+    const { picked } = this.aids;
+    this.joints.textContent =
+      picked === undefined
+        ? ""
+        : jointsInWords(this.scenery.body, picked, stage.now, torquesIn(frame));
+  }
+
   private describe(frame: Frame, state: string): void {
     const [x = 0, y = 0, z = 0] = frame.poses;
-    const [px, py, pz] = [x, y, z].map(formatLength);
-    this.place.textContent = `x ${px}  y ${py}  z ${pz} m`;
+    this.place.textContent = placeInWords([x, y, z]);
     this.told.textContent = goalsInWords(frame);
     const moment = `Episode ${formatCount(frame.clip.episode)}, ${frame.time.toFixed(2)} s`;
     this.words.textContent = [moment, this.howShown(state)].join("  ·  ");

@@ -1,5 +1,7 @@
 // What the trainer shows of its episodes, decoded (docs/api.md, "The view").
 
+import type { ToldGoal } from "../data/report_data.ts";
+
 export interface PhaseWords {
   name: string;
   doc: string;
@@ -119,3 +121,26 @@ export class Frame {
     return this.clip.numbers.subarray(this.begin + offset, this.begin + offset + size);
   }
 }
+
+const sensorIn = ({ clip }: Frame, name: string): ViewValue | undefined =>
+  clip.layout.values.find((value) => value.kind === "sensor" && value.name === name);
+
+/** Of all contacts of each link, [link][x, y, z] [N], where the task reads them. */
+export function forcesIn(frame: Frame): Float32Array | undefined {
+  const sensor = sensorIn(frame, "contact_force");
+  return sensor && frame.valuesOf(sensor);
+}
+
+/** By the names of the joints [N m], where the task reads them. */
+export function torquesIn(frame: Frame): Map<string, number> {
+  const sensor = sensorIn(frame, "joint.torque");
+  const torques = sensor ? frame.valuesOf(sensor) : new Float32Array();
+  const jointIn = (element: string): string => /\[(.*)\]$/.exec(element)?.[1] ?? element;
+  return new Map(sensor?.elements?.map((element, i) => [jointIn(element), torques[i] ?? NaN]));
+}
+
+/** As they hold in this frame. */
+export const goalsIn = (frame: Frame): ToldGoal[] =>
+  frame.clip.layout.values
+    .filter(({ kind }) => kind === "goal")
+    .map((goal) => ({ ...goal, time: frame.time, value: [...frame.valuesOf(goal)] }));

@@ -9,8 +9,9 @@ import "../style/probe.css";
 import { docOfTask } from "../data/task_source.ts";
 import { formatCount, formatDate, formatDuration } from "../data/words.ts";
 import { byId, element } from "../page/dom.ts";
+import type { Other } from "../replay/companion.ts";
 import { ReplayDialog } from "../study/replay_dialog.ts";
-import { decodeProbe, type Probe } from "./data.ts";
+import { decodeProbe, type Find, type Probe } from "./data.ts";
 import { findCard } from "./find_card.ts";
 
 function showMasthead(probe: Probe): void {
@@ -38,13 +39,18 @@ const sentences = ({ finds, left_out, diverged, notes }: Probe): string[] => [
   ...notes,
 ];
 
+const titleOf = ({ name, seed, episode }: Find): string =>
+  `${name}: seed ${seed}, episode ${episode}`;
+
 function main(): void {
   const probe = decodeProbe(byId("report-data", HTMLElement).textContent ?? "");
   showMasthead(probe);
-  const dialog = new ReplayDialog();
+  const others = probe.finds.map((find): Other => {
+    return { title: titleOf(find), replay: find.recording, scenery: probe };
+  });
+  const dialog = new ReplayDialog(others);
   for (const find of probe.finds) {
-    const title = `${find.name}: seed ${find.seed}, episode ${find.episode}`;
-    const replay = (): void => dialog.show(find.recording, probe, title);
+    const replay = (): void => dialog.show(find.recording, probe, titleOf(find));
     byId("finds", HTMLElement).append(findCard(find, probe.searches, replay));
   }
   const list = byId("notes", HTMLElement);

@@ -131,6 +131,11 @@ export class Ground {
     this.pathLine.geometry.setDrawRange(0, frame + 1);
   }
 
+  /** Whether the path is shown at all. */
+  setTrail(isShown: boolean): void {
+    this.pathLine.visible = isShown;
+  }
+
   /** Whether there is ground for a camera that looks at this point. */
   covers(x: number, y: number): boolean {
     const { low, high } = this.extent;

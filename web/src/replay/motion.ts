@@ -5,10 +5,11 @@ import { endOf } from "../data/timeline.ts";
 
 export const kPoseSize = 7; // x, y, z, then the quaternion w, x, y, z
 
-export type Motion = Pick<Recording, "frames" | "interval" | "poses" | "timeline">;
+export type Motion = Pick<Recording, "frames" | "interval" | "poses" | "timeline"> &
+  Partial<Pick<Recording, "goals">>;
 
 /** A recorded episode, whatever else is known of it. */
-export type Replay = Motion & Pick<Recording, "episode"> & Partial<Pick<Recording, "goals">>;
+export type Replay = Motion & Pick<Recording, "episode">;
 
 /** From the first frame to the last one, or to the end of the episode where that is known [s]. */
 export function durationOf(motion: Motion): number {
@@ -71,6 +72,16 @@ export function smoothPath(motion: Motion, link: number, halfWidth: number): Flo
     }
   }
   return path;
+}
+
+/** Where the path leads at `time` [s], between its frames: x, y [m]. */
+export function placeOnPath(path: Float32Array, motion: Motion, time: number): [number, number] {
+  const frame = motion.frames > 0 ? frameAt(motion, time) : 0;
+  const next = Math.min(frame + 1, motion.frames - 1);
+  const weight = Math.min(Math.max(time / motion.interval - frame, 0), 1);
+  const between = (i: number): number =>
+    (1 - weight) * (path[2 * frame + i] ?? 0) + weight * (path[2 * next + i] ?? 0);
+  return [between(0), between(1)];
 }
 
 /** `count` moments [s] with equal spaces, from `start` on, that span at most `span` seconds. */

@@ -41,6 +41,13 @@ export class Player {
     this.changed();
   }
 
+  /** Of the same replay, with another beside it. */
+  setDuration(duration: number): void {
+    this.length = duration;
+    this.now = Math.min(this.now, duration);
+    this.changed();
+  }
+
   /** From the start where the end has been reached, or nobody has chosen a time. */
   play(): void {
     if (this.isUntouched || this.now >= this.length) this.now = 0;

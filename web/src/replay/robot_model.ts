@@ -11,6 +11,7 @@ import {
   SphereGeometry,
   Vector3,
   type BufferGeometry,
+  type Raycaster,
 } from "three";
 import { ConvexGeometry } from "three/examples/jsm/geometries/ConvexGeometry.js";
 import { RoundedBoxGeometry } from "three/examples/jsm/geometries/RoundedBoxGeometry.js";
@@ -71,6 +72,7 @@ type Paint = Side | "joint_left" | "joint_right" | "plate" | "thing";
 type Materials = Record<Paint, MeshStandardMaterial>;
 
 const kShine = 0.55; // of what is lit
+const kPickedShine = 0.75;
 
 function makeMaterials(): Materials {
   const matte = (): MeshStandardMaterial =>
@@ -99,6 +101,9 @@ export class RobotModel {
   private readonly materials = makeMaterials();
   private readonly shining = makeMaterials();
   private readonly paints: Paint[];
+  private readonly picking = makeMaterials();
+  private picked: number | undefined;
+  private isLit: (link: number) => boolean = () => false;
 
   constructor(body: BodyLink[]) {
     this.paints = body.map(paintOf);
@@ -109,7 +114,7 @@ export class RobotModel {
 
   /** Takes the colors of the present theme. */
   updateColors(): void {
-    for (const materials of [this.materials, this.shining]) {
+    for (const materials of [this.materials, this.shining, this.picking]) {
       for (const side of ["left", "right", "trunk"] as const) {
         materials[side].color = new Color(themeColor(kSideColors[side]));
       }
@@ -118,18 +123,34 @@ export class RobotModel {
       materials.plate.color = new Color(themeColor("--plate"));
       materials.thing.color = new Color(themeColor("--thing"));
     }
-    for (const material of Object.values(this.shining)) {
-      material.emissive = new Color(themeColor("--touch"));
-      material.emissiveIntensity = kShine;
-    }
+    const shine = (materials: Materials, color: string, intensity: number): void => {
+      for (const material of Object.values(materials)) {
+        material.emissive = new Color(themeColor(color));
+        material.emissiveIntensity = intensity;
+      }
+    };
+    shine(this.shining, "--touch", kShine);
+    shine(this.picking, "--picked", kPickedShine);
   }
 
   /** Lets the links shine for which `isLit` holds. */
   setLit(isLit: (link: number) => boolean): void {
-    this.links.forEach((mesh, i) => {
-      const materials = isLit(i) ? this.shining : this.materials;
-      mesh.material = materials[this.paints[i] as Paint];
-    });
+    this.isLit = isLit;
+    this.paint();
+  }
+
+  /** Marks one link among all. */
+  setPicked(link: number | undefined): void {
+    this.picked = link;
+    this.paint();
+  }
+
+  /** The first link that the ray meets. */
+  hitBy(ray: Raycaster): number | undefined {
+    const [hit] = ray.intersectObjects(this.links, true);
+    if (!hit) return undefined;
+    const link = this.links.findIndex((mesh) => mesh === hit.object || mesh === hit.object.parent);
+    return link < 0 ? undefined : link;
   }
 
   /** `poses`: [link][x, y, z, qw, qx, qy, qz]. */
@@ -148,9 +169,16 @@ export class RobotModel {
     this.object.traverse((part) => {
       if (part instanceof Mesh) part.geometry.dispose();
     });
-    for (const materials of [this.materials, this.shining]) {
+    for (const materials of [this.materials, this.shining, this.picking]) {
       for (const material of Object.values(materials)) material.dispose();
     }
+  }
+
+  private paint(): void {
+    this.links.forEach((mesh, i) => {
+      const lit = this.isLit(i) ? this.shining : this.materials;
+      mesh.material = (i === this.picked ? this.picking : lit)[this.paints[i] as Paint];
+    });
   }
 
   private makeLink(link: BodyLink, index: number): Mesh {

@@ -1,58 +1,50 @@
 // The 3-D picture: robot, floor, light and a camera that follows the base. Draws when asked to.
 
-import {
-  Color,
-  DirectionalLight,
-  Fog,
-  HemisphereLight,
-  PCFShadowMap,
-  PerspectiveCamera,
-  Scene,
-  Vector3,
-  WebGLRenderer,
-} from "three";
-import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
+import { Color, Fog, Raycaster, Scene, Vector2, Vector3, WebGLRenderer } from "three";
 
-import type { Scenery } from "../data/report_data.ts";
-import { sampleAt, touches } from "../data/timeline.ts";
+import type { BodyLink, Scenery } from "../data/report_data.ts";
 import { themeColor } from "../page/dom.ts";
+import { Aids, kFirstAids, type AidSettings } from "./aids.ts";
+import { CameraRig } from "./camera_rig.ts";
 import { framingOf, type Framing } from "./framing.ts";
 import { Ground } from "./ground.ts";
-import { durationOf, frameAt, kPoseSize, sampleMotion, smoothPath, type Motion } from "./motion.ts";
+import { instantOf, kNothingKnown, type Instant } from "./instant.ts";
+import { Light } from "./light.ts";
+import {
+  durationOf,
+  frameAt,
+  kPoseSize,
+  placeOnPath,
+  sampleMotion,
+  smoothPath,
+  type Motion,
+} from "./motion.ts";
 import { RobotModel } from "./robot_model.ts";
 import { Terrain } from "./terrain.ts";
 
 const kFollowSmoothing = 0.3; // half the time over which the followed path is averaged [s]
 const kNothing: Motion = { frames: 0, interval: 1, poses: new Float32Array() };
 const kNothingFramed: Framing = { anchor: 0, height: 0, radius: 0.2 };
-
-// Seen from the point that the camera looks at, in radii of the robot around that point.
-const kFirstView = new Vector3(1.9, -5.4, 1.9);
-const kLightPlace = new Vector3(-3.3, -4.3, 7.6);
-const kLit = 2.9; // half the width of what has shadows
-const kNearest = 1.9;
-const kFarthest = 38;
-const kFog = { near: 7.6, far: 24 };
+const kFog = { near: 7.6, far: 24 }; // in radii of the robot
 
 export class Stage {
   readonly canvas: HTMLCanvasElement;
   private readonly renderer: WebGLRenderer;
   private readonly scene = new Scene();
-  private readonly camera = new PerspectiveCamera(24);
-  private readonly controls: OrbitControls;
-  private readonly sky = new HemisphereLight(0xffffff, 0xffffff, 2.3);
-  private readonly light = new DirectionalLight(0xffffff, 1.9);
+  private readonly rig: CameraRig;
+  private readonly light: Light;
   private terrain: Terrain;
   private robot: RobotModel;
   private poses: Float32Array;
-  private readonly target = new Vector3();
   private motion: Motion = kNothing;
   private framing: Framing = kNothingFramed;
   private path: Float32Array = new Float32Array();
   private ground: Ground | undefined;
+  private aids: Aids | undefined;
+  private settings = kFirstAids;
+  private instant = kNothingKnown;
   private time = 0;
   private follows = true;
-  private lightsContacts = true;
   private width = 1;
   private height = 1;
 
@@ -63,17 +55,12 @@ export class Stage {
   ) {
     this.renderer = new WebGLRenderer({ antialias: true });
     this.canvas = this.renderer.domElement;
-    this.renderer.shadowMap.enabled = true;
-    this.renderer.shadowMap.type = PCFShadowMap;
-    this.camera.up.set(0, 0, 1);
     this.terrain = new Terrain(scenery.ground);
     this.robot = new RobotModel(scenery.body);
     this.poses = new Float32Array(scenery.body.length * kPoseSize);
-    this.addLight();
+    this.light = new Light(this.renderer, this.scene);
     this.scene.add(this.robot.object);
-    this.controls = new OrbitControls(this.camera, this.canvas);
-    this.controls.maxPolarAngle = 0.495 * Math.PI;
-    this.controls.addEventListener("change", onView);
+    this.rig = new CameraRig(this.canvas, onView);
     this.resetView();
   }
 
@@ -99,9 +86,10 @@ export class Stage {
     this.motion = motion;
     this.framing = motion.frames > 0 ? this.frame(motion) : kNothingFramed;
     this.path = smoothPath(motion, this.framing.anchor, kFollowSmoothing);
-    this.fitToRobot();
+    this.rig.fit(this.framing.radius);
+    this.light.fit(this.framing.radius);
+    this.instant = kNothingKnown;
     this.updateTheme();
-    this.robot.setLit(() => false);
     this.setTime(0);
     if (isFirst) this.resetView();
   }
@@ -117,9 +105,10 @@ export class Stage {
     this.setTime(0);
   }
 
-  /** Lights the links that have contact, one number for each. */
-  setContacts(contacts: ArrayLike<number>): void {
-    this.robot.setLit((link) => contacts[link] === 1);
+  /** What a motion does not say itself: who shows one knows it, for the time that is shown. */
+  setInstant(instant: Instant): void {
+    this.instant = instant;
+    this.lightContacts();
   }
 
   setTime(time: number): void {
@@ -127,21 +116,49 @@ export class Stage {
     if (this.motion.frames === 0) return;
     sampleMotion(this.motion, this.time, this.poses);
     this.robot.setPoses(this.poses);
+    const { body } = this.scenery;
+    this.instant = instantOf(this.motion, body.length, this.time, this.instant);
     this.lightContacts();
     this.ground?.setFrame(frameAt(this.motion, this.time));
     if (this.follows) this.follow();
   }
 
-  /** Whether links that touch something shine, where the motion knows that. */
-  setLightingContacts(lights: boolean): void {
-    this.lightsContacts = lights;
+  /** What is drawn beside the robot. */
+  setAids(settings: AidSettings): void {
+    this.settings = settings;
+    this.ground?.setTrail(settings.trail);
     this.lightContacts();
+  }
+
+  /** The link that is seen at a point of the canvas (its corners: ±1), if any. */
+  linkAt(x: number, y: number): number | undefined {
+    const ray = new Raycaster();
+    ray.setFromCamera(new Vector2(x, y), this.rig.camera);
+    return this.robot.hitBy(ray);
+  }
+
+  /** Marks a link that somebody has picked. */
+  pick(link: number | undefined): void {
+    this.robot.setPicked(link);
+  }
+
+  /** The poses that are shown: [link][x, y, z, qw, qx, qy, qz]. */
+  get now(): Float32Array {
+    return this.poses;
   }
 
   /** Where the link is now that is followed, mostly the base: x, y, z [m]. */
   get place(): [number, number, number] {
     const [x = 0, y = 0, z = 0] = this.poses.subarray(kPoseSize * this.framing.anchor);
     return [x, y, z];
+  }
+
+  /** From where the camera looks, in the robot's radii from the point that it looks at. */
+  get view(): Vector3 {
+    return this.rig.view;
+  }
+  set view(view: Vector3) {
+    this.rig.view = view;
   }
 
   setFollowing(follows: boolean): void {
@@ -151,14 +168,12 @@ export class Stage {
 
   /** The wheel zooms only while this is set, since it would keep the page from scrolling. */
   setZoomable(zoomable: boolean): void {
-    this.controls.enableZoom = zoomable;
+    this.rig.setZoomable(zoomable);
   }
 
   resetView(): void {
     this.follow();
-    this.camera.position.copy(this.target).addScaledVector(kFirstView, this.framing.radius);
-    this.controls.target.copy(this.target);
-    this.controls.update();
+    this.rig.reset();
   }
 
   setSize(width: number, height: number): void {
@@ -166,7 +181,7 @@ export class Stage {
     this.height = height;
     this.renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
     this.renderer.setSize(width, height, false);
-    this.frameCamera(width / height);
+    this.rig.setAspect(width / height);
   }
 
   updateTheme(): void {
@@ -174,31 +189,34 @@ export class Stage {
     this.scene.background = background;
     const { radius } = this.framing;
     this.scene.fog = new Fog(background, kFog.near * radius, kFog.far * radius);
-    this.sky.groundColor = new Color(themeColor("--stage-bounce"));
+    this.light.updateTheme();
     this.robot.updateColors();
-    if (this.ground) {
-      this.scene.remove(this.ground.object);
-      this.ground.dispose();
+    for (const part of [this.ground, this.aids]) {
+      if (part) this.scene.remove(part.object);
+      part?.dispose();
     }
     this.ground = new Ground(this.path, radius, this.terrain);
-    this.scene.add(this.ground.object);
+    this.ground.setTrail(this.settings.trail);
+    this.aids = new Aids(this.links, this.terrain, radius);
+    this.scene.add(this.ground.object, this.aids.object);
     this.ground.setFrame(frameAt(this.motion, this.time));
   }
 
   draw(): void {
-    this.renderer.render(this.scene, this.camera);
+    this.aids?.show(this.poses, this.instant, this.settings);
+    this.renderer.render(this.scene, this.rig.camera);
   }
 
   /** Draws the moments `times` [s] into `canvases`, seen from the side the camera is on now. */
   drawSnapshots(times: number[], canvases: HTMLCanvasElement[]): void {
     const { time, follows, width, height } = this;
-    const target = this.target.clone();
+    const target = this.rig.place;
     this.follows = true;
     times.forEach((moment, i) => {
       const canvas = canvases[i] as HTMLCanvasElement;
       this.renderer.setPixelRatio(1);
       this.renderer.setSize(canvas.width, canvas.height, false);
-      this.frameCamera(canvas.width / canvas.height);
+      this.rig.setAspect(canvas.width / canvas.height);
       this.setTime(moment);
       this.draw();
       canvas.getContext("2d")?.drawImage(this.canvas, 0, 0);
@@ -210,65 +228,27 @@ export class Stage {
     this.draw();
   }
 
-  /** Of a motion that says what touches what; who shows others calls setContacts(). */
   private lightContacts(): void {
-    const { timeline } = this.motion;
-    if (!timeline) return;
-    const count = this.scenery.body.length;
-    const sample = sampleAt(timeline, this.time);
-    this.robot.setLit((link) => this.lightsContacts && touches(timeline, count, sample, link));
+    this.robot.setLit((link) => this.settings.lit && this.instant.touches(link));
   }
 
-  private addLight(): void {
-    this.light.castShadow = true;
-    this.light.shadow.mapSize.set(1024, 1024);
-    this.light.shadow.radius = 3;
-    this.scene.add(this.sky, this.light, this.light.target);
+  /** Those of the robot: not the things around it, which come after them. */
+  private get links(): BodyLink[] {
+    return this.scenery.body.filter((part) => !part.thing);
   }
 
-  private fitToRobot(): void {
-    const { radius } = this.framing;
-    [this.controls.minDistance, this.controls.maxDistance] = [kNearest * radius, kFarthest * radius];
-    [this.camera.near, this.camera.far] = [0.2 * radius, 4 * kFarthest * radius];
-    this.camera.updateProjectionMatrix();
-    this.light.shadow.normalBias = 0.01 * radius;
-    const frame = this.light.shadow.camera;
-    const lit = kLit * radius;
-    [frame.left, frame.right, frame.bottom, frame.top] = [-lit, lit, -lit, lit];
-    [frame.near, frame.far] = [2 * radius, 20 * radius];
-    frame.updateProjectionMatrix();
-  }
-
-  /** Keeps the robot's whole width in narrow pictures by a wider angle. */
-  private frameCamera(aspect: number): void {
-    this.camera.aspect = aspect;
-    this.camera.fov = aspect >= 1 ? 24 : Math.min(24 / aspect, 50);
-    this.camera.updateProjectionMatrix();
-  }
-
-  /** What there is to see of the robot: not what is around it. */
   private frame(motion: Motion): Framing {
-    const links = this.scenery.body.filter((part) => !part.thing);
-    return framingOf(links, motion, (x, y) => this.terrain.heightAt(x, y));
+    return framingOf(this.links, motion, (x, y) => this.terrain.heightAt(x, y));
   }
 
   private follow(): void {
-    const frame = this.motion.frames > 0 ? frameAt(this.motion, this.time) : 0;
-    const next = Math.min(frame + 1, this.motion.frames - 1);
-    const weight = Math.min(Math.max(this.time / this.motion.interval - frame, 0), 1);
-    const between = (i: number): number =>
-      (1 - weight) * (this.path[2 * frame + i] ?? 0) + weight * (this.path[2 * next + i] ?? 0);
-    const [x, y] = [between(0), between(1)];
+    const [x, y] = placeOnPath(this.path, this.motion, this.time);
     this.moveTo(new Vector3(x, y, this.framing.height + this.terrain.heightAt(x, y)));
   }
 
   /** Moves camera and light to look at `target`, from the side that the user has chosen. */
   private moveTo(target: Vector3): void {
-    this.camera.position.add(target).sub(this.target);
-    this.camera.lookAt(target);
-    this.target.copy(target);
-    this.controls.target.copy(target);
-    this.light.target.position.copy(target);
-    this.light.position.copy(target).addScaledVector(kLightPlace, this.framing.radius);
+    this.rig.moveTo(target);
+    this.light.moveTo(target, this.framing.radius);
   }
 }

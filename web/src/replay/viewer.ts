@@ -1,13 +1,16 @@
 // The replay with its controls: buttons, slider, keys, and the loop that draws while it plays.
 
 import type { Scenery } from "../data/report_data.ts";
-import { formatLength, formatTime } from "../data/words.ts";
+import { formatTime } from "../data/words.ts";
 import { byId, onThemeChange } from "../page/dom.ts";
+import { AidSwitches } from "./aid_switches.ts";
+import { Companion, type Other } from "./companion.ts";
+import { FilmRecorder } from "./film_recorder.ts";
 import { durationOf, type Replay } from "./motion.ts";
 import { Player } from "./player.ts";
 import { Stage } from "./stage.ts";
+import { StageWords } from "./stage_words.ts";
 import { Strip } from "./strip.ts";
-import { toldAt } from "./told.ts";
 
 const kSettleTime = 250; // after the last move of the camera, before the strip follows [ms]
 
@@ -19,18 +22,26 @@ export class Viewer {
   private readonly playButton = byId("play", HTMLButtonElement);
   private readonly slider = byId("scrub", HTMLInputElement);
   private readonly clock = byId("clock", HTMLElement);
-  private readonly place = byId("place", HTMLElement);
-  private readonly told = byId("told", HTMLElement);
+  private readonly title = byId("stage-title", HTMLElement);
+  private readonly words = new StageWords();
+  private readonly aids = new AidSwitches(() => this.planDraw());
+  private readonly companion = new Companion(this.aids, (stage) => this.onOtherView(stage));
+  private readonly film = new FilmRecorder(
+    this.player,
+    () => [this.stage.canvas, ...this.companion.canvases],
+    () => this.title.textContent ?? "replay",
+  );
   private recording: Replay | undefined;
   private lastFrame: number | undefined;
   private isDrawPlanned = false;
   private settleTimer = 0;
 
-  constructor(scenery: Scenery) {
+  constructor(private scenery: Scenery) {
     this.stage = new Stage(scenery, () => this.onView());
     this.stage.canvas.tabIndex = 0;
     this.stage.canvas.setAttribute("role", "img");
     this.frame.prepend(this.stage.canvas);
+    this.aids.connect(this.stage);
     this.strip = new Strip(
       byId("strip", HTMLElement),
       byId("span", HTMLSelectElement),
@@ -43,26 +54,51 @@ export class Viewer {
     this.player.onChange(() => this.update());
   }
 
-  /** `opening`: the time that is shown first [s]. */
-  show(recording: Replay, opening = 0): void {
+  /** `opening`: the time that is shown first [s]; `title`: what it is, where another is beside it. */
+  show(recording: Replay, opening = 0, title = `episode ${recording.episode}`): void {
     this.recording = recording;
     const duration = durationOf(recording);
-    this.slider.max = String(duration);
     this.slider.step = String(recording.interval);
     this.stage.canvas.setAttribute(
       "aria-label",
       `The robot in episode ${recording.episode}, ${duration.toFixed(1)} seconds`,
     );
-    for (const id of ["contacts-label", "touching"]) {
-      byId(id, HTMLElement).hidden = recording.timeline === undefined;
-    }
+    this.title.textContent = title;
+    this.offerAids();
     this.stage.show(recording);
-    this.player.load(duration, opening);
+    this.player.load(this.duration, opening);
     this.strip.show(recording);
+  }
+
+  /** Shows another replay beside this one, in step with it; or nothing more. */
+  showBeside(other: Other | undefined): void {
+    this.title.hidden = other === undefined;
+    this.companion.show(other);
+    this.companion.lookFrom(this.stage);
+    this.offerAids();
+    this.player.setDuration(this.duration);
+    this.planDraw();
+  }
+
+  /** Of the longer one [s]. */
+  private get duration(): number {
+    return Math.max(this.recording ? durationOf(this.recording) : 0, this.companion.duration);
+  }
+
+  private offerAids(): void {
+    const { recording, scenery } = this;
+    const hasContacts = recording?.timeline !== undefined;
+    this.aids.offer({ body: scenery.body, hasContacts, goals: recording?.goals ?? [] });
+  }
+
+  /** Called with the link whose joints are to be shown. */
+  onPick(listener: (link: number | undefined) => void): void {
+    this.aids.onPick(listener);
   }
 
   /** For recordings of another robot. */
   setScenery(scenery: Scenery): void {
+    this.scenery = scenery;
     this.stage.setScenery(scenery);
   }
 
@@ -99,11 +135,7 @@ export class Viewer {
     speed.addEventListener("change", () => player.setSpeed(Number(speed.value)));
     follow.addEventListener("change", () => {
       stage.setFollowing(follow.checked);
-      this.planDraw();
-    });
-    const contacts = byId("contacts-lit", HTMLInputElement);
-    contacts.addEventListener("change", () => {
-      stage.setLightingContacts(contacts.checked);
+      this.companion.setFollowing(follow.checked);
       this.planDraw();
     });
     byId("reset-view", HTMLButtonElement).addEventListener("click", () => stage.resetView());
@@ -129,6 +161,7 @@ export class Viewer {
     }).observe(this.frame);
     onThemeChange(() => {
       this.stage.updateTheme();
+      this.companion.updateTheme();
       this.strip.redraw();
       this.planDraw();
     });
@@ -139,7 +172,7 @@ export class Viewer {
     if (!this.recording || event.ctrlKey || event.metaKey || event.altKey) return;
     const target = event.target as Element;
     const isSlider = target === this.slider;
-    if (target.closest("button, select, summary, a, textarea, .chart")) return;
+    if (target.closest("button, select, summary, a, textarea, pre, .scroll, .chart")) return;
     if (target instanceof HTMLInputElement && !(isSlider && event.key === " ")) return;
     if (!this.command(event.key, event.shiftKey ? 10 : 1)) return;
     event.preventDefault();
@@ -164,6 +197,7 @@ export class Viewer {
     const { time, duration, playing } = this.player;
     this.playButton.setAttribute("aria-label", playing ? "Pause" : "Play");
     this.playButton.dataset["state"] = playing ? "playing" : "paused";
+    this.slider.max = String(duration);
     this.slider.value = String(time);
     this.slider.setAttribute(
       "aria-valuetext",
@@ -192,12 +226,21 @@ export class Viewer {
     }
     this.stage.setTime(this.player.time);
     this.stage.draw();
-    const [x, y, z] = this.stage.place.map(formatLength);
-    this.place.textContent = `x ${x}  y ${y}  z ${z} m`;
-    this.told.textContent = toldAt(this.recording?.goals ?? [], this.player.time);
+    this.companion.draw(this.player.time);
+    this.film.take();
+    if (!this.recording) return;
+    const { stage, recording, scenery, player } = this;
+    this.words.show(stage, recording, scenery.body, player.time, this.aids.picked);
+  }
+
+  /** Both cameras are moved by whichever the user moves. */
+  private onOtherView(stage: Stage): void {
+    this.stage.view = stage.view;
+    this.onView();
   }
 
   private onView(): void {
+    this.companion.lookFrom(this.stage);
     this.planDraw();
     window.clearTimeout(this.settleTimer);
     this.settleTimer = window.setTimeout(() => {

@@ -6,6 +6,15 @@ import { snapshots } from "../page/snapshots.ts";
 import type { Experiment, Group } from "./data.ts";
 import { colorOf, shareOf } from "./words.ts";
 
+/** Which episode stands for the group. */
+function episodeOf(experiment: Experiment, group: Group): string {
+  const { seed = 0 } = experiment.runs[group.typical] ?? {};
+  return `seed ${seed}, episode ${group.recording?.episode}`;
+}
+
+export const titleOf = (experiment: Experiment, group: Group): string =>
+  `${experiment.name}, group ${group.name}: ${episodeOf(experiment, group)}`;
+
 export interface GroupActions {
   emphasize(runs: number[]): void; // lets the curves of these runs stand out; all, if none
   replay(group: Group, title: string): void;
@@ -57,11 +66,10 @@ export class GroupCards {
   }
 
   private replayButton(group: Group): HTMLElement {
-    const { seed = 0 } = this.experiment.runs[group.typical] ?? {};
-    const what = `seed ${seed}, episode ${group.recording?.episode}`;
+    const what = episodeOf(this.experiment, group);
     const play = element("button", { type: "button", class: "text" }, "Replay");
     play.addEventListener("click", () => {
-      this.actions.replay(group, `${this.experiment.name}, group ${group.name}: ${what}`);
+      this.actions.replay(group, titleOf(this.experiment, group));
     });
     return element("p", { class: "note" }, play, ` of ${what}`);
   }

@@ -12,9 +12,11 @@ import { formatCount, formatDate, formatDuration } from "../data/words.ts";
 import { byId, element } from "../page/dom.ts";
 import { settingWords } from "../page/settings.ts";
 import { row, table } from "../page/table.ts";
+import type { Other } from "../replay/companion.ts";
 import { showComparison } from "./comparison.ts";
 import { decodeStudy, type Experiment, type Study } from "./data.ts";
 import { idOf, showExperiment } from "./experiment.ts";
+import { titleOf } from "./groups.ts";
 import { ReplayDialog } from "./replay_dialog.ts";
 import { count } from "./words.ts";
 
@@ -75,13 +77,22 @@ function showNotes(notes: string[]): void {
   list.hidden = notes.length === 0;
 }
 
+/** What can be replayed. */
+const recordedIn = ({ experiments }: Study): Other[] =>
+  experiments.flatMap((experiment) =>
+    experiment.groups.flatMap((group) => {
+      const { recording: replay } = group;
+      return replay ? [{ title: titleOf(experiment, group), replay, scenery: experiment }] : [];
+    }),
+  );
+
 function main(): void {
   const study = decodeStudy(byId("report-data", HTMLElement).textContent ?? "");
   showMasthead(study);
   showOverview(study);
   showComparison(study.experiments, byId("comparison", HTMLElement));
   showNotes(study.notes);
-  const dialog = new ReplayDialog();
+  const dialog = new ReplayDialog(recordedIn(study));
   study.experiments.forEach((experiment, i) => {
     byId("experiments", HTMLElement).append(
       showExperiment(experiment, i, study.path, (group, title) => {

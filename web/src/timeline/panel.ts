@@ -5,6 +5,7 @@ import type { Recording, Report } from "../data/report_data.ts";
 import { endOf, sampleAt, type Timeline } from "../data/timeline.ts";
 import { formatNumber, formatTime } from "../data/words.ts";
 import { element, onThemeChange } from "../page/dom.ts";
+import { angleTrace, jointsOf } from "../replay/joints.ts";
 import { LitSource } from "./lit_source.ts";
 import { headOf, rowsOf, type Row } from "./rows.ts";
 
@@ -12,23 +13,26 @@ interface Parts {
   section: HTMLElement; // hidden where there is no timeline
   rows: HTMLElement;
   now: HTMLElement; // the time and what it is about, in words
-  source: HTMLElement;
+  source?: HTMLElement; // for the task's text, if that is to be shown
 }
 
 const kHeadings: Partial<Record<Row["kind"], string>> = {
   term: "reward",
   metric: "metrics",
+  joint: "joint angles",
   contact: "contacts",
 };
 
 export class TimelinePanel {
-  private readonly source: LitSource;
+  private readonly source: LitSource | undefined;
   private readonly overlay = element("div", { class: "plot" });
   private readonly cursor = element("div", { class: "cursor" });
   private readonly pointer = element("div", { class: "pointer", hidden: "" });
   private readonly ahead = element("div", { class: "ahead" });
   private rows: Row[] = [];
   private recording: Recording | undefined;
+  private beside: Timeline | undefined;
+  private picked: number | undefined; // link
   private time = 0;
 
   /** `seek` is called with the time that is chosen. */
@@ -37,23 +41,51 @@ export class TimelinePanel {
     private readonly parts: Parts,
     private readonly seek: (time: number) => void,
   ) {
-    this.source = new LitSource(parts.source);
+    this.source = parts.source && new LitSource(parts.source);
     this.overlay.append(this.ahead, this.pointer, this.cursor);
     this.connectPointer();
     new ResizeObserver(() => this.redraw()).observe(parts.rows);
     onThemeChange(() => this.redraw());
   }
 
-  show(recording: Recording): void {
+  /** `beside`: of an episode that is shown in step with this one. */
+  show(recording: Recording, beside?: Timeline): void {
+    const isNew = recording !== this.recording;
     const { timeline } = recording;
-    this.recording = recording;
+    [this.recording, this.beside] = [recording, beside];
     this.parts.section.hidden = timeline === undefined;
     if (!timeline) return;
-    this.rows = rowsOf(timeline, this.report.body);
+    this.makeRows();
+    if (isNew) this.source?.show(this.report.tasks[recording.task], timeline);
+    this.setTime(isNew ? 0 : this.time);
+  }
+
+  hide(): void {
+    this.recording = undefined;
+    this.parts.section.hidden = true;
+  }
+
+  /** Shows the angles of the joints of this link. */
+  pick(link: number | undefined): void {
+    this.picked = link;
+    if (!this.recording?.timeline) return;
+    this.makeRows();
+    this.setTime(this.time);
+  }
+
+  private makeRows(): void {
+    const { recording, picked } = this;
+    const { body } = this.report;
+    const { timeline } = recording ?? {};
+    if (!recording || !timeline) return;
+    const joints = picked === undefined ? [] : jointsOf(body, picked);
+    const angles = joints.map((joint) => ({
+      name: joint.name,
+      values: angleTrace(joint, recording, timeline.times),
+    }));
+    this.rows = rowsOf(timeline, body, angles, this.beside);
     this.parts.rows.replaceChildren(...this.cells(headOf(timeline)), this.overlay);
-    this.source.show(this.report.tasks[recording.task], timeline);
     this.redraw();
-    this.setTime(0);
   }
 
   setTime(time: number): void {
@@ -62,17 +94,23 @@ export class TimelinePanel {
     if (!timeline) return;
     const sample = sampleAt(timeline, time);
     for (const row of this.rows) row.show(sample);
-    this.source.setSample(timeline, sample);
-    const part = `${(100 * time) / Math.max(endOf(timeline), 1e-9)}%`;
+    this.source?.setSample(timeline, sample);
+    const part = `${(100 * time) / Math.max(this.duration, 1e-9)}%`;
     this.cursor.style.left = part;
     this.ahead.style.left = part;
     this.parts.now.textContent = this.words(timeline, sample);
   }
 
+  /** Of the time axis [s]. */
+  private get duration(): number {
+    const ends = [this.recording?.timeline, this.beside].map((each) => (each ? endOf(each) : 0));
+    return Math.max(...ends);
+  }
+
   private words(timeline: Timeline, sample: number): string {
     const { kind = "", reason = "" } = this.recording?.end ?? {};
     const words = [
-      `${formatTime(this.time, endOf(timeline))} s`,
+      `${formatTime(this.time, this.duration)} s`,
       `return ${formatNumber(timeline.total.sum[sample])}`,
     ];
     if (sample === timeline.times.length - 1) words.push(reason ? `${kind}: ${reason}` : kind);
@@ -112,8 +150,7 @@ export class TimelinePanel {
     const timeAt = (event: PointerEvent): number => {
       const { left, width } = this.overlay.getBoundingClientRect();
       const part = Math.min(Math.max((event.clientX - left) / width, 0), 1);
-      const timeline = this.recording?.timeline;
-      return timeline ? part * endOf(timeline) : 0;
+      return part * this.duration;
     };
     this.overlay.addEventListener("pointerdown", (event) => {
       this.overlay.setPointerCapture(event.pointerId);

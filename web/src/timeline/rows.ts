@@ -5,7 +5,15 @@ import { endOf, touches, type MetricTrace, type TermTrace, type Timeline } from 
 import { formatNumber, formatTick } from "../data/words.ts";
 import { element } from "../page/dom.ts";
 import { sideOf } from "../replay/side.ts";
-import { axis, bars, extremesOf, line, stretches, TraceCanvas } from "./trace.ts";
+import {
+  axis,
+  bars,
+  extremesOf,
+  line,
+  stretches,
+  TraceCanvas,
+  type TraceData,
+} from "./trace.ts";
 
 const kReturnHeight = 64; // [px]
 const kRowHeight = 34;
@@ -16,7 +24,7 @@ const kColors = 8; // --series-1 … --series-8
 export const termColor = (index: number): string => `--series-${(index % kColors) + 1}`;
 
 export interface Row {
-  kind: "return" | "term" | "metric" | "phase" | "contact" | "axis";
+  kind: "return" | "term" | "metric" | "joint" | "phase" | "contact" | "axis";
   label: HTMLElement;
   trace: TraceCanvas;
   range?: HTMLElement; // the greatest and the least value, at the end of the trace
@@ -52,21 +60,28 @@ function labelOf(name: string, doc: string, color: string | undefined, numbers: 
 }
 
 /** The greatest and the least value, and 0 where the trace stands on it. */
-function rangeLabel(values: Float64Array, withZero: boolean): HTMLElement {
-  const { low, high } = extremesOf(values, withZero);
+function rangeLabel(data: TraceData, withZero: boolean): HTMLElement {
+  const { low, high } = extremesOf(data, withZero);
   const label = element("div", { class: "range" }, element("span", {}, formatTick(high)));
   if (low < high) label.append(element("span", {}, formatTick(low)));
   return label;
 }
 
-function returnRow({ total, times }: Timeline, duration: number): Row {
+/** The time axis, and another episode on a time axis like this, whose traces are as high. */
+interface Axis {
+  times: Float64Array; // [sample] [s]
+  duration: number; // [s]
+  beside: Timeline | undefined;
+}
+
+function returnRow({ total }: Timeline, { times, duration, beside }: Axis): Row {
   const { label, outputs } = labelOf("return", "All that was paid, added up", "--accent", 2);
-  const draw = line({ times, values: total.sum, duration }, "--accent", true);
+  const data = { times, values: total.sum, duration, beside: beside?.total.sum };
   return {
     kind: "return",
     label,
-    trace: new TraceCanvas(kReturnHeight, draw),
-    range: rangeLabel(total.sum, true),
+    trace: new TraceCanvas(kReturnHeight, line(data, "--accent", true)),
+    range: rangeLabel(data, true),
     show: (sample) => showPayments(outputs, total.paid[sample], total.sum[sample]),
   };
 }
@@ -78,35 +93,46 @@ function showPayments(outputs: HTMLElement[], paid = 0, sum = 0): void {
   whole.textContent = formatNumber(sum);
 }
 
-function termRow(term: TermTrace, index: number, times: Float64Array, duration: number): Row {
+function termRow(term: TermTrace, index: number, { times, duration, beside }: Axis): Row {
   const { label, outputs } = labelOf(term.name, term.doc, termColor(index), 2);
-  const draw = bars({ times, values: term.paid, duration }, termColor(index));
+  const other = beside?.terms.find(({ name }) => name === term.name);
+  const data = { times, values: term.paid, duration, beside: other?.paid };
   return {
     kind: "term",
     label,
-    trace: new TraceCanvas(kRowHeight, draw),
-    range: rangeLabel(term.paid, true),
+    trace: new TraceCanvas(kRowHeight, bars(data, termColor(index))),
+    range: rangeLabel(data, true),
     show: (sample) => showPayments(outputs, term.paid[sample], term.sum[sample]),
   };
 }
 
-function metricRow(metric: MetricTrace, times: Float64Array, duration: number): Row {
-  const { name, unit, doc, values } = metric;
+/** Of a value that is none of the payments. */
+function valueRow(
+  kind: "metric" | "joint",
+  { name, unit, doc, values }: Pick<MetricTrace, "name" | "unit" | "doc" | "values">,
+  { times, duration }: Axis,
+  beside: Float64Array | undefined,
+): Row {
   const { label, outputs } = labelOf(unit ? `${name} [${unit}]` : name, doc, undefined, 1);
-  const draw = line({ times, values, duration }, "--ink-soft", false);
+  const data = { times, values, duration, beside };
   return {
-    kind: "metric",
+    kind,
     label,
-    trace: new TraceCanvas(kRowHeight, draw),
-    range: rangeLabel(values, false),
+    trace: new TraceCanvas(kRowHeight, line(data, "--ink-soft", false)),
+    range: rangeLabel(data, false),
     show: (sample) => ((outputs[0] as HTMLElement).textContent = formatNumber(values[sample])),
   };
 }
 
+function metricRow(metric: MetricTrace, axis: Axis): Row {
+  const isAlike = ({ name, unit }: MetricTrace): boolean =>
+    name === metric.name && unit === metric.unit;
+  return valueRow("metric", metric, axis, axis.beside?.metrics.find(isAlike)?.values);
+}
+
 function phaseRow(
   { names, values }: NonNullable<Timeline["phases"]>,
-  times: Float64Array,
-  duration: number,
+  { times, duration }: Axis,
 ): Row {
   const { label, outputs } = labelOf("phase", "", undefined, 1);
   const nameOf = (value: number): string => names[value] ?? "";
@@ -123,16 +149,16 @@ function phaseRow(
 const kSideColors = { left: "--left", right: "--right", trunk: "--ink-soft" };
 
 /** Rows of those links that touch something at some time. */
-function contactRows(timeline: Timeline, body: BodyLink[], duration: number): Row[] {
+function contactRows(timeline: Timeline, body: BodyLink[], { times, duration }: Axis): Row[] {
   return body.flatMap(({ name }, link): Row[] => {
-    const values = Float64Array.from(timeline.times, (_, sample) =>
+    const values = Float64Array.from(times, (_, sample) =>
       touches(timeline, body.length, sample, link) ? 0 : -1,
     );
     if (values.every((value) => value < 0)) return [];
     const words = name.replaceAll("_", " ");
     const { label } = labelOf(words, "", kSideColors[sideOf(name)], 0);
     const draw = stretches(
-      { times: timeline.times, values, duration },
+      { times, values, duration },
       () => kSideColors[sideOf(name)],
       () => "",
     );
@@ -147,16 +173,26 @@ function contactRows(timeline: Timeline, body: BodyLink[], duration: number): Ro
   });
 }
 
-export function rowsOf(timeline: Timeline, body: BodyLink[]): Row[] {
+/** The rows of an episode, as long and as high as those of another where that stands beside it. */
+export function rowsOf(
+  timeline: Timeline,
+  body: BodyLink[],
+  joints: { name: string; values: Float64Array }[] = [],
+  beside?: Timeline,
+): Row[] {
   const { times, terms, metrics, phases } = timeline;
-  const duration = endOf(timeline);
+  const duration = Math.max(endOf(timeline), beside ? endOf(beside) : 0);
+  const common: Axis = { times, duration, beside };
   const seconds = (time: number): string => `${formatTick(time)} s`;
   return [
-    returnRow(timeline, duration),
-    ...terms.map((term, i) => termRow(term, i, times, duration)),
-    ...metrics.map((metric) => metricRow(metric, times, duration)),
-    ...(phases ? [phaseRow(phases, times, duration)] : []),
-    ...contactRows(timeline, body, duration),
+    returnRow(timeline, common),
+    ...terms.map((term, i) => termRow(term, i, common)),
+    ...metrics.map((metric) => metricRow(metric, common)),
+    ...joints.map((joint) =>
+      valueRow("joint", { ...joint, unit: "rad", doc: "" }, common, undefined),
+    ),
+    ...(phases ? [phaseRow(phases, common)] : []),
+    ...contactRows(timeline, body, common),
     {
       kind: "axis",
       label: element("div", { class: "label" }),

@@ -6,6 +6,7 @@ export interface TraceData {
   times: Float64Array; // [sample] [s]
   values: Float64Array; // [sample]; NaN where there is none
   duration: number; // of the axis [s]
+  beside?: Float64Array | undefined; // values of another trace, which has the same height
 }
 
 /** Draws in CSS pixels; colors are names of the style sheet. */
@@ -38,10 +39,10 @@ interface Range {
   high: number;
 }
 
-/** Of the values, and of 0 where `withZero`; 0 where there is none. */
-export function extremesOf(values: Float64Array, withZero: boolean): Range {
+/** Of the values, those beside them, and of 0 where `withZero`; 0 where there is none. */
+export function extremesOf({ values, beside }: TraceData, withZero: boolean): Range {
   let [low, high] = withZero ? [0, 0] : [Infinity, -Infinity];
-  for (const value of values) {
+  for (const value of [...values, ...(beside ?? [])]) {
     if (!Number.isFinite(value)) continue;
     low = Math.min(low, value);
     high = Math.max(high, value);
@@ -50,8 +51,8 @@ export function extremesOf(values: Float64Array, withZero: boolean): Range {
 }
 
 /** The same with some height. */
-function rangeOf(values: Float64Array, withZero: boolean): Range {
-  const { low, high } = extremesOf(values, withZero);
+function rangeOf(data: TraceData, withZero: boolean): Range {
+  const { low, high } = extremesOf(data, withZero);
   return low === high ? { low: low - (withZero ? 0 : 0.5), high: high + 0.5 } : { low, high };
 }
 
@@ -72,7 +73,7 @@ export function columnsOf({ times, values, duration }: TraceData, width: number)
 export const bars =
   (data: TraceData, color: string): Draw =>
   (context, width, height) => {
-    const { low, high } = rangeOf(data.values, true);
+    const { low, high } = rangeOf(data, true);
     const y = (value: number): number => ((high - value) / (high - low)) * height;
     context.fillStyle = themeColor(color);
     let last = { low: 0, high: 0 };
@@ -90,7 +91,7 @@ export const bars =
 export const line =
   (data: TraceData, color: string, fills: boolean): Draw =>
   (context, width, height) => {
-    const { low, high } = rangeOf(data.values, fills);
+    const { low, high } = rangeOf(data, fills);
     const room = 2; // for the line's own width
     const y = (value: number): number =>
       room + ((high - value) / (high - low)) * (height - 2 * room);
