@@ -25,6 +25,8 @@ test("curves and replays of a study are decoded", () => {
       experiments: [
         {
           curve: { episodes: one, mean: one, low: one, high: one },
+          metricCurves: [{ name: "way", unit: "m", mean: one, low: one, high: one }],
+          termCurves: [],
           runs: [{ name: "seed1", curve: one }],
           groups: [{ runs: [0], recording }, { runs: [1] }],
         },
@@ -33,6 +35,7 @@ test("curves and replays of a study are decoded", () => {
   );
   const experiment = study.experiments[0];
   assert.deepEqual([...(experiment?.curve.low ?? [])], [1]);
+  assert.deepEqual([...(experiment?.metricCurves[0]?.high ?? [])], [1]);
   assert.deepEqual([...(experiment?.runs[0]?.curve ?? [])], [1]);
   assert.deepEqual([...(experiment?.groups[0]?.recording?.poses ?? [])], [1]);
   assert.equal(experiment?.groups[1]?.recording, undefined);

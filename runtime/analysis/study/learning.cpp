@@ -59,16 +59,23 @@ int64_t MeanWindow(int64_t episodes_planned) {
   return std::clamp<int64_t>(episodes_planned / 20, 1, 50);
 }
 
-std::vector<double> MovingAverage(std::span<const EpisodeRecord> episodes, int64_t window) {
+std::vector<double> MovingAverage(std::span<const double> values, int64_t window) {
   std::vector<double> averages;
   Mean mean;
-  for (size_t i = 0; i < episodes.size(); ++i) {
-    mean.Add(episodes[i].active.episode_return);
+  for (size_t i = 0; i < values.size(); ++i) {
+    mean.Add(values[i]);
     const auto before = static_cast<int64_t>(i) - window;
-    if (before >= 0) mean.Remove(episodes[static_cast<size_t>(before)].active.episode_return);
+    if (before >= 0) mean.Remove(values[static_cast<size_t>(before)]);
     averages.push_back(mean.value());
   }
   return averages;
+}
+
+std::vector<double> MovingAverage(std::span<const EpisodeRecord> episodes, int64_t window) {
+  std::vector<double> returns;
+  returns.reserve(episodes.size());
+  for (const EpisodeRecord& episode : episodes) returns.push_back(episode.active.episode_return);
+  return MovingAverage(returns, window);
 }
 
 std::optional<MostLearned> FindMostLearned(std::span<const EpisodeRecord> episodes,

@@ -16,8 +16,10 @@ namespace runtime {
 // at most 50.
 int64_t MeanWindow(int64_t episodes_planned);
 
-// For each return the mean of the last `window` up to it, of as many as there are. Returns that are
+// For each value the mean of the last `window` up to it, of as many as there are. Values that are
 // not numbers are left out.
+std::vector<double> MovingAverage(std::span<const double> values, int64_t window);
+// The same of the returns.
 std::vector<double> MovingAverage(std::span<const EpisodeRecord> episodes, int64_t window);
 
 // At which a run had most of what it learned.

@@ -6,6 +6,7 @@
 #include "runtime/analysis/study/figures.h"
 #include "runtime/analysis/study/group_recordings.h"
 #include "runtime/analysis/study/stated_preferences.h"
+#include "runtime/analysis/study/value_curves.h"
 #include "runtime/training/run/iso_time.h"
 #include "runtime/training/run/recorded_ground.h"
 
@@ -26,12 +27,30 @@ std::string Encode(const std::vector<double>& values) {
   return Encode(values, [](double value) { return value; });
 }
 
+json Encode(const std::vector<Estimate>& means) {
+  return {{"mean", Encode(means, [](const Estimate& e) { return e.mean; })},
+          {"low", Encode(means, [](const Estimate& e) { return e.low; })},
+          {"high", Encode(means, [](const Estimate& e) { return e.high; })}};
+}
+
+json Encode(const std::vector<ValueCurve>& curves) {
+  json encoded = json::array();
+  for (const ValueCurve& curve : curves) {
+    encoded.push_back(Encode(curve.means));
+    encoded.back()["name"] = curve.name;
+    encoded.back()["unit"] = curve.unit;
+  }
+  return encoded;
+}
+
 // Adds the curves of the experiment and of its runs.
-void AddCurves(const Curves& curves, json& experiment) {
-  experiment["curve"] = {{"episodes", Encode(curves.episodes)},
-                         {"mean", Encode(curves.means, [](const Estimate& e) { return e.mean; })},
-                         {"low", Encode(curves.means, [](const Estimate& e) { return e.low; })},
-                         {"high", Encode(curves.means, [](const Estimate& e) { return e.high; })}};
+void AddCurves(const ExperimentResult& result, json& experiment) {
+  const Curves curves = CurvesOf(result);
+  experiment["curve"] = Encode(curves.means);
+  experiment["curve"]["episodes"] = Encode(curves.episodes);
+  const ValueCurves values = ValueCurvesOf(result, curves.episodes);
+  experiment["metricCurves"] = Encode(values.metrics);
+  experiment["termCurves"] = Encode(values.terms);
   for (size_t run = 0; run < curves.runs.size(); ++run) {
     experiment["runs"][run]["curve"] = Encode(curves.runs[run]);
   }
@@ -40,7 +59,7 @@ void AddCurves(const Curves& curves, json& experiment) {
 json PageExperiment(const ExperimentResult& result, const Sentences& sentences) {
   json experiment = Figures(result, sentences);
   const StudyExperiment& runs = *result.experiment;
-  AddCurves(CurvesOf(result), experiment);
+  AddCurves(result, experiment);
   experiment["modules"] = AgentModules(runs.record().agent);
   experiment["agentText"] = runs.record().agent;
   experiment["source"] = runs.task().sources.front().text;

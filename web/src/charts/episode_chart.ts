@@ -7,10 +7,18 @@ import { themeColor } from "../page/dom.ts";
 import { drawPoints } from "./points.ts";
 import type { ChartSeries } from "./series.ts";
 
+/** What is filled between two of the series. */
+export interface Band {
+  upper: number;
+  lower: number;
+  color: string;
+  opacity?: number; // of a color that is opaque
+}
+
 export interface ChartOptions {
   episode: Float32Array;
   series: ChartSeries[];
-  band?: { upper: number; lower: number; color: string }; // between two of the series
+  bands?: Band[];
   height: number;
   sync?: string; // charts with the same word move their cursors together
   label: string; // for those who cannot see it
@@ -85,9 +93,13 @@ function plotSeries(series: ChartSeries): uPlot.Series {
   };
 }
 
-const plotBand = ({ upper, lower, color }: NonNullable<ChartOptions["band"]>): uPlot.Band => ({
+/** Colors of the style sheet are "#rrggbb". */
+const plotBand = ({ upper, lower, color, opacity }: Band): uPlot.Band => ({
   series: [upper + 1, lower + 1],
-  fill: () => themeColor(color),
+  fill: () => {
+    const alpha = opacity === undefined ? "" : Math.round(255 * opacity).toString(16).padStart(2, "0");
+    return themeColor(color) + alpha;
+  },
 });
 
 function drawZeroLine(plot: uPlot): void {
@@ -117,7 +129,7 @@ function plotOptions(options: ChartOptions, width: number): uPlot.Options {
     scales: { x: { time: false, range: rangeOf } },
     axes: [axis(2, formatCount), axis(3, formatTick)],
     series: [{}, ...options.series.map(plotSeries)],
-    ...(options.band ? { bands: [plotBand(options.band)] } : {}),
+    bands: (options.bands ?? []).map(plotBand),
     cursor: {
       y: false,
       points: { show: false },

@@ -1,19 +1,29 @@
-// One figure of all experiments side by side, each mean with its interval on a common axis.
+// Experiments compared: one figure of all of them, each mean with its interval on a common axis and
+// from episode to episode, and what their reward terms paid.
 
 import { interval, mean, type Estimate } from "../data/estimate.ts";
 import { formatTick } from "../data/words.ts";
 import { element } from "../page/dom.ts";
 import { row, table } from "../page/table.ts";
-import type { Experiment } from "./data.ts";
+import type { Experiment, Means } from "./data.ts";
 import { idOf } from "./experiment.ts";
+import { Overlay } from "./overlay.ts";
+import { colorOf } from "./words.ts";
 
-type Compared = Pick<Experiment, "final_return" | "metrics" | "terms">;
+type Compared = Pick<
+  Experiment,
+  "final_return" | "metrics" | "terms" | "curve" | "metricCurves" | "termCurves"
+>;
 
 /** Something that experiments can have a value of. */
 export interface Figure {
   name: string;
-  valueIn: (experiment: Compared) => Estimate | undefined;
+  kind: "return" | "metric" | "term";
+  valueIn: (experiment: Compared) => Estimate | undefined; // at the end
+  curveIn: (experiment: Compared) => Means | undefined; // at the episodes of its curve
 }
+
+const kByTerm = "return by ";
 
 const withUnit = ({ name, unit }: { name: string; unit: string }): string =>
   unit ? `${name} [${unit}]` : name;
@@ -23,16 +33,25 @@ export function figuresOf(experiments: Compared[]): Figure[] {
   const metrics = experiments.flatMap((experiment) => experiment.metrics.map(withUnit));
   const terms = experiments.flatMap((experiment) => experiment.terms.map(({ name }) => name));
   const figures: Figure[] = [
-    { name: "final return", valueIn: ({ final_return }) => final_return },
-    ...[...new Set(metrics)].map((name) => ({
+    {
+      name: "return",
+      kind: "return",
+      valueIn: ({ final_return }) => final_return,
+      curveIn: ({ curve }) => curve,
+    },
+    ...[...new Set(metrics)].map((name): Figure => ({
       name,
-      valueIn: (experiment: Compared) =>
+      kind: "metric",
+      valueIn: (experiment) =>
         experiment.metrics.find((metric) => withUnit(metric) === name)?.value,
+      curveIn: (experiment) =>
+        experiment.metricCurves.find((metric) => withUnit(metric) === name),
     })),
-    ...[...new Set(terms)].map((name) => ({
-      name: `return by ${name}`,
-      valueIn: (experiment: Compared) =>
-        experiment.terms.find((term) => term.name === name)?.value,
+    ...[...new Set(terms)].map((name): Figure => ({
+      name: kByTerm + name,
+      kind: "term",
+      valueIn: (experiment) => experiment.terms.find((term) => term.name === name)?.value,
+      curveIn: (experiment) => experiment.termCurves.find((term) => term.name === name),
     })),
   ];
   const isCompared = ({ valueIn }: Figure): boolean =>
@@ -48,9 +67,14 @@ export function axisOf(values: Estimate[]): [number, number] {
   return low === high ? [low, low + 1] : [low, high];
 }
 
-function plotOf({ mean: middle, low, high }: Estimate, axis: [number, number]): HTMLElement {
+function plotOf(
+  { mean: middle, low, high }: Estimate,
+  axis: [number, number],
+  experiment: number,
+): HTMLElement {
   const at = (value: number): string => `${(100 * (value - axis[0])) / (axis[1] - axis[0])}%`;
   const plot = element("div", { class: "interval", "aria-hidden": "true" });
+  plot.style.setProperty("--color", `var(${colorOf(experiment)})`);
   const zero = element("span", { class: "zero" });
   zero.style.left = at(0);
   plot.append(zero);
@@ -68,18 +92,41 @@ function plotOf({ mean: middle, low, high }: Estimate, axis: [number, number]): 
   return plot;
 }
 
+const nameOf = (experiment: Experiment, index: number): HTMLElement =>
+  element("a", { href: `#${idOf(index)}` }, experiment.name);
+
+const axisRow = (axis: [number, number]): HTMLElement =>
+  element("div", { class: "ends-of-axis" }, ...axis.map((end) => element("span", {}, formatTick(end))));
+
 function tableOf(experiments: Experiment[], { valueIn }: Figure): HTMLElement {
   const values = experiments.map(valueIn);
   const axis = axisOf(values.filter((value) => value !== undefined));
-  const ends = axis.map((end) => element("span", {}, formatTick(end)));
   const rows = experiments.flatMap((experiment, i) => {
     const value = values[i];
     if (!value) return [];
-    const name = element("a", { href: `#${idOf(i)}` }, experiment.name);
-    return [row([name, plotOf(value, axis), mean(value), interval(value)])];
+    return [row([nameOf(experiment, i), plotOf(value, axis, i), mean(value), interval(value)])];
   });
-  rows.push(row(["", element("div", { class: "ends-of-axis" }, ...ends), "", ""]));
-  return table(["Experiment", "", "Mean", "95 %"], rows);
+  rows.push(row(["", axisRow(axis), "", ""]));
+  return table(["Experiment", "", "At the end", "95 %"], rows);
+}
+
+/** All terms on one axis: of each the experiments below each other. */
+function termsOf(experiments: Experiment[], figures: Figure[]): HTMLElement {
+  const all = figures.flatMap(({ valueIn }) => experiments.map(valueIn));
+  const axis = axisOf(all.filter((value) => value !== undefined));
+  const rowsOf = ({ name, valueIn }: Figure): HTMLTableRowElement[] => {
+    const rows = experiments.flatMap((experiment, i) => {
+      const value = valueIn(experiment);
+      if (!value) return [];
+      const plot = plotOf(value, axis, i);
+      return [row(["", nameOf(experiment, i), plot, mean(value), interval(value)])];
+    });
+    if (rows[0]?.cells[0]) rows[0].cells[0].textContent = name.replace(kByTerm, "");
+    for (const next of rows.slice(1)) next.classList.add("same-term");
+    return rows;
+  };
+  const last = row(["", "", axisRow(axis), "", ""]);
+  return table(["Term", "Experiment", "", "Per episode", "95 %"], [...figures.flatMap(rowsOf), last]);
 }
 
 /** Shows nothing of a study of one experiment. */
@@ -89,14 +136,26 @@ export function showComparison(experiments: Experiment[], host: HTMLElement): vo
   if (host.hidden) return;
   const select = element("select", { id: "compared" });
   select.append(...figures.map(({ name }) => element("option", {}, name)));
-  const label = element("label", {}, "of the ", select);
+  const label = element("label", {}, "the ", select);
   const heading = element("h2", { id: "comparison-heading" }, "Compared");
   const place = element("div", { class: "comparison" });
+  const curves = element("div", { class: "overlay" });
+  host.append(element("header", { class: "section-head" }, heading, label));
+  host.append(element("div", { class: "first-row" }, curves, place));
+  const overlay = new Overlay(experiments, curves);
   const show = (): void => {
     const figure = figures[select.selectedIndex];
-    if (figure) place.replaceChildren(tableOf(experiments, figure));
+    if (!figure) return;
+    place.replaceChildren(tableOf(experiments, figure));
+    overlay.show(figure);
   };
   select.addEventListener("change", show);
-  host.append(element("header", { class: "section-head" }, heading, label), place);
+  const terms = figures.filter(({ kind }) => kind === "term");
+  if (terms.length > 0) {
+    host.append(
+      element("h3", {}, "Return by reward term"),
+      element("div", { class: "comparison side-by-side" }, termsOf(experiments, terms)),
+    );
+  }
   show();
 }

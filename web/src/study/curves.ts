@@ -41,7 +41,7 @@ export class Curves {
         })),
         { values: curve.mean, color: "--ink", kind: "line", width: 2.5 },
       ],
-      band: { upper: 1, lower: 0, color: "--band" },
+      bands: [{ upper: 1, lower: 0, color: "--band" }],
       height: 330,
       sync: experiment.name,
       label: `Moving averages of the returns of ${runs.length} runs, and their mean.`,

@@ -87,11 +87,21 @@ export interface Preferences {
   notes: string[];
 }
 
-export interface Curve {
-  episodes: Float32Array;
+/** Means over the runs with their 95 % confidence intervals; NaN where there are none. */
+export interface Means {
   mean: Float32Array;
   low: Float32Array;
   high: Float32Array;
+}
+
+export interface Curve extends Means {
+  episodes: Float32Array;
+}
+
+/** Of a metric or a reward term, at the episodes of the experiment's curve. */
+export interface ValueCurve extends Means {
+  name: string;
+  unit: string;
 }
 
 export interface Experiment {
@@ -117,6 +127,8 @@ export interface Experiment {
   runs: StudyRun[];
   preferences?: Preferences; // where any were stated
   curve: Curve;
+  metricCurves: ValueCurve[];
+  termCurves: ValueCurve[];
   modules: Record<string, AgentModule>;
   agentText: string;
   source: string; // the task's own text
@@ -138,8 +150,11 @@ type Encoded<Value> = {
 interface EncodedGroup extends Omit<Group, "recording"> {
   recording?: Encoded<Replay>;
 }
-interface EncodedExperiment extends Omit<Experiment, "curve" | "runs" | "groups"> {
+interface EncodedExperiment
+  extends Omit<Experiment, "curve" | "metricCurves" | "termCurves" | "runs" | "groups"> {
   curve: Encoded<Curve>;
+  metricCurves: Encoded<ValueCurve>[];
+  termCurves: Encoded<ValueCurve>[];
   runs: Encoded<StudyRun>[];
   groups: EncodedGroup[];
 }
@@ -149,14 +164,23 @@ const decodeGroup = ({ recording, ...group }: EncodedGroup): Group => ({
   ...(recording && { recording: { ...recording, poses: decodeFloats(recording.poses) } }),
 });
 
+const decodeMeans = <Value extends Encoded<Means>>(
+  encoded: Value,
+): Omit<Value, keyof Means> & Means => ({
+  ...encoded,
+  mean: decodeFloats(encoded.mean),
+  low: decodeFloats(encoded.low),
+  high: decodeFloats(encoded.high),
+});
+
 const decodeExperiment = (experiment: EncodedExperiment): Experiment => ({
   ...experiment,
   curve: {
+    ...decodeMeans(experiment.curve),
     episodes: decodeFloats(experiment.curve.episodes),
-    mean: decodeFloats(experiment.curve.mean),
-    low: decodeFloats(experiment.curve.low),
-    high: decodeFloats(experiment.curve.high),
   },
+  metricCurves: experiment.metricCurves.map(decodeMeans),
+  termCurves: experiment.termCurves.map(decodeMeans),
   runs: experiment.runs.map((run) => ({ ...run, curve: decodeFloats(run.curve) })),
   groups: experiment.groups.map(decodeGroup),
 });

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <fstream>
 
+#include "runtime/analysis/study/value_curves.h"
 #include "runtime/training/run/run_database.h"
 #include "tests/runtime/analysis/study/sample_study.h"
 #include "tests/runtime/training/run/temporary_folder.h"
@@ -107,6 +108,38 @@ TEST_F(ResultsTest, CurvesEndWhereTheirRunsDo) {
   EXPECT_THAT(curves.runs[7], SizeIs(25));
   EXPECT_EQ(curves.means[24].count, 8);
   EXPECT_EQ(curves.means[25].count, 7);
+}
+
+TEST_F(ResultsTest, TermsAndMetricsHaveCurvesOfTheirOwn) {
+  const ExperimentResult result = Evaluate(experiment(), notes_);
+  const Curves curves = CurvesOf(result);
+  const ValueCurves values = ValueCurvesOf(result, curves.episodes);
+  ASSERT_THAT(values.terms, SizeIs(3));
+  EXPECT_EQ(values.terms[0].name, "forward");
+  for (const size_t episode : {0, 24, 39}) {
+    double sum = 0;
+    for (const ValueCurve& term : values.terms) sum += term.means[episode].mean;
+    EXPECT_NEAR(sum, curves.means[episode].mean, 1e-9);  // all that is paid
+    EXPECT_EQ(values.terms[0].means[episode].count, curves.means[episode].count);
+  }
+  ASSERT_THAT(values.metrics, SizeIs(2));
+  EXPECT_EQ(values.metrics[0].name, "distance");
+  EXPECT_EQ(values.metrics[0].unit, "m");
+  double distance = 0;
+  for (size_t run = 0; run < 7; ++run) distance += result.runs[run].final.metrics.at("distance");
+  EXPECT_NEAR(values.metrics[0].means.back().mean, distance / 7, 1e-9);  // the eighth is shorter
+}
+
+// The one without it counts where the other is, and not for what it has not.
+TEST_F(ResultsTest, ARunWithoutAMetricIsLeftOutOfItsCurve) {
+  study_.experiments.front().runs[0].record.tasks.front().metrics[0].name = "way";
+  const ExperimentResult result = Evaluate(experiment(), notes_);
+  const ValueCurves values = ValueCurvesOf(result, {1});
+  ASSERT_THAT(values.metrics, SizeIs(3));
+  EXPECT_EQ(values.metrics[0].name, "way");
+  EXPECT_EQ(values.metrics[0].means[0].count, 1);
+  EXPECT_EQ(values.metrics[2].name, "distance");
+  EXPECT_EQ(values.metrics[2].means[0].count, 7);
 }
 
 TEST(CurvesOf, LongRunsAreThinnedOutAndKeepTheirLastEpisode) {

@@ -107,6 +107,8 @@ TEST_F(StudyReportTest, ThePageHoldsTheCurvesOfAllRuns) {
   EXPECT_THAT(Floats(crawling["runs"][0]["curve"]), SizeIs(40));
   EXPECT_THAT(Floats(crawling["runs"][7]["curve"]), SizeIs(25));
   EXPECT_THAT(Floats(crawling["curve"]["low"]), SizeIs(40));
+  EXPECT_THAT(crawling["termCurves"], SizeIs(3));
+  EXPECT_THAT(Floats(crawling["metricCurves"][0]["high"]), SizeIs(40));
   EXPECT_THAT(crawling["source"].get<std::string>(), HasSubstr("task crawling for humanoid"));
   EXPECT_THAT(crawling["body"], SizeIs(18));
   EXPECT_EQ(data["title"], folder().filename().string() + " – study");
