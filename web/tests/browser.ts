@@ -9,6 +9,16 @@ import { pathToFileURL } from "node:url";
 
 import { chromium, type Browser, type BrowserContextOptions, type Page } from "playwright-core";
 
+import { hasNoSeriousFault } from "./accessibility.ts";
+import {
+  drawsWhatIsSwitchedOn,
+  picksALinkByAClick,
+  replaysTwoGroups,
+  replaysTwoInStep,
+  savesAFilm,
+  showsTheJointsOfALink,
+} from "./replay_checks.ts";
+
 const [fullPage = "", firstPage = "", tunedPage = "", studyPage = "", probePage = "", screenshots = "."] =
   process.argv.slice(2);
 const kBrowser = process.env["CHROMIUM"] ?? "";
@@ -206,19 +216,36 @@ const showsAStudy: Check = async (page) => {
 };
 
 const comparesTheExperiments: Check = async (page) => {
-  const rows = page.locator("#comparison tbody tr");
-  assert.equal(await rows.count(), 2 + 1); // and the axis
+  const compared = "#comparison .first-row tbody";
+  const means = (): Promise<string[]> =>
+    page.locator(`${compared} td:nth-child(3)`).allTextContents();
+  assert.equal(await page.locator(`${compared} tr`).count(), 2 + 1); // and the axis
   const final = await page.locator("#overview tbody tr td:nth-child(3)").allTextContents();
-  const compared = await page.locator("#comparison tbody td:nth-child(3)").allTextContents();
-  assert.equal(compared[0], final[0]);
+  const returns = await means();
+  assert.equal(returns[0], final[0]);
+  const readout = page.locator("#comparison .readout");
+  const last = async (): Promise<string> => {
+    await page.locator("#comparison .chart").focus();
+    await page.keyboard.press("ArrowLeft");
+    return (await readout.textContent()) ?? "";
+  };
+  assert.equal(await last(), `Episode 40  ·  crawling ${returns[0]}  ·  careful ${returns[1]}`);
   await page.locator("#compared").selectOption("distance [m]");
-  assert.notDeepEqual(
-    await page.locator("#comparison tbody td:nth-child(3)").allTextContents(),
-    compared,
-  );
+  assert.notDeepEqual(await means(), returns);
+  assert.ok((await last()).endsWith(`careful ${(await means())[1]}`));
   const figure = page.locator("#experiment-1 .figure", { hasText: "distance [m]" });
-  const shown = await page.locator("#comparison tbody tr:first-child td:nth-child(3)").textContent();
+  const shown = await page.locator(`${compared} tr:first-child td:nth-child(3)`).textContent();
   assert.equal(await figure.locator(".number").textContent(), shown);
+  await page.locator("#comparison .switches button").first().click();
+  assert.ok(!(await last()).includes("crawling"));
+  await page.locator("#comparison .switches button").first().click();
+};
+
+const putsTermsSideBySide: Check = async (page) => {
+  const rows = page.locator("#comparison .side-by-side tbody tr");
+  assert.equal(await rows.count(), 3 * 2 + 1); // and the axis
+  const paid = await page.locator("#experiment-2 .terms-table td:nth-child(4)").first().textContent();
+  assert.equal(await rows.nth(1).locator("td:nth-child(4)").textContent(), paid);
 };
 
 const drawsTheGroups: Check = async (page) => {
@@ -255,6 +282,7 @@ const replaysAGroup: Check = async (page) => {
   await page.locator('#play[data-state="playing"]').waitFor();
   assert.match(await textOf(page, "#replay-heading"), /crawling, group A: seed \d, episode 40/);
   assert.ok((await colorfulPixels(page, "#stage canvas")) > 2000, "the robot is drawn");
+  await replaysTwoGroups(page);
   await screenshot("study-replay")(page);
   await page.locator("#close").click();
   assert.ok(await page.locator("#stage").isHidden());
@@ -449,15 +477,21 @@ async function checkFullPage(browser: Browser): Promise<void> {
     const timeline = [showsWhatEachStepPaid, lightsTheLinesThatPay, jumpsToAClickOnATrace];
     for (const check of timeline) await check(page);
     const replays = [drawsTheStrip, playsByKeys, scrubs, replaysAMark];
+    const views = [drawsWhatIsSwitchedOn, showsTheJointsOfALink, picksALinkByAClick, replaysTwoInStep, savesAFilm];
     const charts = [showsValuesOfAnEpisode, hidesATerm, showsNoChanges];
-    for (const check of [showsTheRun, ...replays, ...charts, fitsItsWidth]) await check(page);
+    for (const check of [showsTheRun, ...views, ...replays, ...charts, fitsItsWidth]) await check(page);
+    await hasNoSeriousFault(page);
   });
-  await onPage(browser, fullPage, { colorScheme: "dark" }, screenshot("dark"));
+  await onPage(browser, fullPage, { colorScheme: "dark" }, async (page) => {
+    await screenshot("dark")(page);
+    await hasNoSeriousFault(page);
+  });
   await onPage(browser, fullPage, { reducedMotion: "reduce" }, staysAtRest);
   const phone = { viewport: { width: 390, height: 844 }, hasTouch: true };
   await onPage(browser, fullPage, phone, async (page) => {
     await screenshot("narrow")(page);
     await fitsItsWidth(page);
+    await hasNoSeriousFault(page);
     await readsATap(page);
   });
   await onPage(browser, `${fullPage}#episode=800&t=3`, { reducedMotion: "reduce" }, async (page) => {
@@ -468,15 +502,20 @@ async function checkFullPage(browser: Browser): Promise<void> {
 
 async function checkStudyPage(browser: Browser): Promise<void> {
   await onPage(browser, studyPage, { colorScheme: "light" }, async (page) => {
-    for (const check of [showsAStudy, comparesTheExperiments, drawsTheGroups, ordersTheGroups, replaysAGroup, fitsItsWidth]) {
+    for (const check of [showsAStudy, comparesTheExperiments, putsTermsSideBySide, drawsTheGroups, ordersTheGroups, replaysAGroup, fitsItsWidth]) {
       await check(page);
     }
     await screenshot("study")(page);
+    await hasNoSeriousFault(page);
   });
-  await onPage(browser, studyPage, { colorScheme: "dark" }, screenshot("study-dark"));
+  await onPage(browser, studyPage, { colorScheme: "dark" }, async (page) => {
+    await screenshot("study-dark")(page);
+    await hasNoSeriousFault(page);
+  });
   await onPage(browser, studyPage, { viewport: { width: 390, height: 844 } }, async (page) => {
     await screenshot("study-narrow")(page);
     await fitsItsWidth(page);
+    await hasNoSeriousFault(page);
   });
 }
 

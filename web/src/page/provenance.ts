@@ -39,7 +39,7 @@ function showTask(task: Task, heading: string, isOpen: boolean): void {
       "details",
       isOpen && i === 0 ? { open: "" } : {},
       element("summary", {}, i === 0 ? heading : "Uses ", file),
-      element("pre", { class: "source" }, sourceCode(source.text)),
+      element("pre", { class: "source", tabindex: "0" }, sourceCode(source.text)),
     );
     byId("sources", HTMLElement).append(details);
   });

@@ -14,7 +14,7 @@ export function snapshots({ times, png }: Strip): HTMLElement {
   const captions = times.map((time) => element("li", {}, `${formatTime(time, last).trim()} s`));
   return element(
     "figure",
-    { class: "snapshots" },
+    { class: "snapshots", tabindex: "0" },
     element("img", {
       src: `data:image/png;base64,${png}`,
       alt: `${times.length} snapshots from 0 to ${last.toFixed(2)} s`,
