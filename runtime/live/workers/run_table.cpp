@@ -158,7 +158,11 @@ std::string RunSummary(const std::vector<RunProgress>& runs, int jobs, size_t co
 
 RunTablePrinter::RunTablePrinter(ProgressStyle style, int jobs, std::FILE* output,
                                  std::FILE* warnings)
-    : style_(style), jobs_(jobs), output_(output), warnings_(warnings), live_(output) {}
+    : style_(style),
+      jobs_(jobs),
+      output_(output),
+      warnings_(warnings),
+      live_(output, style == ProgressStyle::kText) {}
 
 void RunTablePrinter::Follow(const std::vector<RunProgress>& runs) {
   runs_ = &runs;
@@ -166,7 +170,7 @@ void RunTablePrinter::Follow(const std::vector<RunProgress>& runs) {
 }
 
 void RunTablePrinter::Finish() {
-  if (style_ != ProgressStyle::kText) return;
+  if (!IsForPeople(style_)) return;
   Erase();
   text::Print(output_, "{}{}\n", RunTable(*runs_, live_.columns()),
               RunSummary(*runs_, jobs_, live_.columns()));
@@ -205,7 +209,7 @@ void RunTablePrinter::OnStopping(bool at_once) {
 }
 
 void RunTablePrinter::Refresh(bool at_once) {
-  if (style_ != ProgressStyle::kText) return;
+  if (!IsForPeople(style_)) return;
   const auto now = std::chrono::steady_clock::now();
   const bool is_live = live_.is_on_terminal();
   const auto between = is_live ? std::chrono::milliseconds(200) : std::chrono::seconds(30);

@@ -34,13 +34,13 @@ int EvaluateOne(const EvaluateOptions& options) {
   std::optional<PolicyEvaluation> evaluation = FindEvaluation(options.folder, options.plan);
   if (!evaluation) evaluation = EvaluateRun(options.folder, options.plan, style, stop);
   if (!evaluation) {
-    if (style == ProgressStyle::kText) {
+    if (IsForPeople(style)) {
       text::Print("stopped; an incomplete evaluation is not kept\n");
     }
     return kStoppedBySignal + stop.signal();
   }
   if (style == ProgressStyle::kJson) PrintLine(ToJson(*evaluation));
-  if (style == ProgressStyle::kText) {
+  if (IsForPeople(style)) {
     const std::string name = std::filesystem::weakly_canonical(options.folder).filename().string();
     text::Print("{}", EvaluationTable({{name, *evaluation}}));
   }
@@ -117,10 +117,10 @@ int EvaluateMany(const EvaluateOptions& options, const std::vector<std::filesyst
   const StopRequest stop(StopRequest::Second::kIsNoted);
   const bool are_all_finished = supervisor.Run(stop);
   printer.Erase();
-  if (style == ProgressStyle::kText) PrintAll(supervisor.runs(), plan);
+  if (IsForPeople(style)) PrintAll(supervisor.runs(), plan);
   if (are_all_finished) return kSuccess;
   if (stop.signal() == 0) return kFailed;
-  if (style == ProgressStyle::kText) text::Print("stopped; the same command does the rest\n");
+  if (IsForPeople(style)) text::Print("stopped; the same command does the rest\n");
   return kStoppedBySignal + stop.signal();
 }
 

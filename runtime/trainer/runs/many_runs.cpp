@@ -130,7 +130,7 @@ int TrainRuns(const std::filesystem::path& folder, const std::vector<std::filesy
   printer.Finish();
   if (are_all_finished) return kSuccess;
   if (stop.signal() == 0) return kFailed;
-  if (output.style() == ProgressStyle::kText) {
+  if (IsForPeople(output.style())) {
     text::Print("stopped; `trainer resume {}` continues\n", folder.string());
   }
   return kStoppedBySignal + stop.signal();

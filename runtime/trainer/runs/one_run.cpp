@@ -66,7 +66,7 @@ int ResumeOneRun(const std::filesystem::path& folder, std::optional<int64_t> epi
   if (HasNothingToDo(PlanEpisodes(episodes, database, run), session)) {
     // A run that was finished long ago keeps the time at which it was.
     if (run_state != RunState::kFinished) database.SetState(RunState::kFinished);
-    if (session.output.style() == ProgressStyle::kText) {
+    if (IsForPeople(session.output.style())) {
       text::Print("all {} episodes of this run are done; train more with a larger `--episodes`\n",
                   run.episodes_planned);
     }

@@ -99,11 +99,14 @@ void OutputOptions::AddTo(command_line::Command& command, const std::string& obj
   const command_line::Option json_flag =
       command.AddFlag("--json", json, fmt::format("print {}, and nothing else", objects));
   command.AddFlag("--quiet", quiet, "print only warnings and errors").Excludes(json_flag);
+  command.AddFlag("--plain", plain,
+                  "on a terminal, too: print lines that stay, rather than keep some up to date");
 }
 
 ProgressStyle OutputOptions::style() const {
   if (json) return ProgressStyle::kJson;
-  return quiet ? ProgressStyle::kQuiet : ProgressStyle::kText;
+  if (quiet) return ProgressStyle::kQuiet;
+  return plain ? ProgressStyle::kPlain : ProgressStyle::kText;
 }
 
 SessionOptions SessionOptions::At(Pace pace) const {
@@ -132,6 +135,7 @@ int RunSession(const RunParts& run, const SessionOptions& options) {
   RunSideBySide(training, run, options, progress);
   const std::unique_ptr<Server> server = StartServer(run, options, live, progress);
   live.PublishTo(server.get());
+  if (server != nullptr) progress.SetAddress(server->page_address());
   progress.Note(fmt::format("{}: task {}, {}, seed {}, episodes {} to {}", name,
                             run.record.tasks.front().task, RobotText(run.record), run.record.seed,
                             training.episodes_done() + 1, run.record.episodes_planned));
@@ -139,7 +143,9 @@ int RunSession(const RunParts& run, const SessionOptions& options) {
     progress.Note(fmt::format("{} (`trainer ctl --run {} status`)", server->page_address(), name));
   }
   try {
-    if (training.Run(stop) && stop.signal() == 0) {
+    const bool is_finished = training.Run(stop);
+    progress.Leave();
+    if (is_finished && stop.signal() == 0) {
       progress.Note(fmt::format("finished; `trainer report {}` draws the curves", name));
       return kSuccess;
     }

@@ -11,10 +11,11 @@
 
 namespace runtime {
 
-// --json and --quiet.
+// --json, --quiet and --plain.
 struct OutputOptions {
   bool json = false;
   bool quiet = false;
+  bool plain = false;
 
   // `objects`: what --json prints.
   void AddTo(command_line::Command& command,
@@ -29,7 +30,7 @@ struct SessionOptions {
   int jobs = 0;  // episodes at a time, where the learner allows that; 0: one for each core
 
   SessionOptions At(Pace pace) const;
-  // --json, --quiet and --port
+  // --json, --quiet, --plain and --port
   void AddTo(command_line::Command& command);
 };
 

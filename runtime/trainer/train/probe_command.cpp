@@ -96,7 +96,7 @@ int Probe(const ProbeOptions& options) {
   Show(results, options.output);
   const std::filesystem::path page = folder / "probe.html";
   WriteProbePage(results, page);
-  if (options.output.style() == ProgressStyle::kText) text::Print("{}\n", page.string());
+  if (IsForPeople(options.output.style())) text::Print("{}\n", page.string());
   if (end == ProbeEnd::kStopped) return kStoppedBySignal + signal;
   return end == ProbeEnd::kDone ? kSuccess : kFailed;
 }

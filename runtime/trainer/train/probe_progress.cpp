@@ -22,7 +22,10 @@ int64_t EpisodesOf(const std::vector<RunProgress>& runs) {
 }  // namespace
 
 ProbeProgress::ProbeProgress(ProgressStyle style, const ProbeBudget& budget)
-    : style_(style), budget_(budget), start_(Clock::now()), live_(stdout) {}
+    : style_(style),
+      budget_(budget),
+      start_(Clock::now()),
+      live_(stdout, style == ProgressStyle::kText) {}
 
 void ProbeProgress::Follow(const std::vector<RunProgress>& runs) {
   runs_ = &runs;
@@ -44,7 +47,7 @@ void ProbeProgress::OnStopping(bool at_once) {
 }
 
 void ProbeProgress::Refresh() {
-  if (style_ != ProgressStyle::kText) return;
+  if (!IsForPeople(style_)) return;
   const bool is_live = live_.is_on_terminal();
   const auto between = is_live ? std::chrono::milliseconds(200) : std::chrono::seconds(30);
   if (Clock::now() - last_ < between) return;

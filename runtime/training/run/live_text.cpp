@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <numeric>
 #include <utility>
 
@@ -18,6 +19,14 @@ winsize SizeOf(std::FILE* output) {
   winsize size{};
   ioctl(fileno(output), TIOCGWINSZ, &size);  // leaves zeros where there is no terminal
   return size;
+}
+
+// https://no-color.org asks for text without any control codes.
+bool MayReplaceText() {
+  const char* const no_color = std::getenv("NO_COLOR");
+  const char* const terminal = std::getenv("TERM");
+  return (no_color == nullptr || *no_color == '\0') &&
+         (terminal == nullptr || std::string_view(terminal) != "dumb");
 }
 
 // Rows that the lines take in a window of so many columns: terminals wrap what is there anew when
@@ -56,15 +65,18 @@ std::string FittingLine(const std::vector<LineField>& fields, size_t columns,
   return line;
 }
 
-LiveText::LiveText(std::FILE* output)
-    : output_(output), is_on_terminal_(isatty(fileno(output)) != 0) {}
+LiveText::LiveText(std::FILE* output, bool is_wanted)
+    : output_(output),
+      is_on_terminal_(is_wanted && MayReplaceText() && isatty(fileno(output)) != 0) {}
 
 size_t LiveText::columns() const {
+  if (!is_on_terminal_) return kAnyWidth;
   const size_t columns = SizeOf(output_).ws_col;
   return columns > 1 ? columns - 1 : kAnyWidth;  // some terminals wrap a full line
 }
 
 size_t LiveText::rows() const {
+  if (!is_on_terminal_) return kAnyWidth;
   const size_t rows = SizeOf(output_).ws_row;
   return rows > 0 ? rows : kAnyWidth;
 }

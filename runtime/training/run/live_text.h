@@ -27,7 +27,9 @@ std::string FittingLine(const std::vector<LineField>& fields, size_t columns,
 // them: whatever ends the program, the next prompt has a line of its own.
 class LiveText {
  public:
-  explicit LiveText(std::FILE* output);  // not owned
+  // `output` is not owned. Where `is_wanted` is false, or the user wants nothing replaced (by
+  // NO_COLOR or TERM=dumb in the environment), a terminal is treated as a file is.
+  explicit LiveText(std::FILE* output, bool is_wanted = true);
 
   bool is_on_terminal() const { return is_on_terminal_; }
   // At present; the window may change. Without a terminal there is any room.
@@ -37,6 +39,8 @@ class LiveText {
   // Takes the place of what was shown. `lines` end in '\n' each.
   void Show(std::string lines);
   void Erase() { Show(""); }
+  // What is shown stays; the next text comes below it.
+  void Leave() { shown_.clear(); }
 
  private:
   std::FILE* output_;

@@ -3,20 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "base/text/print.h"
+#include "runtime/training/run/run_settings.h"
 
 namespace runtime {
 namespace {
 
-constexpr std::chrono::milliseconds kBetweenLiveLines{100};
+constexpr std::chrono::milliseconds kBetweenLivePictures{100};
 constexpr std::chrono::seconds kBetweenPlainLines{10};
-
-// There is no best return while all episodes have diverged.
-std::string BestText(double best_return) {
-  return std::isfinite(best_return) ? fmt::format("{:.4g}", best_return) : "none";
-}
 
 using OrderedJson = nlohmann::ordered_json;
 
@@ -58,26 +53,6 @@ OrderedJson EvaluationJson(const Evaluation& evaluation, const TaskRecord& task)
 
 }  // namespace
 
-std::string DurationText(double seconds) {
-  const auto whole = static_cast<int64_t>(std::max(0.0, seconds));
-  const int64_t hours = whole / 3600;
-  const int64_t minutes = whole / 60 % 60;
-  if (hours > 0) return fmt::format("{}:{:02}:{:02}", hours, minutes, whole % 60);
-  return fmt::format("{}:{:02}", minutes, whole % 60);
-}
-
-std::string ProgressLine(const ProgressValues& values, size_t columns) {
-  return FittingLine(
-      {{fmt::format("episode {}/{}", values.episode, values.episodes_planned), 0},
-       {fmt::format("return {:.4g}", values.last_return), 4},
-       {fmt::format("mean of {} {:.4g}", ReturnStatistics::kMeanOver, values.mean), 2},
-       {fmt::format("best {}", BestText(values.best_return)), 3},
-       {fmt::format("{:.1f}x real time", values.simulated_seconds_per_second), 5},
-       {fmt::format("{} elapsed", DurationText(values.elapsed)), 6},
-       {fmt::format("{} left", DurationText(values.remaining)), 1}},
-      columns);
-}
-
 nlohmann::ordered_json EpisodeJson(const EpisodeRecord& episode, const RunRecord& run) {
   const Evaluation& active = episode.active;
   OrderedJson json = {{"episode", episode.number}};
@@ -100,57 +75,91 @@ nlohmann::ordered_json EpisodeJson(const EpisodeRecord& episode, const RunRecord
 
 Progress::Progress(ProgressStyle style, const RunRecord& run, std::FILE* output,
                    std::FILE* warnings)
-    : style_(style), run_(run), output_(output), warnings_(warnings), live_(output) {
-  values_.episodes_planned = run.episodes_planned;
+    : style_(style),
+      run_(run),
+      output_(output),
+      warnings_(warnings),
+      live_(output, style == ProgressStyle::kText) {}
+
+void Progress::Recall(const EpisodeRecord& episode) { Count(episode); }
+
+// Terms of another task are others, whatever they are called.
+void Progress::Count(const EpisodeRecord& episode) {
+  picture_.history.Add(episode.active.episode_return);
+  if (episode.active.task != task_) last_terms_.clear();
+  task_ = episode.active.task;
+  last_terms_.push_back(episode.active.terms);
+  if (last_terms_.size() > ReturnStatistics::kMeanOver) last_terms_.pop_front();
 }
 
 void Progress::FinishEpisode(const EpisodeRecord& episode, const ReturnStatistics& statistics) {
-  values_.episode = episode.number;
-  values_.last_return = statistics.last();
-  values_.mean = statistics.mean();
-  values_.best_return = statistics.best();
+  Count(episode);
+  ProgressValues& values = picture_.values;
+  values.episode = episode.number;
+  values.episodes_planned = run_.episodes_planned;
+  values.last_return = statistics.last();
+  values.mean = statistics.mean();
+  values.best_return = statistics.best();
   ++episodes_here_;
   simulated_seconds_ += episode.simulated_seconds;
   const auto now = Clock::now();
-  values_.elapsed = std::chrono::duration<double>(now - start_).count();
-  values_.simulated_seconds_per_second = simulated_seconds_ / std::max(values_.elapsed, 1e-3);
-  values_.remaining = values_.elapsed / static_cast<double>(episodes_here_) *
-                      static_cast<double>(values_.episodes_planned - values_.episode);
+  values.elapsed = std::chrono::duration<double>(now - start_).count();
+  values.simulated_seconds_per_second = simulated_seconds_ / std::max(values.elapsed, 1e-3);
+  values.remaining = values.elapsed / static_cast<double>(episodes_here_) *
+                     static_cast<double>(values.episodes_planned - values.episode);
   if (style_ == ProgressStyle::kJson) {
     text::Print(
         output_, "{}\n",
         EpisodeJson(episode, run_).dump(-1, ' ', false, OrderedJson::error_handler_t::replace));
     std::fflush(output_);
   }
-  if (style_ != ProgressStyle::kText) return;
+  if (!IsForPeople(style_)) return;
   const auto between =
-      live_.is_on_terminal() ? Clock::duration(kBetweenLiveLines) : kBetweenPlainLines;
+      live_.is_on_terminal() ? Clock::duration(kBetweenLivePictures) : kBetweenPlainLines;
   const bool is_first = episodes_here_ == 1;
-  const bool is_last = values_.episode == values_.episodes_planned;
-  if (!is_first && !is_last && now - last_line_ < between) return;
-  last_line_ = now;
+  const bool is_last = values.episode == values.episodes_planned;
+  if (!is_first && !is_last && now - last_shown_ < between) return;
+  last_shown_ = now;
   Show();
 }
 
 void Progress::Show() {
-  if (live_.is_on_terminal()) {
-    return live_.Show(ProgressLine(values_, live_.columns()) + "\n");
+  if (!live_.is_on_terminal()) {
+    text::Print(output_, "{}\n", ProgressLine(picture_.values));
+    std::fflush(output_);
+    return;
   }
-  text::Print(output_, "{}\n", ProgressLine(values_));
-  std::fflush(output_);
+  const TaskRecord& task = TaskWithId(run_, task_);
+  picture_.title = fmt::format("{}, {}, seed {}", task.task, RobotText(run_), run_.seed);
+  picture_.terms.clear();
+  for (size_t i = 0; i < task.terms.size(); ++i) {
+    double sum = 0;
+    for (const std::vector<double>& terms : last_terms_) sum += terms[i];
+    picture_.terms.push_back({task.terms[i].name, sum / static_cast<double>(last_terms_.size())});
+  }
+  const size_t rows = live_.rows();
+  live_.Show(ProgressScreen(picture_, live_.columns(), rows == kAnyWidth ? rows : rows - 1));
+  is_shown_ = true;
 }
 
-void Progress::Warn(const std::string& text) {
+void Progress::Print(std::FILE* output, const std::string& text) {
   live_.Erase();
-  text::Print(warnings_, "{}\n", text);
-  std::fflush(warnings_);
+  text::Print(output, "{}\n", text);
+  std::fflush(output);
+  if (is_shown_) Show();
 }
+
+void Progress::Warn(const std::string& text) { Print(warnings_, text); }
 
 void Progress::Note(const std::string& text) {
-  if (style_ != ProgressStyle::kText) return;
-  live_.Erase();
-  text::Print(output_, "{}\n", text);
-  std::fflush(output_);
+  if (IsForPeople(style_)) Print(output_, text);
+}
+
+void Progress::Leave() {
+  if (!is_shown_) return;
+  Show();
+  live_.Leave();
+  is_shown_ = false;
 }
 
 }  // namespace runtime

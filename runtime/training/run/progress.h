@@ -1,39 +1,33 @@
-// Shows whoever started a run how it goes: one line that stays up to date on a terminal, a line
-// every so often elsewhere, or one JSON object per episode for programs.
+// Shows whoever started a run how it goes: a picture that stays up to date on a terminal
+// (progress_screen.h), a line every so often elsewhere, or one JSON object per episode for
+// programs.
 #pragma once
 
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
+#include <deque>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "runtime/training/run/live_text.h"
+#include "runtime/training/run/progress_screen.h"
 #include "runtime/training/run/return_statistics.h"
 #include "runtime/training/run/run_records.h"
 
 namespace runtime {
 
-enum class ProgressStyle { kText, kJson, kQuiet };
-
-struct ProgressValues {
-  int64_t episode = 0;  // finished so far
-  int64_t episodes_planned = 0;
-  double last_return = 0;
-  double mean = 0;
-  double best_return = 0;
-  double simulated_seconds_per_second = 0;
-  double elapsed = 0;    // [s]
-  double remaining = 0;  // [s]
+enum class ProgressStyle {
+  kText,   // for people: lines that are kept up to date on a terminal
+  kPlain,  // the same in lines that stay, on a terminal, too
+  kJson,
+  kQuiet
 };
 
-// "episode 12/1000  return -3.25  mean of 20 -4.1  best 1.5  4.2x real time  0:05 elapsed  6:40
-// left". What does not fit into `columns` is left out, the elapsed time first, then the speed, the
-// return, the best, the mean, and the time left.
-std::string ProgressLine(const ProgressValues& values, size_t columns = kAnyWidth);
-
-// "0:05", "6:40", "1:02:03"
-std::string DurationText(double seconds);
+inline bool IsForPeople(ProgressStyle style) {
+  return style == ProgressStyle::kText || style == ProgressStyle::kPlain;
+}
 
 // {"episode": 1, "task": "crawling", "return": ..., "end": {...}, "terms": {...}, ...}; with
 // shadows also "shadows": {"MODULE": {"task": ..., "return": ..., ...}}. "learner" is what the
@@ -47,24 +41,36 @@ class Progress {
   // Everything goes to `output`, warnings to `warnings`; neither is owned.
   Progress(ProgressStyle style, const RunRecord& run, std::FILE* output, std::FILE* warnings);
 
+  // An episode that was over before this process began.
+  void Recall(const EpisodeRecord& episode);
+  // Of the run's page, for a browser.
+  void SetAddress(const std::string& address) { picture_.address = address; }
+
   // Call after `episode` was counted by `statistics`, which cover all episodes of the run up to
   // now.
   void FinishEpisode(const EpisodeRecord& episode, const ReturnStatistics& statistics);
   // A line for the user, between the others.
   void Warn(const std::string& text);
   void Note(const std::string& text);  // not for programs: nothing with kJson and kQuiet
+  // What the terminal shows is the last of it, and stays there.
+  void Leave();
 
  private:
+  void Count(const EpisodeRecord& episode);
   void Show();
+  void Print(std::FILE* output, const std::string& text);
 
   ProgressStyle style_;
   const RunRecord& run_;
   std::FILE* output_;
   std::FILE* warnings_;
   LiveText live_;
-  ProgressValues values_;
+  ProgressPicture picture_;
+  int64_t task_ = 0;                            // that pays
+  std::deque<std::vector<double>> last_terms_;  // of its last episodes
+  bool is_shown_ = false;                       // on a terminal
   Clock::time_point start_ = Clock::now();
-  Clock::time_point last_line_ = start_;
+  Clock::time_point last_shown_ = start_;
   double simulated_seconds_ = 0;  // since the start of this process
   int64_t episodes_here_ = 0;
 };

@@ -60,7 +60,9 @@ void Training::Restore() {
   database_.DeleteEpisodesAfter(episodes_done_);
   database_.SetLearnerCurves(CurvesOf(learner_, environment_));
   for (const EpisodeRecord& episode : episodes) {
-    if (episode.number <= episodes_done_) statistics_.Add(episode);
+    if (episode.number > episodes_done_) continue;
+    statistics_.Add(episode);
+    progress_.Recall(episode);
   }
   hooks_.AfterRestore(statistics_);
 }

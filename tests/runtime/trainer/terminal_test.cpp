@@ -5,6 +5,7 @@
 #include <csignal>
 #include <thread>
 
+#include "base/text/utf8.h"
 #include "tests/runtime/trainer/trainer_test.h"
 #include "tests/screen.h"
 
@@ -41,7 +42,7 @@ std::string Joined(const std::vector<std::string>& lines) {
   return text;
 }
 
-TEST_F(OnTerminalTest, OneLineFitsTheWindowAndStaysOne) {
+TEST_F(OnTerminalTest, OnePictureFitsTheWindowAndItsLastStateStays) {
   for (const unsigned short columns : {40, 60, 80, 120}) {
     std::filesystem::remove_all(RunFolder("run"));
     std::vector<std::string> words = Training("run", 60);
@@ -50,8 +51,37 @@ TEST_F(OnTerminalTest, OneLineFitsTheWindowAndStaysOne) {
     EXPECT_EQ(trainer.Wait(), 0);
     EXPECT_THAT(trainer.printed(), ContainsRegex("episode [0-9]+/60  [^\r\n]*left\x1b"));
     const std::vector<std::string> lines = ScreenLines(trainer.printed(), columns);
-    EXPECT_THAT(lines, Not(Contains(StartsWith("episode ")))) << Joined(lines);
+    const auto pictures =
+        std::ranges::count_if(lines, [](const auto& line) { return line.starts_with("episode "); });
+    EXPECT_EQ(pictures, 1) << Joined(lines);
+    EXPECT_THAT(lines, Contains(ContainsRegex("^episode 60/60 .*100 %.*  0:00 left")))
+        << Joined(lines);
+    EXPECT_THAT(lines, Contains(StartsWith("mean of 20 ")).Times(columns == 40 ? 1 : 0));
+    EXPECT_THAT(Joined(lines), HasSubstr(" real time"));
   }
+}
+
+TEST_F(OnTerminalTest, AWindowThatChangesKeepsOnePicture) {
+  TerminalProgram trainer(Words({"--set", "task.limit=2"}), 100);
+  ASSERT_TRUE(trainer.WaitFor("/100000  ", 2));
+  trainer.Resize(45);
+  const size_t before = trainer.printed().size();
+  ASSERT_TRUE(trainer.WaitFor("/100000  ", 6));
+  trainer.Type(kCtrlC);
+  EXPECT_EQ(WEXITSTATUS(trainer.Wait()), 128 + SIGINT);
+  const std::vector<std::string> lines = ScreenLines(trainer.printed().substr(before), 45);
+  for (const std::string& line : lines) EXPECT_LE(text::DisplayWidth(line), 45u) << line;
+  EXPECT_THAT(Joined(lines), HasSubstr("stopped; `trainer resume "));
+}
+
+TEST_F(OnTerminalTest, PlainLinesStayWhereTheyWerePrinted) {
+  std::vector<std::string> words = Training("run", 60, {"--plain"});
+  words.insert(words.begin(), TRAINER);
+  TerminalProgram trainer(words, 120);
+  EXPECT_EQ(trainer.Wait(), 0);
+  EXPECT_THAT(trainer.printed(),
+              AllOf(HasSubstr("episode 1/60  return "), HasSubstr("episode 60/60  return ")));
+  EXPECT_THAT(trainer.printed(), Not(HasSubstr("\x1b")));
 }
 
 TEST_F(OnTerminalTest, CtrlCSaysThatItIsStopping) {

@@ -6,6 +6,8 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <cstdlib>
+
 #include "base/text/utf8.h"
 #include "tests/terminal.h"
 
@@ -35,6 +37,8 @@ class LiveTextTest : public testing::Test {
  protected:
   void SetUp() override {
     if (!HasTerminals()) GTEST_SKIP() << "there are no terminals here";
+    unsetenv("NO_COLOR");
+    setenv("TERM", "xterm", 1);
     int program = -1;
     const winsize size{24, 40, 0, 0};
     ASSERT_EQ(openpty(&terminal_, &program, nullptr, nullptr, &size), 0);
@@ -78,6 +82,22 @@ TEST_F(LiveTextTest, TakesThePlaceOfWhatWasShown) {
   ExpectPrinted("\x1b[1A\r\x1b[K\r\n\x1b[1A");
   text.Show("d\n");
   ExpectPrinted("d\x1b[K\r\n");
+}
+
+TEST_F(LiveTextTest, LeavesWhatIsToStay) {
+  LiveText text(output_);
+  text.Show("a\n");
+  text.Leave();
+  text.Show("b\n");
+  text.Show("c\n");
+  ExpectPrinted("a\x1b[K\r\nb\x1b[K\r\n\x1b[1A\rc\x1b[K\r\n");
+}
+
+TEST_F(LiveTextTest, ReplacesNothingWhereThatIsNotWanted) {
+  const LiveText text(output_, false);
+  EXPECT_FALSE(text.is_on_terminal());
+  EXPECT_EQ(text.columns(), kAnyWidth);
+  EXPECT_EQ(text.rows(), kAnyWidth);
 }
 
 // The terminal has wrapped the 30 characters into three rows, the 10 into one and the empty line

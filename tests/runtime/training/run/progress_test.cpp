@@ -1,11 +1,18 @@
 #include "runtime/training/run/progress.h"
 
 #include <gmock/gmock.h>
+#include <poll.h>
+#include <pty.h>
+#include <unistd.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
+#include <tuple>
 
 #include "tests/runtime/training/run/sample_run.h"
+#include "tests/screen.h"
+#include "tests/terminal.h"
 
 namespace runtime {
 namespace {
@@ -41,51 +48,6 @@ Printed PrintThreeEpisodes(ProgressStyle style) {
     progress.Note("done");
   }
   return {Contents(output), Contents(warnings)};
-}
-
-TEST(ProgressLine, SaysEverythingInOneLine) {
-  ProgressValues values;
-  values.episode = 12;
-  values.episodes_planned = 1000;
-  values.last_return = -3.25;
-  values.mean = -4.1;
-  values.best_return = 1.5;
-  values.simulated_seconds_per_second = 4.23;
-  values.elapsed = 5.9;
-  values.remaining = 400;
-  EXPECT_EQ(ProgressLine(values),
-            "episode 12/1000  return -3.25  mean of 20 -4.1  best 1.5  4.2x real time  "
-            "0:05 elapsed  6:40 left");
-}
-
-TEST(ProgressLine, NeverCutsANumber) {
-  ProgressValues values;
-  values.episode = 120;
-  values.episodes_planned = 1000;
-  values.last_return = 37.58;
-  values.mean = 36.11;
-  values.best_return = 37.58;
-  values.simulated_seconds_per_second = 4.23;
-  values.remaining = 400;
-  EXPECT_EQ(ProgressLine(values, 79),
-            "episode 120/1000  return 37.58  mean of 20 36.11  best 37.58  6:40 left");
-  EXPECT_EQ(ProgressLine(values, 59), "episode 120/1000  mean of 20 36.11  best 37.58  6:40 left");
-  EXPECT_EQ(ProgressLine(values, 39), "episode 120/1000  best 37.58  6:40 left");
-  EXPECT_EQ(ProgressLine(values, 16), "episode 120/1000");
-}
-
-TEST(ProgressLine, KnowsNoBestWhileEverythingDiverges) {
-  ProgressValues values;
-  values.best_return = ReturnStatistics().best();
-  EXPECT_THAT(ProgressLine(values), testing::HasSubstr("  best none  "));
-}
-
-TEST(DurationText, ShowsHoursOnlyWhereThereAreSome) {
-  EXPECT_EQ(DurationText(0), "0:00");
-  EXPECT_EQ(DurationText(59.99), "0:59");
-  EXPECT_EQ(DurationText(3599), "59:59");
-  EXPECT_EQ(DurationText(3723), "1:02:03");
-  EXPECT_EQ(DurationText(-1), "0:00");
 }
 
 TEST(EpisodeJson, NamesTermsMetricsAndLogs) {
@@ -173,6 +135,89 @@ TEST(Progress, WarnsEvenWhenQuiet) {
   const Printed printed = PrintThreeEpisodes(ProgressStyle::kQuiet);
   EXPECT_EQ(printed.output, "");
   EXPECT_EQ(printed.warnings, "warning: something\n");
+}
+
+// On a terminal of 24 rows.
+class ProgressOnTerminalTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!HasTerminals()) GTEST_SKIP() << "there are no terminals here";
+    unsetenv("NO_COLOR");
+    setenv("TERM", "xterm", 1);
+    int program = -1;
+    const winsize size{24, kColumns, 0, 0};
+    ASSERT_EQ(openpty(&terminal_, &program, nullptr, nullptr, &size), 0);
+    output_ = fdopen(program, "w");
+  }
+  void TearDown() override {
+    if (output_ != nullptr) std::fclose(output_);
+    if (terminal_ >= 0) close(terminal_);
+  }
+  // All that stands there once `last` does.
+  std::string Screen(const std::string& last) {
+    pollfd readable = {terminal_, POLLIN, 0};
+    while (printed_.find(last) == std::string::npos && poll(&readable, 1, 20'000) == 1) {
+      char bytes[1000];
+      const ssize_t size = read(terminal_, bytes, sizeof bytes);
+      if (size <= 0) break;
+      printed_.append(bytes, static_cast<size_t>(size));
+    }
+    std::string text;
+    for (const std::string& line : ScreenLines(printed_, kColumns)) text += line + "\n";
+    return text;
+  }
+  void Finish(Progress& progress, int number) {
+    statistics_.Add(SampleEpisode(number));
+    progress.FinishEpisode(SampleEpisode(number), statistics_);
+  }
+
+  static constexpr unsigned short kColumns = 60;
+  int terminal_ = -1;
+  std::FILE* output_ = nullptr;
+  std::string printed_;
+  ReturnStatistics statistics_;
+};
+
+TEST_F(ProgressOnTerminalTest, KeepsAPictureUpToDateBelowWhatIsSaid) {
+  RunRecord run = SampleRun();
+  run.episodes_planned = 3;
+  Progress progress(ProgressStyle::kText, run, output_, output_);
+  progress.SetAddress("http://127.0.0.1:1/");
+  progress.Recall(SampleEpisode(1));
+  Finish(progress, 2);
+  progress.Warn("warning: something");
+  Finish(progress, 3);
+  progress.Leave();
+  progress.Note("done");
+  EXPECT_THAT(Screen("done"),
+              testing::MatchesRegex("warning: something *\n"
+                                    "crawling, humanoid[^\n]*  http://127.0.0.1:1/ *\n"
+                                    "episode 3/3  █+  100 %  0:00 left *\n"
+                                    "return 0.3  mean of 20 0.25  best 0.3  ▁▅█ *\n"
+                                    "  speed +0.3333  █+ *\n"
+                                    "  fall +-4  ▒+ *\n"
+                                    "[^\n]*x real time  0:00 elapsed *\n"
+                                    "done\n\n"));
+}
+
+TEST_F(ProgressOnTerminalTest, PrintsLinesThatStayWhereTheUserWantsThat) {
+  for (const auto& [style, no_color, terminal] : {std::tuple(ProgressStyle::kPlain, "", "xterm"),
+                                                  {ProgressStyle::kText, "1", "xterm"},
+                                                  {ProgressStyle::kText, "", "dumb"}}) {
+    printed_.clear();
+    setenv("NO_COLOR", no_color, 1);
+    setenv("TERM", terminal, 1);
+    RunRecord run = SampleRun();
+    run.episodes_planned = 2;
+    Progress progress(style, run, output_, output_);
+    Finish(progress, 1);
+    Finish(progress, 2);
+    progress.Note("done");
+    EXPECT_THAT(Screen("done"), testing::HasSubstr("episode 1/2  return 0.1  "));
+    EXPECT_THAT(printed_, testing::Not(testing::HasSubstr("\x1b")));
+    statistics_ = {};
+  }
+  unsetenv("NO_COLOR");
 }
 
 }  // namespace
