@@ -19,7 +19,7 @@ programs=(
   libboost-dev                                     # Beast: talking to a running trainer
   gnuplot-nox                                      # curves in documents
   libnlopt-cxx-dev                                 # fitting weights to preferences
-  libpng-dev libgif-dev libvpx-dev                 # pictures and films of robots
+  libpng-dev libgif-dev libvpx-dev libopenh264-dev # pictures and films of robots
   libmujoco-dev                                    # URDF and MJCF files; a second engine
   libgtest-dev libgmock-dev libbenchmark-dev
 )

@@ -9,6 +9,9 @@
 
 namespace runtime {
 
+// A player that jumps to a picture decodes all from the key picture before it on.
+inline constexpr int kMostBetweenKeys = 100;  // pictures
+
 class FilmWriter {
  public:
   virtual ~FilmWriter() = default;
@@ -19,9 +22,10 @@ class FilmWriter {
   virtual std::string Finish() = 0;
 };
 
-// Of films with this many square pictures of `size` pixels a second. Both throw UserError where
-// this program was built without what they need.
+// Of films with this many square pictures of `size` pixels a second. Each throws UserError where
+// this program was built without what it needs.
 std::unique_ptr<FilmWriter> MakeGifWriter(int size, int pictures_per_second);
+std::unique_ptr<FilmWriter> MakeMp4Writer(int size, int pictures_per_second);
 std::unique_ptr<FilmWriter> MakeWebmWriter(int size, int pictures_per_second);
 
 // The one for files with the ending of this name. Throws UserError where there is none.

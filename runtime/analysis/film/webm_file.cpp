@@ -2,6 +2,8 @@
 
 #include <bit>
 
+#include "runtime/analysis/film/big_endian.h"
+
 namespace runtime {
 namespace {
 
@@ -43,13 +45,6 @@ enum Id : uint32_t {
 
 constexpr int64_t kTrack = 1;
 constexpr size_t kLongestCluster = 30'000;  // [ms]; the times in a block have 16 bits
-
-// The last `count` bytes of `value`, the greatest first.
-std::string BigEndian(uint64_t value, int count) {
-  std::string bytes;
-  for (int i = count - 1; i >= 0; --i) bytes += static_cast<char>(value >> (8 * i));
-  return bytes;
-}
 
 std::string IdBytes(Id id) {
   const int count = (std::bit_width(static_cast<uint32_t>(id)) + 7) / 8;

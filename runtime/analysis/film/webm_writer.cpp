@@ -4,49 +4,14 @@
 
 #include "runtime/analysis/film/film_writer.h"
 #include "runtime/analysis/film/webm_file.h"
+#include "runtime/analysis/film/yuv.h"
 #include "runtime/base/user_error.h"
 
 namespace runtime {
 namespace {
 
-constexpr int kQuality = 24;  // of 0 (best) to 63
-constexpr int kSpeed = 4;     // of 0 (slow) to 8
-constexpr int kMostBetweenKeys = 100;
-
-// Studio range of BT.601, in 16 bits of fraction, rounded.
-uint8_t Luma(int r, int g, int b) {
-  return static_cast<uint8_t>(16 + ((16829 * r + 33039 * g + 6416 * b + 32768) >> 16));
-}
-uint8_t BlueDifference(int r, int g, int b) {
-  return static_cast<uint8_t>(128 + ((-9714 * r - 19070 * g + 28784 * b + 32768) >> 16));
-}
-uint8_t RedDifference(int r, int g, int b) {
-  return static_cast<uint8_t>(128 + ((28784 * r - 24103 * g - 4681 * b + 32768) >> 16));
-}
-
-// Colors at half the resolution: each the mean of four pixels.
-void Convert(const Image& picture, vpx_image_t& out) {
-  for (int y = 0; y < picture.height; ++y) {
-    for (int x = 0; x < picture.width; ++x) {
-      const uint8_t* const rgb = picture.pixel(x, y);
-      out.planes[VPX_PLANE_Y][y * out.stride[VPX_PLANE_Y] + x] = Luma(rgb[0], rgb[1], rgb[2]);
-    }
-  }
-  for (int y = 0; y < picture.height / 2; ++y) {
-    for (int x = 0; x < picture.width / 2; ++x) {
-      int rgb[3];
-      for (int i = 0; i < 3; ++i) {
-        rgb[i] = (picture.pixel(2 * x, 2 * y)[i] + picture.pixel(2 * x + 1, 2 * y)[i] +
-                  picture.pixel(2 * x, 2 * y + 1)[i] + picture.pixel(2 * x + 1, 2 * y + 1)[i] + 2) /
-                 4;
-      }
-      out.planes[VPX_PLANE_U][y * out.stride[VPX_PLANE_U] + x] =
-          BlueDifference(rgb[0], rgb[1], rgb[2]);
-      out.planes[VPX_PLANE_V][y * out.stride[VPX_PLANE_V] + x] =
-          RedDifference(rgb[0], rgb[1], rgb[2]);
-    }
-  }
-}
+constexpr int kVp9Quality = 24;  // of 0 (best) to 63
+constexpr int kSpeed = 4;        // of 0 (slow) to 8
 
 class WebmWriter : public FilmWriter {
  public:
@@ -59,7 +24,7 @@ class WebmWriter : public FilmWriter {
     settings.kf_max_dist = kMostBetweenKeys;
     Check(vpx_codec_enc_init(&codec_, vpx_codec_vp9_cx(), &settings, 0));
     Check(vpx_codec_control(&codec_, VP8E_SET_CPUUSED, kSpeed));
-    Check(vpx_codec_control(&codec_, VP8E_SET_CQ_LEVEL, kQuality));
+    Check(vpx_codec_control(&codec_, VP8E_SET_CQ_LEVEL, kVp9Quality));
     Check(vpx_codec_control(&codec_, VP9E_SET_COLOR_SPACE, VPX_CS_BT_601));
     const auto side = static_cast<unsigned>(size);
     if (vpx_img_alloc(&image_, VPX_IMG_FMT_I420, side, side, 1) == nullptr) Fail("no memory");
@@ -72,7 +37,7 @@ class WebmWriter : public FilmWriter {
   }
 
   void Add(const Image& picture) override {
-    Convert(picture, image_);
+    WriteYuv(picture, {PlaneOf(VPX_PLANE_Y), PlaneOf(VPX_PLANE_U), PlaneOf(VPX_PLANE_V)});
     Encode(&image_);
   }
 
@@ -83,6 +48,8 @@ class WebmWriter : public FilmWriter {
   }
 
  private:
+  Plane PlaneOf(int index) const { return {image_.planes[index], image_.stride[index]}; }
+
   // Returns whether something came out. Null: what the encoder still has.
   bool Encode(const vpx_image_t* image) {
     Check(vpx_codec_encode(&codec_, image, next_, 1, 0, VPX_DL_GOOD_QUALITY));

@@ -6,8 +6,8 @@ namespace runtime {
 
 std::unique_ptr<FilmWriter> MakeGifWriter(int, int) {
   throw UserError(
-      "this program was built without giflib, which writes .gif: install the package `libgif-dev`, "
-      "and build again");
+      "this program was built without giflib, which writes .gif: install the package `libgif-dev` "
+      "and build again, or name a file that ends in .mp4 or .webm");
 }
 
 }  // namespace runtime

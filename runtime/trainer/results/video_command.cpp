@@ -80,10 +80,10 @@ void Video(const VideoOptions& options) {
 
 void AddVideoCommand(command_line::Command& program) {
   const auto options = std::make_shared<VideoOptions>();
-  command_line::Command& command =
-      program.AddCommand("video", "Draws a recorded episode as a film: WebM or an animated GIF.");
+  command_line::Command& command = program.AddCommand(
+      "video", "Draws a recorded episode as a film: MP4, WebM or an animated GIF.");
   command.AddOption("RUN", options->folder, "folder of the run").Required();
-  command.AddOption("-o,--output", options->output, "file to write, *.webm or *.gif")
+  command.AddOption("-o,--output", options->output, "file to write, *.mp4, *.webm or *.gif")
       .Required()
       .ValueName("FILE");
   command

@@ -7,6 +7,7 @@
 namespace runtime {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::StartsWith;
 
@@ -53,20 +54,31 @@ TEST_F(VideoTest, DrawsAPartSlowlyAsWebm) {
   EXPECT_THAT(Bytes("film.webm"), StartsWith("\x1A\x45\xDF\xA3"));
 }
 
+TEST_F(VideoTest, DrawsAnEpisodeAsMp4) {
+  const ProgramResult result = Video("film.mp4", {"--size", "32", "--to", "0.4"});
+  if (CannotWrite(result)) GTEST_SKIP() << result.errors;
+  ASSERT_EQ(result.exit_status, 0) << result.errors;
+  EXPECT_THAT(result.output, HasSubstr("film.mp4: episode 2, 11 pictures, 0.44 s\n"));
+  EXPECT_EQ(result.errors, "");
+  EXPECT_THAT(Bytes("film.mp4"), AllOf(HasSubstr("ftypisom"), HasSubstr("avc1")));
+}
+
 TEST_F(VideoTest, IsTheSameFileEachTime) {
-  for (const char* file : {"one.gif", "two.gif"}) {
-    const ProgramResult result = Video(file, {"--size", "24", "--to", "0.2"});
-    if (CannotWrite(result)) GTEST_SKIP() << result.errors;
+  for (const std::string ending : {".gif", ".mp4", ".webm"}) {
+    for (const char* name : {"one", "two"}) {
+      const ProgramResult result = Video(name + ending, {"--size", "24", "--to", "0.2"});
+      if (CannotWrite(result)) GTEST_SKIP() << result.errors;
+    }
+    EXPECT_FALSE(Bytes("one" + ending).empty());
+    EXPECT_TRUE(Bytes("one" + ending) == Bytes("two" + ending)) << ending;
   }
-  EXPECT_FALSE(Bytes("one.gif").empty());
-  EXPECT_TRUE(Bytes("one.gif") == Bytes("two.gif"));
 }
 
 TEST_F(VideoTest, SaysWhatItCanWrite) {
-  const ProgramResult result = Video("film.mp4");
+  const ProgramResult result = Video("film.avi");
   EXPECT_EQ(result.exit_status, 1);
-  EXPECT_THAT(result.errors, HasSubstr("film.mp4: films are written as .webm"));
-  EXPECT_FALSE(std::filesystem::exists(RunFolder("film.mp4")));
+  EXPECT_THAT(result.errors, HasSubstr("film.avi: films are written as .mp4"));
+  EXPECT_FALSE(std::filesystem::exists(RunFolder("film.avi")));
 }
 
 TEST_F(VideoTest, RefusesWhatIsNotThere) {

@@ -2,7 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <string>
+
+#include "runtime/analysis/film/mp4_file.h"
 #include "runtime/analysis/film/webm_file.h"
+#include "runtime/analysis/film/yuv.h"
 #include "tests/runtime/analysis/picture/standing_ball.h"
 
 namespace runtime {
@@ -65,6 +70,60 @@ TEST(WebmFile, HoldsItsElementsAndItsPictures) {
     size = size << 8 | static_cast<uint8_t>(bytes[segment + 4 + static_cast<size_t>(i)]);
   }
   EXPECT_EQ(segment + 12 + size, bytes.size());
+}
+
+// The content of the box of this type: its first four bytes are its size, the next four its type.
+std::string BoxIn(const std::string& bytes, const std::string& type) {
+  const size_t at = bytes.find(type);
+  if (at == std::string::npos) return "";
+  size_t size = 0;
+  for (size_t i = at - 4; i < at; ++i) size = size << 8 | static_cast<uint8_t>(bytes[i]);
+  return bytes.substr(at + 4, size - 8);
+}
+
+TEST(Mp4File, HoldsItsBoxesAndItsPictures) {
+  using namespace std::string_literals;
+  const std::string start = "\0\0\0\1"s;
+  const std::string sequence = "gd\0(seq"s;
+  const std::string parameters = "hpic"s;
+  Mp4File file(480, 25);
+  file.Add(start + sequence + start + parameters + start + "efirst", true);
+  file.Add(start + "asecond", false);
+  file.Add(start + sequence + start + parameters + start + "ethird", true);
+  const std::string bytes = file.Finish();
+  EXPECT_EQ(bytes.substr(4, 8), "ftypisom");
+  EXPECT_EQ(BoxIn(bytes, "mdat"), "\0\0\0\6efirst"s + "\0\0\0\7asecond"s + "\0\0\0\6ethird"s);
+  // Version, profile and level, lengths of four bytes, one set of each kind with its length.
+  EXPECT_EQ(BoxIn(bytes, "avcC"), "\1d\0(\xFF\xE1\0\7"s + sequence + "\1\0\4"s + parameters);
+  EXPECT_EQ(BoxIn(bytes, "stsz"), "\0\0\0\0\0\0\0\0\0\0\0\3\0\0\0\xA\0\0\0\xB\0\0\0\xA"s);
+  EXPECT_EQ(BoxIn(bytes, "stss"), "\0\0\0\0\0\0\0\2\0\0\0\1\0\0\0\3"s);  // key pictures
+  const std::string offset = BoxIn(bytes, "stco").substr(8);
+  size_t first = 0;
+  for (const char byte : offset) first = first << 8 | static_cast<uint8_t>(byte);
+  EXPECT_EQ(bytes.substr(first, 5), "\0\0\0\6e"s);
+  EXPECT_EQ(BoxIn(bytes, "mdhd").substr(12, 8), "\0\0\0\x19\0\0\0\3"s);  // 25 a second, 3 of them
+}
+
+TEST(Yuv, IsOfStudioRange) {
+  Image picture(2, 2);
+  const auto fill = [&](uint8_t r, uint8_t g, uint8_t b) {
+    for (int i = 0; i < 4; ++i) {
+      uint8_t* const pixel = picture.pixel(i % 2, i / 2);
+      pixel[0] = r, pixel[1] = g, pixel[2] = b, pixel[3] = 255;
+    }
+  };
+  uint8_t luma[4], blue, red;
+  const YuvPlanes planes = {{luma, 2}, {&blue, 1}, {&red, 1}};
+  fill(255, 255, 255);
+  WriteYuv(picture, planes);
+  EXPECT_EQ((std::array{int{luma[0]}, int{luma[3]}, int{blue}, int{red}}),
+            (std::array{235, 235, 128, 128}));
+  fill(0, 0, 0);
+  WriteYuv(picture, planes);
+  EXPECT_EQ((std::array{int{luma[0]}, int{blue}, int{red}}), (std::array{16, 128, 128}));
+  fill(255, 0, 0);
+  WriteYuv(picture, planes);
+  EXPECT_EQ((std::array{int{luma[0]}, int{blue}, int{red}}), (std::array{81, 90, 240}));
 }
 
 }  // namespace
