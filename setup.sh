@@ -23,8 +23,8 @@ programs=(
   libmujoco-dev                                    # URDF and MJCF files; a second engine
   libgtest-dev libgmock-dev libbenchmark-dev
 )
-# A real browser, a real debugger, the format check; for the Python package, which the programs do without.
-tests=(chromium procps gdb clang-format python3-numpy)
+# A real browser, a real debugger, the format check, real shells and manual pages; for the Python package, which the programs do without.
+tests=(chromium procps gdb clang-format zsh fish man-db python3-numpy)
 
 wanted=("${programs[@]}")
 # Any Node.js that is already installed is good enough for the report's page.

@@ -44,7 +44,8 @@ class InstallTest : public testing::Test {
     ASSERT_EQ(configured.exit_status, 0) << configured.errors;
     for (const char* part :
          {"bin/taskc", "bin/trainer", "share/taskc/report", "share/taskc/study",
-          "share/taskc/document", "share/taskc/probe", "share/taskc/live", "lib"}) {
+          "share/taskc/document", "share/taskc/probe", "share/taskc/live", "packaging/man1",
+          "packaging/bash", "packaging/zsh", "packaging/fish", "lib"}) {
       if (!std::filesystem::exists(std::filesystem::path(BUILD_DIR) / part)) continue;
       std::filesystem::create_directories((build_ / part).parent_path());
       std::filesystem::copy(std::filesystem::path(BUILD_DIR) / part, build_ / part,
@@ -88,6 +89,11 @@ class InstallTest : public testing::Test {
          "PYTHONPATH=" + prefix + "/share/taskc/python", "/bin/sh", "-ec", command});
     EXPECT_EQ(result.exit_status, 0) << command << "\n" << result.output << result.errors;
     return result.output;
+  }
+
+  // Of a file or folder below the installation.
+  bool IsInstalled(const std::string& path) const {
+    return std::filesystem::exists(prefix_ / path);
   }
 
   // lib, or lib/x86_64-linux-gnu.
@@ -136,6 +142,16 @@ TEST_F(InstallTest, WhatTheQuickstartBuildsIsAllThatAUserNeeds) {
   ExpectMade("run/report.html");
   Call({"taskc", "doc", "walking.task", "-o", "walking.html"});
   ExpectMade("walking.html");
+}
+
+TEST_F(InstallTest, ShellsAndManFindWhatTheyLookFor) {
+  for (const char* file :
+       {"share/man/man1/taskc-build.1.gz", "share/man/man1/trainer-ctl-swap.1.gz",
+        "share/bash-completion/completions/trainer", "share/fish/vendor_completions.d/taskc.fish",
+        "share/zsh/site-functions/_trainer", "share/doc/taskc/docs/hosts.md",
+        "share/doc/taskc/tasks/crawling.task", "share/doc/taskc/copyright"}) {
+    EXPECT_TRUE(IsInstalled(file)) << file;
+  }
 }
 
 constexpr const char* kBalance =

@@ -25,6 +25,14 @@ CLI::Validator NumberThat(bool (*fits)(double), const char* shown, const char* e
   return CLI::Validator(check, shown);
 }
 
+// All lines but the first by two columns.
+std::string Indented(std::string lines) {
+  for (size_t at = lines.find('\n'); at != std::string::npos; at = lines.find('\n', at + 3)) {
+    lines.insert(at + 1, "  ");
+  }
+  return lines;
+}
+
 }  // namespace
 
 Option& Option::Required() {
@@ -101,7 +109,9 @@ Command::Command(const std::string& name, const std::string& description)
       program_app_(std::make_unique<CLI::App>(description, name)),
       app_(program_app_.get()) {}
 
-Command::Command(const Command& parent, CLI::App* app) : parent_(&parent), app_(app) {}
+Command::Command(const Command& parent, CLI::App* app) : parent_(&parent), app_(app) {
+  ExitStatus(parent.notes_.exit_status);
+}
 
 Command::~Command() = default;
 
@@ -124,7 +134,39 @@ Command& Command::AddCommand(const std::string& name, const std::string& descrip
 
 void Command::Group(const std::string& heading) { app_->group(heading); }
 
-void Command::Footer(const std::string& text) { app_->footer(text); }
+void Command::Hide() { app_->group(""); }
+
+void Command::Examples(const std::string& calls) {
+  notes_.examples = calls;
+  ShowNotes();
+}
+
+void Command::Notes(const std::string& text) {
+  notes_.text = text;
+  ShowNotes();
+}
+
+void Command::Environment(const std::string& variables) {
+  notes_.environment = variables;
+  ShowNotes();
+}
+
+void Command::ExitStatus(const std::string& meaning) {
+  notes_.exit_status = meaning;
+  ShowNotes();
+}
+
+void Command::ShowNotes() {
+  std::string footer;
+  const auto add = [&](const std::string& heading, const std::string& text) {
+    if (!text.empty()) footer += (footer.empty() ? "" : "\n") + heading + text;
+  };
+  add("Examples:\n  ", Indented(notes_.examples));
+  add("", notes_.text);
+  add("Environment: ", notes_.environment);
+  add("Exit status: ", notes_.exit_status);
+  app_->footer(footer);
+}
 
 void Command::Version(const std::string& text) {
   app_->set_version_flag("--version", text, "print the version and exit");

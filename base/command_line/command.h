@@ -1,6 +1,6 @@
 // A program's command line: its commands with their options and arguments, each declared once.
-// Help, error messages and shell completion follow from the declarations. CLI11 does the work; its
-// templates are compiled in this folder only.
+// Help, error messages, manual pages and shell completion follow from the declarations. CLI11 does
+// the work; its templates are compiled in this folder only.
 //
 //   Command program("trainer", "Trains a simulated robot in a task.");
 //   Command& train = program.AddCommand("train", "Starts a run.");
@@ -36,7 +36,7 @@ class Option {
  public:
   Option& Required();
   // What the help shows for the value: "DIR", "FILE.md|FILE.html"; "" for nothing. From it follows
-  // what shells complete (command_tree.h).
+  // what shells complete (completed_value.h).
   Option& ValueName(const std::string& name);
   // The help shows the value that the variable has now.
   Option& ShowDefault();
@@ -69,6 +69,14 @@ class Option {
   CLI::Option* option_;
 };
 
+// What the help and the manual page of a command say below its options; each may be "".
+struct CommandNotes {
+  std::string examples;     // calls, one in a line, each with a comment
+  std::string text;         // whatever else is to be known
+  std::string environment;  // variables, and what they are for
+  std::string exit_status;  // "0 success, 1 ..."
+};
+
 // A program, or one of its commands.
 class Command {
  public:
@@ -85,12 +93,17 @@ class Command {
   Command* FindCommand(const std::string& name) const;
 
   // One of the commands below must then be named: this one does nothing by itself. A new command
-  // begins with the group and the footer that this one has at that moment.
+  // begins with the group and the exit status that this one has at that moment.
   Command& AddCommand(const std::string& name, const std::string& description);
   // The heading under which the help of the command above lists this one.
   void Group(const std::string& heading);
-  // Text below the help.
-  void Footer(const std::string& text);
+  // Left out of the help, of completion and of the manual.
+  void Hide();
+  void Examples(const std::string& calls);
+  void Notes(const std::string& text);
+  void Environment(const std::string& variables);
+  void ExitStatus(const std::string& meaning);
+  const CommandNotes& notes() const { return notes_; }
   // Adds `--version`, which prints `text`.
   void Version(const std::string& text);
 
@@ -125,10 +138,13 @@ class Command {
  private:
   Command(const Command& parent, CLI::App* app);
 
+  void ShowNotes();
+
   const Command* const parent_;                  // null: this is the program
   const std::unique_ptr<CLI::App> program_app_;  // owns those of all commands
   CLI::App* const app_;
   std::vector<std::unique_ptr<Command>> commands_;
+  CommandNotes notes_;
   std::function<int()> action_;
 };
 

@@ -1,77 +1,91 @@
 #include "base/command_line/command_tree.h"
 
 #include <CLI/CLI.hpp>
-#include <sstream>
+#include <algorithm>
+#include <cctype>
 
 namespace command_line {
 namespace {
 
-std::vector<std::string> SplitAt(const std::string& text, char separator) {
-  std::vector<std::string> words;
-  std::istringstream stream(text);
-  for (std::string word; std::getline(stream, word, separator);) words.push_back(word);
-  return words;
-}
-
-// "text|json|sarif" and "TEXT:{paper,fast}" say their words; FILE.md|FILE.html does not.
-std::vector<std::string> WordsIn(const std::string& type) {
-  const size_t brace = type.find('{');
-  if (brace != std::string::npos) {
-    return SplitAt(type.substr(brace + 1, type.find('}') - brace - 1), ',');
+// "INT in [1 - 100]" is in [1, 100], and "POSITIVE" is positive.
+std::string Limits(std::string text) {
+  if (const size_t in = text.find(" in ["); in != std::string::npos) {
+    text = text.substr(in + 1);
+    if (const size_t dash = text.find(" - "); dash != std::string::npos)
+      text.replace(dash, 3, ", ");
+    return text;
   }
-  const bool is_choice = type.find('|') != std::string::npos;
-  return is_choice && type.find("FILE") == std::string::npos ? SplitAt(type, '|')
-                                                             : std::vector<std::string>();
+  std::ranges::transform(text, text.begin(), [](unsigned char c) { return std::tolower(c); });
+  return text;
 }
 
-CompletedValue ValueOf(const CLI::Option& option, const ArgumentWords& words) {
+std::vector<std::string> NamesOf(const std::set<CLI::Option*>& options) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : options) {
+    if (!option->get_group().empty()) names.push_back(option->get_name());
+  }
+  std::ranges::sort(names);
+  return names;
+}
+
+OptionEntry EntryOf(const CLI::Option& option, const ValueLists& lists) {
+  OptionEntry entry;
+  for (const std::string& name : option.get_snames()) entry.names.push_back("-" + name);
+  for (const std::string& name : option.get_lnames()) entry.names.push_back("--" + name);
+  if (option.get_positional()) entry.names.push_back(option.get_name(true));
+  entry.description = option.get_description();
+  entry.is_required = option.get_required();
+  entry.needs = NamesOf(option.get_needs());
+  entry.excludes = NamesOf(option.get_excludes());
+  entry.is_flag = option.get_items_expected_max() == 0;
+  if (entry.is_flag) return entry;
+  entry.takes_many = option.get_items_expected_max() > 1;
+  entry.default_value = option.get_default_str();
   const std::string type = option.get_type_name();
-  const std::string name = option.get_name();
-  if (const auto known = words.find(name); known != words.end()) {
-    return {CompletedValue::kWords, known->second};
-  }
-  if (std::vector<std::string> choices = WordsIn(type); !choices.empty()) {
-    return {CompletedValue::kWords, std::move(choices)};
-  }
-  if (type == "DIR" || name == "DIR") return {CompletedValue::kFolder};
-  if (name == "FILE.task" || name == "TASK") return {CompletedValue::kTask};
-  const bool is_file = type.find("FILE") != std::string::npos || name.starts_with("FILE");
-  return {is_file ? CompletedValue::kFile : CompletedValue::kText};
+  const size_t colon = type.find(':');
+  const std::string value = type.substr(0, colon);
+  if (colon != std::string::npos) entry.limits = Limits(type.substr(colon + 1));
+  if (!option.get_positional()) entry.value = value;
+  // An argument's own name, unless it has choices: "FILE.stl|FILE.obj".
+  const bool by_name = option.get_positional() && value.find('|') == std::string::npos;
+  entry.completed = ValueCalled(by_name ? entry.names.front() : value, lists);
+  return entry;
 }
 
-CompletedOption Completed(const CLI::Option& option, const ArgumentWords& words) {
-  CompletedOption completed{{}, option.get_description(), {}};
-  for (const std::string& name : option.get_snames()) completed.names.push_back("-" + name);
-  for (const std::string& name : option.get_lnames()) completed.names.push_back("--" + name);
-  if (option.get_items_expected_max() > 0) completed.value = ValueOf(option, words);
-  return completed;
-}
-
-void AddCommand(const CLI::App& app, const std::string& path, const ArgumentWords& words,
-                std::vector<CompletedCommand>& commands) {
-  CompletedCommand command{path, app.get_name(), app.get_description(), {}, {}, {}};
+void AddEntries(const Command& command, const std::string& path, const ValueLists& lists,
+                std::vector<CommandEntry>& entries) {
+  const CLI::App& app = command.app();
+  CommandEntry entry{path, command.name(), app.get_description(), app.get_group(), {}, {},
+                     {},   command.notes()};
   for (const CLI::Option* option : app.get_options()) {
     if (option->get_group().empty()) continue;  // hidden
-    if (!option->get_positional()) {
-      command.options.push_back(Completed(*option, words));
-    } else if (command.argument.kind <= CompletedValue::kText) {
-      command.argument = ValueOf(*option, words);
-    }
+    auto& list = option->get_positional() ? entry.arguments : entry.options;
+    list.push_back(EntryOf(*option, lists));
   }
-  const auto below = app.get_subcommands([](const CLI::App*) { return true; });
-  for (const CLI::App* each : below) command.commands.push_back(each->get_name());
-  commands.push_back(std::move(command));
-  for (const CLI::App* each : below) {
-    AddCommand(*each, path + (path.empty() ? "" : " ") + each->get_name(), words, commands);
+  std::vector<const Command*> below;
+  for (const auto& each : command.commands()) {
+    if (each->app().get_group().empty()) continue;
+    below.push_back(each.get());
+    entry.commands.push_back(each->name());
+  }
+  entries.push_back(std::move(entry));
+  for (const Command* each : below) {
+    AddEntries(*each, path + (path.empty() ? "" : " ") + each->name(), lists, entries);
   }
 }
 
 }  // namespace
 
-std::vector<CompletedCommand> CommandsOf(const Command& program, const ArgumentWords& words) {
-  std::vector<CompletedCommand> commands;
-  AddCommand(program.app(), "", words, commands);
-  return commands;
+std::vector<CommandEntry> CommandsOf(const Command& program, const ValueLists& lists) {
+  std::vector<CommandEntry> entries;
+  AddEntries(program, "", lists, entries);
+  return entries;
+}
+
+const CommandEntry& Below(const CommandEntry& command, const std::string& name,
+                          const std::vector<CommandEntry>& commands) {
+  const std::string path = command.path + (command.path.empty() ? "" : " ") + name;
+  return *std::ranges::find(commands, path, &CommandEntry::path);
 }
 
 }  // namespace command_line

@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "base/command_line/command.h"
+#include "base/command_line/manual.h"
 #include "compiler/driver/crash_report.h"
 #include "compiler/driver/print_error.h"
 #include "compiler/driver/session.h"
@@ -19,25 +20,17 @@ namespace {
 constexpr const char* kDescription =
     "Compiles tasks for robots that learn: .task files become plugins for the trainer.";
 
-constexpr const char* kFooter =
-    "`taskc VERB --help` describes a verb and its options.\n"
-    "Environment: CXX, the C++ compiler; TASKC_CACHE, the folder of built plugins;\n"
+constexpr const char* kNotes = "`taskc VERB --help` describes a verb and its options.";
+
+constexpr const char* kEnvironment =
+    "CXX, the C++ compiler; TASKC_CACHE, the folder of built plugins;\n"
     "TASKC_ROBOT_PATH, folders with robots; TASKC_LIBRARY_PATH, folders with libraries;\n"
-    "NO_COLOR, to turn colors off.\n"
-    "Exit status: 0 success, 1 the task has errors, 2 the command line is wrong, "
-    "3 internal error.";
+    "NO_COLOR, to turn colors off.";
+
+constexpr const char* kExitStatus =
+    "0 success, 1 the task has errors, 2 the command line is wrong, 3 internal error.";
 
 constexpr const char* kVersion = "taskc " TASKC_VERSION;
-
-// "Examples:" and the verb's, indented.
-std::string Examples(const Verb& verb) {
-  std::string text = "Examples:\n  ";
-  for (const char* at = verb.examples; *at != '\0'; ++at) {
-    text += *at;
-    if (*at == '\n') text += "  ";
-  }
-  return text;
-}
 
 // A mistake of ours; `folder` may hold evidence of it already.
 void ReportMistake(const std::string& message, const std::filesystem::path& folder,
@@ -51,6 +44,9 @@ ExitStatus RunGuarded(const Action& action, Session& session) {
   try {
     return action(session);
   } catch (const CallError& error) {
+    session.Fail(error.what());
+    return ExitStatus::kWrongCall;
+  } catch (const command_line::CallError& error) {
     session.Fail(error.what());
     return ExitStatus::kWrongCall;
   } catch (const robot::DescriptionError& error) {
@@ -74,7 +70,7 @@ ExitStatus RunGuarded(const Action& action, Session& session) {
 void Declare(const Verb& verb, Command& program, Session& session) {
   Command& command = program.AddCommand(verb.name, verb.title);
   command.Version(kVersion);
-  command.Footer(Examples(verb));
+  if (*verb.examples != '\0') command.Examples(verb.examples);
   command.OnRun([action = verb.declare(command, session), &session] {
     const ExitStatus status = RunGuarded(action, session);
     session.Finish(status);
@@ -87,9 +83,12 @@ void Declare(const Verb& verb, Command& program, Session& session) {
 ExitStatus RunCommandLine(int argc, char** argv) {
   Session session;
   Command program("taskc", kDescription);
-  program.Footer(kFooter);
+  program.Notes(kNotes);
+  program.Environment(kEnvironment);
+  program.ExitStatus(kExitStatus);
   program.Version(kVersion);
   for (const Verb& verb : kVerbs) Declare(verb, program, session);
+  command_line::AddManual(program, kVersion, "trainer");
   try {
     const auto run = program.Parse(argc, argv);
     return run ? static_cast<ExitStatus>(run()) : ExitStatus::kOk;

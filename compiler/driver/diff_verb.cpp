@@ -68,6 +68,9 @@ Action DeclareDiff(Command& command, Session& session) {
       .ValueName("");
   command.AddFlag("--json", options->is_json, "print JSON");
   AddRobots(command, session);
+  command.ExitStatus(
+      "0 they mean the same, 1 they differ, 2 one of them has errors or the command line is wrong, "
+      "3 internal error.");
   return [options](Session& call) { return Diff(*options, call); };
 }
 

@@ -57,10 +57,7 @@ const std::vector<Verb> kVerbs = {
      "taskc explain E0203   # what it means, with examples\n"
      "taskc explain         # lists all codes with their titles",
      DeclareExplain},
-    {"completion", "Print a script that completes taskc's command line in a shell",
-     "taskc completion bash >>~/.bashrc\n"
-     "taskc completion zsh >>~/.zshrc       # after the line with compinit\n"
-     "taskc completion fish >~/.config/fish/completions/taskc.fish",
+    {"completion", "Print a script that completes taskc's command line in a shell", "",
      DeclareCompletion},
 };
 

@@ -23,7 +23,7 @@ using Action = std::function<ExitStatus(Session&)>;
 struct Verb {
   const char* name;
   const char* title;     // one line, for the list of verbs
-  const char* examples;  // calls, one in a line, each with a comment
+  const char* examples;  // calls, one in a line, each with a comment; or "": it declares them
   // Declares the verb's options. They live as long as the action that is returned.
   Action (*declare)(Command& command, Session& session);
 };

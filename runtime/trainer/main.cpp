@@ -4,6 +4,7 @@
 #include <csignal>
 #include <functional>
 
+#include "base/command_line/manual.h"
 #include "base/text/print.h"
 #include "runtime/trainer/commands.h"
 
@@ -13,9 +14,9 @@ namespace {
 constexpr const char* kVersion = "trainer " TASKC_VERSION;
 
 void Declare(command_line::Command& program) {
-  program.Footer(
-      "Exit status: 0 success, 1 the task or the run failed, 2 the command line is wrong, 128 + n "
-      "stopped by signal n.");
+  program.ExitStatus(
+      "0 success, 1 the task or the run failed, 2 the command line is wrong, 128 + n stopped by "
+      "signal n.");
   AddTrainCommand(program);
   AddResumeCommand(program);
   AddServeCommand(program);
@@ -35,6 +36,7 @@ void Declare(command_line::Command& program) {
   AddRobotCommand(program);
   AddEnvironmentCommand(program);
   AddCompletionCommand(program);
+  command_line::AddManual(program, kVersion, "taskc");
   program.Version(kVersion);
   for (const auto& command : program.commands()) command->Version(kVersion);
 }

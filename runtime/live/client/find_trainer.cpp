@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <string>
-#include <vector>
 
 #include "runtime/base/user_error.h"
 #include "runtime/live/client/client.h"
@@ -14,6 +12,8 @@ namespace {
 
 using std::filesystem::directory_options;
 using std::filesystem::recursive_directory_iterator;
+
+}  // namespace
 
 std::vector<std::string> TrainersUnder(const std::filesystem::path& root) {
   std::vector<std::string> folders;
@@ -29,8 +29,6 @@ std::vector<std::string> TrainersUnder(const std::filesystem::path& root) {
   std::ranges::sort(folders);
   return folders;
 }
-
-}  // namespace
 
 std::filesystem::path FindTrainer(const std::filesystem::path& root) {
   const std::vector<std::string> folders = TrainersUnder(root);

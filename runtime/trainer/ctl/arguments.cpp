@@ -88,7 +88,7 @@ void DeclareLoad(Command& command, const CommandSpec& spec, json& arguments) {
 
 // set NAME VALUE; what follows may begin with `-`, or be an arrow.
 void DeclareSet(Command& command, const CommandSpec&, json& arguments) {
-  command.Footer(
+  command.Notes(
       "  trainer ctl set NAME VALUE\n"
       "  trainer ctl set NAME = FROM to TO over N episodes\n"
       "A value may have a unit: `20 s`. Instead of `to` you may write → or, in quotes, `->`.");
@@ -103,7 +103,7 @@ void DeclareSet(Command& command, const CommandSpec&, json& arguments) {
 
 // hold NAME NUMBER...; a number may begin with `-`.
 void DeclareHold(Command& command, const CommandSpec&, json& arguments) {
-  command.Footer(
+  command.Notes(
       "  trainer ctl hold NAME NUMBER...\n"
       "As many numbers as the goal has elements, in SI units: `hold task.velocity 0.5 -0.1`.");
   command.OnWords([&arguments](const std::vector<std::string>& words) {

@@ -25,18 +25,15 @@ constexpr const char* kLookingGroup = "Commands that look at the run";
 constexpr const char* kChangingGroup = "Commands that change the run";
 
 constexpr const char* kExamples =
-    "Examples:\n"
-    "  trainer ctl status\n"
-    "  trainer ctl load careful.task as careful      # evaluated beside the active task\n"
-    "  trainer ctl promote careful                   # the learner is paid by it from now on\n"
-    "  trainer ctl swap task crawling.task --now     # another task, between two time steps\n"
-    "  trainer ctl rollback task                     # or to any version: rollback task a1b2c3d4\n"
-    "  trainer ctl set task.fall_penalty 8\n"
-    "  trainer ctl set learner.temperature = 2 to 0.1 over 200 episodes\n"
-    "  trainer ctl watch crawling.task --now         # swaps whenever the file is saved\n"
-    "  trainer ctl events --json | jq .return\n"
-    "Without --run it is the one run under runs/ that is being trained.\n"
-    "Exit status: 0 success, 1 refused or no trainer is running, 2 the command line is wrong.";
+    "trainer ctl status\n"
+    "trainer ctl load careful.task as careful      # evaluated beside the active task\n"
+    "trainer ctl promote careful                   # the learner is paid by it from now on\n"
+    "trainer ctl swap task crawling.task --now     # another task, between two time steps\n"
+    "trainer ctl rollback task                     # or to any version: rollback task a1b2c3d4\n"
+    "trainer ctl set task.fall_penalty 8\n"
+    "trainer ctl set learner.temperature = 2 to 0.1 over 200 episodes\n"
+    "trainer ctl watch crawling.task --now         # swaps whenever the file is saved\n"
+    "trainer ctl events --json | jq .return";
 
 using Options = std::shared_ptr<CtlOptions>;  // of the whole line
 
@@ -116,11 +113,13 @@ void AddCtlCommand(Command& program) {
   Command& ctl = program.AddCommand(
       "ctl", "Talks to a trainer while it trains: looks at the run and changes it.");
   options->AddTo(ctl);
+  ctl.Examples(kExamples);
+  ctl.Notes("Without --run it is the one run under runs/ that is being trained.");
+  ctl.ExitStatus("0 success, 1 refused or no trainer is running, 2 the command line is wrong.");
   for (const CommandSpec& spec : Commands()) AddSpecified(ctl, spec, options);
   AddEvents(ctl, options);
   AddPage(ctl, options);
   AddCtlWatch(ctl, options);
-  ctl.Footer(kExamples);  // last, because commands take over what there is
 }
 
 }  // namespace runtime

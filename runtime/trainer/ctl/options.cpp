@@ -8,7 +8,7 @@ void CtlOptions::AddTo(command_line::Command& command) {
   command
       .AddOption("--run", run,
                  "folder of the run; by default the one under runs/ that is being trained")
-      .ValueName("DIR");
+      .ValueName("RUN");
   command.AddFlag("--json", json, "print JSON, one object per line");
 }
 

@@ -190,7 +190,7 @@ void AddPreferCommand(command_line::Command& program) {
       .Needs(output);
   command.AddFlag("--force", options->is_forced, "overwrite an existing task").Needs(output);
   command.AddFlag("--json", options->json, "print JSON, and ask nothing");
-  command.Footer(
+  command.Notes(
       "Preferences are kept in DIR/preferences.toml. Without a new one, and without -o, it asks on "
       "a terminal\nwhich of two groups of behaviors is better.");
   command.OnRun([options] {

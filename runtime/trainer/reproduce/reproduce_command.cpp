@@ -48,9 +48,12 @@ void AddReproduceCommand(command_line::Command& program) {
                   "run the plugins in the run's folder instead of building its tasks again");
   AddJobsOption(command, options->reproduce.jobs, "how many episodes to run at a time");
   options->output.AddTo(command, "one JSON object at the end");
-  command.Footer(
-      "Exit status 1 where an episode differs: the first one is shown, and what differs of all "
-      "that computes. The run itself is only read.");
+  command.Notes(
+      "The first episode that differs is shown, and what differs of all that computes. The run "
+      "itself is only read.");
+  command.ExitStatus(
+      "0 no episode differs, 1 one does, or the run failed, 2 the command line is wrong, 128 + n "
+      "stopped by signal n.");
   command.OnRun([options] { return Reproduce(*options); });
 }
 

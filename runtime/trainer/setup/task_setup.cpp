@@ -111,8 +111,8 @@ void TaskOptions::AddTo(command_line::Command& command) {
       .AddOption("--agent", agent,
                  "how to learn: one of the robot's agents (`trainer agent list`), or an agent file "
                  "that changes its default agent")
-      .ValueName("NAME|FILE.toml");
-  command.AddOption("--robot", robot, "the robot, for a task that names none");
+      .ValueName("AGENT|FILE.toml");
+  command.AddOption("--robot", robot, "the robot, for a task that names none").ValueName("ROBOT");
   AddRobotsOption(command, robots);
   command
       .AddOption("--environment-socket", environment_socket,

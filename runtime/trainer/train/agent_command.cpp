@@ -87,7 +87,7 @@ void AddListCommand(command_line::Command& agent) {
   const auto options = std::make_shared<ListOptions>();
   command_line::Command& list =
       agent.AddCommand("list", "Prints the agents that come with each robot, for `--agent`.");
-  list.AddOption("--robot", options->robot, "only those of this robot");
+  list.AddOption("--robot", options->robot, "only those of this robot").ValueName("ROBOT");
   AddRobotsOption(list, options->robots);
   list.AddFlag("--json", options->json, "print JSON");
   list.OnRun([options] { return ListAgents(*options); });

@@ -46,7 +46,7 @@ void AddServeCommand(command_line::Command& program) {
       .ValueName("DIR");
   AddJobsOption(command, options->session.jobs, "how many episodes to run at a time");
   options->session.AddTo(command);
-  command.Footer("`trainer ctl` talks to it.");
+  command.Notes("`trainer ctl` talks to it.");
   command.OnRun([options] { return Serve(*options); });
 }
 

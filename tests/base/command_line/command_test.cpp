@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "base/command_line/completion.h"
+#include "base/command_line/manual.h"
 
 namespace command_line {
 namespace {
@@ -29,7 +30,7 @@ class CommandTest : public testing::Test {
  protected:
   CommandTest() {
     program_.Version("robots 1.0");
-    program_.Footer("Exit status: 0 done.");
+    program_.ExitStatus("0 done.");
     Command& train = program_.AddCommand("train", "Trains a robot.");
     train.AddOption("TASK", options_.task, "a .task file").Required();
     train.AddOption("--runs", options_.runs, "how many runs").Range(1, 100).ShowDefault();
@@ -45,7 +46,9 @@ class CommandTest : public testing::Test {
 
     Command& module = program_.AddCommand("module", "Changes modules.");
     Command& add = module.AddCommand("add", "Adds one.");
-    add.Footer("Examples: none.");
+    add.Examples("robots module add x  # one\nrobots module add y");
+    add.Notes("As many as you like.");
+    add.ExitStatus("0 added.");
     add.OnWords([this](const std::vector<std::string>& words) {
       if (words.empty()) throw CallError("which module?");
       words_ = words;
@@ -128,18 +131,23 @@ TEST_F(CommandTest, PrintsHelpAndVersion) {
   EXPECT_THAT(help, Not(HasSubstr("--old")));
 }
 
-TEST_F(CommandTest, FooterIsTheProgramsUnlessACommandHasItsOwn) {
+TEST_F(CommandTest, ExitStatusIsTheProgramsUnlessACommandHasItsOwn) {
   EXPECT_THAT(Printed({"train", "--help"}), HasSubstr("Exit status: 0 done."));
   const std::string help = Printed({"module", "add", "--help"});
-  EXPECT_THAT(help, HasSubstr("Examples: none."));
-  EXPECT_THAT(help, Not(HasSubstr("Exit status")));
+  EXPECT_THAT(help, HasSubstr("Examples:\n  robots module add x  # one\n  robots module add y\n"
+                              "As many as you like.\nExit status: 0 added.\n"));
+  EXPECT_THAT(help, Not(HasSubstr("0 done")));
 }
 
-TEST_F(CommandTest, CompletionIsThatOfTheDeclarations) {
-  const std::string script = Completion("bash", program_);
-  EXPECT_THAT(script, HasSubstr("':module' | 'module:add'"));
-  EXPECT_THAT(script, HasSubstr("'train:--format') reply=$(compgen -W 'text json'"));
-  EXPECT_THAT(script, Not(HasSubstr("--old")));
+TEST_F(CommandTest, SaysNothingOfWhatIsHidden) {
+  Command& secret = program_.AddCommand("secret", "Not for everybody.");
+  secret.Hide();
+  secret.OnRun([] { return 9; });
+  EXPECT_EQ(Parse({"secret"})(), 9);
+  EXPECT_THAT(Printed({"--help"}), Not(HasSubstr("secret")));
+  EXPECT_EQ(Error({}), "expected a command: train, module");
+  EXPECT_THAT(Completion("bash", program_), Not(HasSubstr("secret")));
+  EXPECT_FALSE(ManualPages(program_, "robots 1.0", "others").contains("robots-secret.1"));
 }
 
 }  // namespace
