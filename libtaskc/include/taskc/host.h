@@ -103,6 +103,8 @@ TASKC_API void taskc_delete_instance(taskc_instance* instance);
 
 // ---- Sensors ------------------------------------------------------------------------------------
 
+// A robot's `contact` is not the raw contact of an instant: taskc/contact_filter.h makes it.
+
 // How a host has one number in memory. What a task takes as a real may be any of these; as an int,
 // any but floats; as a bool, any: it is true where it is not 0.
 enum {

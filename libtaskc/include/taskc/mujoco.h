@@ -23,9 +23,9 @@
 // What the sensors mean is what they mean in the trainer: a link's frame lies in its center of mass
 // and is parallel to the world's where all joints are at 0 and the base is not turned;
 // accelerations and contact forces are means since the start of the time step; `contact` is contact
-// with what does not move, after the trainer's filter. A joint's angle is MuJoCo's coordinate of
-// it; `joint.torque` is what its actuators applied in the last step, and `joint.target` the control
-// of the first of them.
+// with what does not move, filtered as taskc/contact_filter.h says. A joint's angle is MuJoCo's
+// coordinate of it; `joint.torque` is what its actuators applied in the last step, and
+// `joint.target` the control of the first of them.
 #ifndef TASKC_MUJOCO_H
 #define TASKC_MUJOCO_H
 
@@ -34,6 +34,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <taskc/contact_filter.h>
 #include <taskc/host.h>
 
 struct taskc_mujoco;
@@ -57,7 +58,7 @@ typedef struct taskc_mujoco {
   double base_velocity[3];   // then
   double* joint_velocities;  // then
   double* impulses;          // of the contacts on each link since then
-  double* filter;            // two numbers for each link
+  taskc_contact* filters;    // of each link's contacts
   unsigned char* contact;    // for each link
   taskc_mujoco_fill* fills;  // of the sensors that the task reads
   double** values;           // of the same
@@ -230,27 +231,11 @@ static inline taskc_mujoco_fill taskc_mujoco_find(const char* name) {
 
 // ---- Contacts -----------------------------------------------------------------------------------
 
-// One step of the trainer's low-pass filter (10 Hz, Q = 0.8, threshold 0.1), in steps of its own of
-// at most 0.2 ms. With `time` 0 it settles.
-static inline void taskc_mujoco_filter(taskc_mujoco* r, int link, double touches, double time) {
-  const double kPi = 3.14159265358979323846;
-  double* const v = r->filter + 2 * link;
-  const int substeps = time > 0 ? (int)ceil(time / 0.0002 * (1 - 1e-9)) : 1;
-  const double gain = 1 - exp(-2 * kPi * 10 * time / substeps);
-  if (time == 0) {
-    v[0] = 0;
-    v[1] = touches;
-  }
-  for (int n = 0; n < substeps; ++n) {
-    v[0] += gain * (touches - v[1] - v[0] / 0.8);
-    v[1] += gain * v[0];
-  }
-  r->contact[link] = v[1] > 0.1;
-}
-
-// The contacts that `data` has, of a step of this length.
-static inline void taskc_mujoco_read_contacts(taskc_mujoco* r, const mjData* d, double time) {
+// The contacts that `data` has, with which a step was made, or those at the start of an episode.
+static inline void taskc_mujoco_read_contacts(taskc_mujoco* r, const mjData* d, int is_start) {
   const mjModel* m = r->model;
+  const double time = is_start ? 0 : m->opt.timestep;
+  const taskc_contact_filter filter = taskc_contact_filter_for(m->opt.timestep);
   for (int i = 0; i < d->ncon; ++i) {
     mjtNum force[6];
     mjtNum in_world[3];
@@ -262,14 +247,16 @@ static inline void taskc_mujoco_read_contacts(taskc_mujoco* r, const mjData* d, 
     if (second >= 0) mju_addToScl3(r->impulses + 3 * second, in_world, time);
   }
   for (int link = 0; link < r->link_count; ++link) {
-    double touches = 0;
+    int touches = 0;
     for (int i = 0; i < d->ncon; ++i) {
       const int first = m->geom_bodyid[d->contact[i].geom1];
       const int second = m->geom_bodyid[d->contact[i].geom2];
       const int other = r->links[first] == link ? second : r->links[second] == link ? first : -1;
       if (other >= 0 && m->body_weldid[other] == 0) touches = 1;
     }
-    taskc_mujoco_filter(r, link, touches, time);
+    taskc_contact* const state = &r->filters[link];
+    r->contact[link] = (unsigned char)(is_start ? taskc_contact_start(&filter, state, touches)
+                                                : taskc_contact_step(&filter, state, touches));
   }
 }
 
@@ -278,7 +265,7 @@ static inline void taskc_mujoco_read_contacts(taskc_mujoco* r, const mjData* d, 
 static inline void taskc_mujoco_close(taskc_mujoco* r) {
   for (int i = 0; r->values != NULL && i < r->sensor_count; ++i) free(r->values[i]);
   free(r->bodies), free(r->links), free(r->joints), free(r->actuators), free(r->zero);
-  free(r->joint_velocities), free(r->impulses), free(r->filter), free(r->contact);
+  free(r->joint_velocities), free(r->impulses), free(r->filters), free(r->contact);
   free(r->fills), free(r->values);
   memset(r, 0, sizeof *r);
 }
@@ -384,7 +371,7 @@ static inline int taskc_mujoco_open(taskc_mujoco* robot, const taskc_task* task,
   robot->zero = (mjtNum*)calloc(4 * links + 1, sizeof(mjtNum));
   robot->joint_velocities = (double*)calloc(joints + 1, sizeof(double));
   robot->impulses = (double*)calloc(3 * links + 1, sizeof(double));
-  robot->filter = (double*)calloc(2 * links + 1, sizeof(double));
+  robot->filters = (taskc_contact*)calloc(links + 1, sizeof(taskc_contact));
   robot->contact = (unsigned char*)calloc(links + 1, 1);
   robot->fills = (taskc_mujoco_fill*)calloc(about->sensor_count + 1, sizeof(taskc_mujoco_fill));
   robot->values = (double**)calloc(about->sensor_count + 1, sizeof(double*));
@@ -423,7 +410,7 @@ static inline void taskc_mujoco_start_time_step(taskc_mujoco* robot, const mjDat
 static inline void taskc_mujoco_start(taskc_mujoco* robot, mjData* data) {
   mj_forward(robot->model, data);
   robot->steps = 0;
-  taskc_mujoco_read_contacts(robot, data, 0);
+  taskc_mujoco_read_contacts(robot, data, 1);
   taskc_mujoco_start_time_step(robot, data);
   taskc_mujoco_refresh(robot, data);
 }
@@ -433,7 +420,7 @@ static inline void taskc_mujoco_start(taskc_mujoco* robot, mjData* data) {
 static inline void taskc_mujoco_step(taskc_mujoco* robot, mjData* data) {
   robot->elapsed += robot->model->opt.timestep;
   robot->steps += 1;
-  taskc_mujoco_read_contacts(robot, data, robot->model->opt.timestep);
+  taskc_mujoco_read_contacts(robot, data, 0);
   taskc_mujoco_refresh(robot, data);
 }
 

@@ -1,39 +1,33 @@
-// Low-pass filters for the contacts of the links, which chatter from one physics step to the next.
+// The filters of a robot's contacts: taskc/contact_filter.h says what they do.
 #pragma once
+
+#include <taskc/contact_filter.h>
 
 #include <span>
 #include <vector>
 
 namespace runtime {
 
-// One second-order filter (10 Hz, Q = 0.8) for each link; its flag is set while the output exceeds
-// 0.1:
-//   t = raw - v2 - v1 / Q;  v1 += a t;  v2 += a v1;  flag = v2 > 0.1;  a = 1 - exp(-2 pi f h)
-// A touch shows after 8.0 ms, its end after 38.6 ms, whatever the length of a physics step: within
-// a long one the filter takes several steps of its own.
+// One for each link.
 class ContactFilter {
  public:
-  ContactFilter(int links, double time_step);
+  ContactFilter(int links, double time_step)
+      : filter_(taskc_contact_filter_for(time_step)), links_(links) {}
 
   // As if the contacts had been like that for long.
-  void Start(std::span<const unsigned char> raw);
+  void Start(std::span<const unsigned char> raw) {
+    for (size_t i = 0; i < links_.size(); ++i) taskc_contact_start(&filter_, &links_[i], raw[i]);
+  }
   // One physics step.
-  void Update(std::span<const unsigned char> raw);
+  void Update(std::span<const unsigned char> raw) {
+    for (size_t i = 0; i < links_.size(); ++i) taskc_contact_step(&filter_, &links_[i], raw[i]);
+  }
 
-  bool flag(int link) const { return states_[link].v2 > kThreshold; }
+  bool flag(int link) const { return taskc_is_contact(&links_[link]) != 0; }
 
  private:
-  static constexpr double kThreshold = 0.1;
-
-  struct State {
-    double v1 = 0;
-    double v2 = 0;
-  };
-  void Advance(State& state, double raw) const;
-
-  int substeps_;
-  double gain_;  // a
-  std::vector<State> states_;
+  taskc_contact_filter filter_;
+  std::vector<taskc_contact> links_;
 };
 
 }  // namespace runtime
