@@ -166,6 +166,9 @@ const showsChangesAndShadows: Check = async (page) => {
     assert.equal(await page.locator(`${chart} .change`).count(), 3, chart);
   }
   assert.equal(await page.locator("#history tbody tr").count(), 4 + 2);
+  const differences = page.locator("#history .difference"); // of the shadow, and of the swap
+  assert.equal(await differences.count(), 2);
+  assert.match((await differences.nth(1).textContent()) ?? "", /time > 30 s/);
   assert.match(await textOf(page, "#curve-key"), /shadow careful/);
   await page.locator("#curve").focus();
   await page.keyboard.press("ArrowLeft");

@@ -1,7 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import type { Report } from "../src/data/report_data.ts";
+import type { Change, Report } from "../src/data/report_data.ts";
 import { GrowingRecord, type EpisodeEvent } from "../src/live/growing_record.ts";
 
 const report = {
@@ -65,4 +65,16 @@ test("a record that is read again takes the place of what was known", () => {
   assert.deepEqual(record.episodes, [1, 2]);
   assert.deepEqual(valuesOf(record, "forward"), [1, 2]);
   assert.deepEqual(fall?.values, [NaN, NaN]);
+});
+
+test("what a change made of the task is learned after the change", () => {
+  const record = new GrowingRecord(report);
+  const change = { episode: 3, step: 40, kind: "swap", text: "swap task: b.task" } as Change;
+  record.changes.push(change, { ...change, text: "set task.weight = 2" });
+  assert.ok(!record.takeDifferences([change]));
+  const told = { ...change, at: "2026-01-02T03:04:05Z", difference: "param weight: removed\n" };
+  assert.ok(!record.takeDifferences([{ ...told, step: 41 }]));
+  assert.ok(record.takeDifferences([told]));
+  assert.deepEqual(record.changes.map(({ difference }) => difference), ["param weight: removed\n", undefined]);
+  assert.ok(!record.takeDifferences([told]));
 });

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "runtime/analysis/report/base64.h"
+#include "runtime/analysis/report/change_differences.h"
 #include "runtime/training/run/task_spans.h"
 
 namespace runtime {
@@ -54,14 +55,17 @@ json Shadows(const RunRecord& run, const std::vector<EpisodeRecord>& episodes) {
   return shadows;
 }
 
-json Changes(const std::vector<ChangeRecord>& records) {
+json Changes(const RunRecord& run, const std::vector<ChangeRecord>& records) {
+  const std::vector<std::string> differences = ChangeDifferences(run, records);
   json changes = json::array();
-  for (const ChangeRecord& change : records) {
+  for (size_t i = 0; i < records.size(); ++i) {
+    const ChangeRecord& change = records[i];
     changes.push_back({{"episode", change.episode},
                        {"step", change.step},
                        {"at", change.at},
                        {"kind", KindOf(change.change)},
                        {"text", change.text}});
+    if (!differences[i].empty()) changes.back()["difference"] = differences[i];
   }
   return changes;
 }
@@ -74,7 +78,7 @@ void AddChanges(const RunRecord& run, const std::vector<EpisodeRecord>& episodes
   for (const TaskRecord& task : run.tasks) tasks.push_back(Task(task));
   data["versions"] = Versions(episodes);
   data["shadows"] = Shadows(run, episodes);
-  data["changes"] = Changes(changes);
+  data["changes"] = Changes(run, changes);
 }
 
 }  // namespace runtime

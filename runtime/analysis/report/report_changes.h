@@ -14,7 +14,8 @@ namespace runtime {
 //   shadows   one curve for each module that had a shadow: [{module, tasks, values}], with a
 //   return,
 //             in base64, for each episode, which is not a number where it had none
-//   changes   in the order in which they took effect: [{episode, step, at, kind, text}]
+//   changes   in the order in which they took effect: [{episode, step, at, kind, text}], with
+//             `difference` where another task came (change_differences.h)
 void AddChanges(const RunRecord& run, const std::vector<EpisodeRecord>& episodes,
                 const std::vector<ChangeRecord>& changes, nlohmann::json& data);
 

@@ -8,7 +8,7 @@
 #include <iterator>
 #include <span>
 
-#include "runtime/trainer/results/version_difference.h"
+#include "runtime/analysis/report/version_difference.h"
 #include "runtime/training/run/progress.h"
 #include "runtime/training/run/run_database.h"
 #include "runtime/training/run/run_settings.h"

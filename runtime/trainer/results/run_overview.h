@@ -42,7 +42,8 @@ struct RunOverview {
   std::map<std::pair<std::string, std::string>, int64_t> ends;  // by kind and reason
   std::vector<NamedValue> learner;                              // of the last episode
   std::vector<TaskSpan> versions;
-  // What each version but the first changed (version_difference.h); empty: nothing, or not known.
+  // What each version but the first changed (runtime/analysis/report/version_difference.h); empty:
+  // nothing, or not known.
   std::vector<std::string> differences;
   std::vector<ShadowOverview> shadows;
   std::vector<ChangeRecord> changes;

@@ -104,6 +104,7 @@ export interface Change {
   at: string;
   kind: string;
   text: string;
+  difference?: string; // in meaning, line by line, of the task that came from the one before
 }
 
 /** What the run had learned after an episode, acting in a profile without learning. */

@@ -57,6 +57,20 @@ export class GrowingRecord {
     }
   }
 
+  /** What the trainer says of changes that were heard of as they happened; whether that is news. */
+  takeDifferences(changes: Change[]): boolean {
+    let isNews = false;
+    for (const change of this.changes) {
+      if (change.difference !== undefined) continue;
+      const same = changes.find(({ episode, step, text, difference }) =>
+        difference !== undefined && episode === change.episode && step === change.step && text === change.text);
+      if (!same) continue;
+      change.difference = same.difference;
+      isNews = true;
+    }
+    return isNews;
+  }
+
   /** Adds an episode; one that comes again, since the trainer went back to a checkpoint, takes the
    * place of what was there from it on. `layout`: what is known of names that are new. */
   add(event: EpisodeEvent, layout: Layout | undefined): void {

@@ -16,6 +16,7 @@ import { changeWords } from "../charts/change_marks.ts";
 import { decodeParsed, type Change, type EncodedReport, type Report } from "../data/report_data.ts";
 import { docOfTask } from "../data/task_source.ts";
 import { agentInWords, formatRatio } from "../data/words.ts";
+import { withDifference } from "../page/difference.ts";
 import { byId, element, onThemeChange } from "../page/dom.ts";
 import { GrowingCurves } from "./growing_curves.ts";
 import { GrowingRecord, type EpisodeEvent } from "./growing_record.ts";
@@ -178,9 +179,10 @@ class LivePage {
     }
   }
 
-  /** The texts of tasks that were loaded meanwhile. */
+  /** The texts of tasks that were loaded meanwhile, and what differs in them. */
   private async refreshTexts(): Promise<void> {
     this.report = await readRecord();
+    if (this.record.takeDifferences(this.report.changes)) this.showChanges();
   }
 
   private async rereadRecord(): Promise<void> {
@@ -199,7 +201,9 @@ class LivePage {
   private showChanges(): void {
     const host = byId("changes", HTMLElement);
     const changes = this.record.changes.slice(-kMostChanges).reverse();
-    host.replaceChildren(...changes.map((change) => element("li", {}, changeWords(change))));
+    const item = (change: Change): HTMLElement =>
+      element("li", {}, ...withDifference(changeWords(change), change));
+    host.replaceChildren(...changes.map(item));
     if (changes.length === 0) host.append(element("li", { class: "note" }, "Nothing was changed yet."));
   }
 

@@ -2,12 +2,14 @@
 
 import type { Change, Report } from "../data/report_data.ts";
 import { formatCount, formatDate } from "../data/words.ts";
+import { withDifference } from "./difference.ts";
 import { byId, element } from "./dom.ts";
 import { row, table } from "./table.ts";
 
-function changeRow({ episode, step, text, at }: Change): HTMLElement {
+function changeRow(change: Change): HTMLElement {
+  const { episode, step, text, at } = change;
   const place = formatCount(episode) + (step > 0 ? `, step ${formatCount(step)}` : "");
-  return row([place, text, formatDate(at)]);
+  return row([place, element("div", {}, ...withDifference(text, change)), formatDate(at)]);
 }
 
 function versionRows(report: Report): HTMLElement[] {

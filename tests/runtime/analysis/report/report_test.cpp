@@ -211,6 +211,8 @@ TEST_F(WriteReportTest, TellsTheChangesInTheOrderInWhichTheyTookEffect) {
                               {"kind", "set"},
                               {"text", "set learner.temperature = 0.5"}}));
   EXPECT_EQ(changes[3]["text"], "set task.weight = 2");
+  EXPECT_THAT(changes[0]["difference"].get<std::string>(), HasSubstr("time > 30 s"));
+  EXPECT_EQ(changes[2]["difference"], changes[0]["difference"]);
 }
 
 TEST_F(WriteReportTest, TellsWhatRemainsInOtherProfiles) {
