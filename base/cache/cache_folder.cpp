@@ -24,4 +24,9 @@ std::optional<std::filesystem::path> DefaultFolder() {
   return std::nullopt;
 }
 
+std::optional<std::filesystem::path> NetFolder() {
+  const std::optional<std::filesystem::path> folder = DefaultFolder();
+  return folder ? std::optional(*folder / kNets) : std::nullopt;
+}
+
 }  // namespace cache

@@ -11,4 +11,8 @@ namespace cache {
 // Need not exist.
 std::optional<std::filesystem::path> DefaultFolder();
 
+// The folder in it for nets, which processes may write that must not touch the compiled tasks.
+inline constexpr const char* kNets = "nets";
+std::optional<std::filesystem::path> NetFolder();
+
 }  // namespace cache

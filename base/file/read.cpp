@@ -53,8 +53,9 @@ Reading Read(const std::filesystem::path& file, size_t limit) {
   const Descriptor source{open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY)};
   if (source.number < 0) {
     const int reason = errno;
-    // A socket cannot be opened at all.
-    if (reason == ENXIO && stat(file.c_str(), &status) == 0) return Refusal(status.st_mode);
+    // A socket cannot be opened at all, and in a sandbox nothing that lies outside.
+    if (stat(file.c_str(), &status) == 0 && !S_ISREG(status.st_mode))
+      return Refusal(status.st_mode);
     return {"", std::strerror(reason)};
   }
   if (fstat(source.number, &status) != 0) return {"", std::strerror(errno)};

@@ -5,6 +5,7 @@
 
 #include <optional>
 
+#include "base/cache/cache_folder.h"
 #include "base/cache/entry_name.h"
 #include "base/seal/seal.h"
 #include "base/seal/sha256.h"
@@ -112,6 +113,7 @@ BuildResult BuildPlugin(const std::string& task_name, const std::string& cpp,
   WriteWholeFile(sealed, seal::Seal(std::move(*bytes)));
   folder.KeepFile(sealed, plugin);
   CleanCache(cache_folder);
+  CleanCache(cache_folder / cache::kNets);
   return {.plugin = plugin, .from_cache = false};
 }
 

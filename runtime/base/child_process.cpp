@@ -15,6 +15,7 @@
 #include <cstring>
 #include <utility>
 
+#include "runtime/base/program_starter.h"
 #include "runtime/base/user_error.h"
 
 namespace runtime {
@@ -131,6 +132,41 @@ class Child {
   std::error_code error_;
 };
 
+// The same of a process in the sandbox, which starts nothing itself.
+class ChildOutside {
+ public:
+  ChildOutside(const std::vector<std::string>& words, Captured captured, int pipe)
+      : nowhere_(captured == Captured::kOutputOnly ? open("/dev/null", O_WRONLY | O_CLOEXEC) : -1),
+        program_(words, StreamsOf(captured, pipe, nowhere_)) {}
+  ChildOutside(const ChildOutside&) = delete;
+  ChildOutside& operator=(const ChildOutside&) = delete;
+  ~ChildOutside() {
+    if (nowhere_ >= 0) close(nowhere_);
+  }
+
+  int descriptor() const { return program_.descriptor(); }
+  void Kill() const { program_.Kill(); }
+  ProgramEnd WaitForEnd() const { return program_.WaitForEnd(); }
+
+ private:
+  static Streams StreamsOf(Captured captured, int pipe, int nowhere) {
+    switch (captured) {
+      case Captured::kOutputOnly:
+        return {STDIN_FILENO, pipe, nowhere};
+      case Captured::kOutput:
+        return {STDIN_FILENO, pipe, STDERR_FILENO};
+      case Captured::kMessages:
+        return {STDIN_FILENO, pipe, pipe};
+      case Captured::kNothing:
+        break;
+    }
+    return {STDIN_FILENO, STDERR_FILENO, STDERR_FILENO};
+  }
+
+  int nowhere_;
+  OutsideProgram program_;
+};
+
 // What is there to read; false at the end.
 bool ReadSome(int pipe, std::string& text) {
   char piece[4096];
@@ -148,7 +184,8 @@ int MillisecondsUntil(Clock::time_point end) {
 
 // Until the child has ended, not until its output has: others may have that open as well. Returns
 // whether it was killed because it took too long.
-bool Await(const Child& child, int pipe, Clock::time_point end, std::string& text) {
+template <class AnyChild>
+bool Await(const AnyChild& child, int pipe, Clock::time_point end, std::string& text) {
   fcntl(pipe, F_SETFL, O_NONBLOCK);
   pollfd descriptors[] = {{child.descriptor(), POLLIN, 0}, {pipe, POLLIN, 0}};
   bool was_too_slow = false;
@@ -169,7 +206,33 @@ bool Await(const Child& child, int pipe, Clock::time_point end, std::string& tex
 
 }  // namespace
 
+namespace {
+
+template <class AnyChild>
+void AwaitWithin(const AnyChild& child, int pipe, const ChildLimits& limits, ChildResult& result) {
+  const std::stop_callback kill_it(limits.stop, [&child] { child.Kill(); });
+  result.was_too_slow = Await(child, pipe, Clock::now() + limits.patience, result.captured);
+}
+
+bool IsSuccess(int status) { return WIFEXITED(status) && WEXITSTATUS(status) == 0; }
+
+ChildResult RunOutside(const std::vector<std::string>& words, Captured captured,
+                       const ChildLimits& limits) {
+  Pipe output;
+  const ChildOutside child(words, captured, output.input());
+  output.CloseInput();
+  ChildResult result;
+  AwaitWithin(child, output.output(), limits, result);
+  const ProgramEnd end = child.WaitForEnd();
+  result.error = {end.error, std::generic_category()};
+  result.is_success = end.error == 0 && IsSuccess(end.status);
+  return result;
+}
+
+}  // namespace
+
 ChildResult RunChild(std::vector<std::string> words, Captured captured, const ChildLimits& limits) {
+  if (AreProgramsStartedOutside()) return RunOutside(words, captured, limits);
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
@@ -179,13 +242,8 @@ ChildResult RunChild(std::vector<std::string> words, Captured captured, const Ch
   ChildResult result;
   result.error = child.error();
   if (result.error) return result;
-  {
-    const std::stop_callback kill_it(limits.stop, [&child] { child.Kill(); });
-    result.was_too_slow =
-        Await(child, output.output(), Clock::now() + limits.patience, result.captured);
-  }
-  const int status = child.WaitForEnd();
-  result.is_success = WIFEXITED(status) && WEXITSTATUS(status) == 0;
+  AwaitWithin(child, output.output(), limits, result);
+  result.is_success = IsSuccess(child.WaitForEnd());
   return result;
 }
 

@@ -78,17 +78,28 @@ class Preparation {
 PipedProgram::PipedProgram(std::vector<std::string> words) {
   Ends input;
   Ends output;
-  const int error = Preparation(input.read, output.write).Start(words, process_);
-  if (error != 0) {
-    throw UserError(fmt::format("{}: cannot be started: {}", words[0], std::strerror(error)));
+  if (AreProgramsStartedOutside()) {
+    const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
+    outside_ = std::make_unique<OutsideProgram>(words, Streams{input.read, output.write, nowhere});
+    close(nowhere);
+  } else {
+    Start(words, input.read, output.write);
   }
   input_ = std::exchange(input.write, -1);
   output_ = std::exchange(output.read, -1);
 }
 
+void PipedProgram::Start(std::vector<std::string>& words, int input, int output) {
+  const int error = Preparation(input, output).Start(words, process_);
+  if (error != 0) {
+    throw UserError(fmt::format("{}: cannot be started: {}", words[0], std::strerror(error)));
+  }
+}
+
 PipedProgram::~PipedProgram() {
   if (input_ >= 0) close(input_);
   if (output_ >= 0) close(output_);
+  if (process_ <= 0) return;
   kill(-process_, SIGKILL);
   while (waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
   }

@@ -3,8 +3,11 @@
 
 #include <sys/types.h>
 
+#include <memory>
 #include <string>
 #include <vector>
+
+#include "runtime/base/program_starter.h"
 
 namespace runtime {
 
@@ -24,7 +27,10 @@ class PipedProgram {
   int TakeOutput();
 
  private:
+  void Start(std::vector<std::string>& words, int input, int output);
+
   pid_t process_ = -1;
+  std::unique_ptr<OutsideProgram> outside_;  // in a sandbox, in the place of a process of our own
   int input_ = -1;
   int output_ = -1;
 };

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "runtime/base/build_task.h"
+#include "runtime/base/program_starter.h"
 #include "runtime/core/task/plugin_watch.h"
 #include "runtime/training/run/recorded_sources.h"
 #include "runtime/training/run/run_files.h"
@@ -81,7 +82,7 @@ LoadedTask TaskLoader::Load(const Job& job) {
     if (!job.text && !std::filesystem::exists(job.file)) {
       return {nullptr, "", fmt::format("{}: there is no such file", job.file.string())};
     }
-    return is_source ? Build(job) : Keep(job.file, job.file);
+    return is_source ? Build(job) : KeepAsItIs(job.file);
   } catch (const std::exception& error) {
     return {nullptr, "", error.what()};
   }
@@ -101,6 +102,16 @@ LoadedTask TaskLoader::Build(const Job& job) {
   LoadedTask task = Keep(built, job.file);
   task.messages = WithoutEnd(messages);
   return task;
+}
+
+// In the sandbox, what lies outside is brought in first.
+LoadedTask TaskLoader::KeepAsItIs(const std::filesystem::path& plugin) {
+  if (!AreProgramsStartedOutside() || !std::filesystem::is_regular_file(plugin)) {
+    return Keep(plugin, plugin);  // or says why not
+  }
+  const std::filesystem::path copy = scratch_.path() / "outside.so";
+  CopyPluginFromOutside(plugin, copy);
+  return Keep(copy, plugin);
 }
 
 // Loaded before it is kept, so that nothing is kept that cannot be loaded; and kept as it was

@@ -56,6 +56,7 @@ class TaskLoader {
   void Run();
   LoadedTask Load(const Job& job);
   LoadedTask Build(const Job& job);
+  LoadedTask KeepAsItIs(const std::filesystem::path& plugin);
   LoadedTask Keep(const std::filesystem::path& plugin, const std::filesystem::path& name);
 
   const std::filesystem::path run_folder_;

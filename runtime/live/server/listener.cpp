@@ -1,16 +1,11 @@
 #include "runtime/live/server/listener.h"
 
-#include <arpa/inet.h>
-#include <fmt/format.h>
 #include <netinet/in.h>
 #include <netinet/tcp.h>
 #include <sys/socket.h>
 
 #include <cerrno>
-#include <cstring>
 #include <string_view>
-
-#include "runtime/base/user_error.h"
 
 namespace runtime {
 namespace {
@@ -24,29 +19,6 @@ constexpr std::string_view kFull =
 constexpr int kYes = 1;
 
 }  // namespace
-
-Descriptor ListenOnLoopback(uint16_t port) {
-  Descriptor socket(::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
-  setsockopt(socket.get(), SOL_SOCKET, SO_REUSEADDR, &kYes, sizeof(kYes));
-  sockaddr_in address{};
-  address.sin_family = AF_INET;
-  address.sin_port = htons(port);
-  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  if (bind(socket.get(), reinterpret_cast<const sockaddr*>(&address), sizeof(address)) == 0 &&
-      listen(socket.get(), SOMAXCONN) == 0) {
-    return socket;
-  }
-  throw UserError(
-      fmt::format("port {} of 127.0.0.1: cannot listen: {}; choose another with `--port`", port,
-                  std::strerror(errno)));
-}
-
-uint16_t PortOf(const Descriptor& socket) {
-  sockaddr_in address{};
-  socklen_t size = sizeof(address);
-  getsockname(socket.get(), reinterpret_cast<sockaddr*>(&address), &size);
-  return ntohs(address.sin_port);
-}
 
 Listener::Listener(Service& service, Descriptor socket, Transport transport)
     : service_(service),

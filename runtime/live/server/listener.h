@@ -8,10 +8,6 @@
 
 namespace runtime {
 
-// Listens on 127.0.0.1 without ever blocking. Port 0 stands for any that is free. Throws UserError.
-Descriptor ListenOnLoopback(uint16_t port);
-uint16_t PortOf(const Descriptor& socket);
-
 // Takes the clients that come to a socket, as many at a time as the limits allow. Used on the io
 // thread only.
 class Listener {

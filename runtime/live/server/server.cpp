@@ -11,6 +11,7 @@
 #include "runtime/live/server/control_file.h"
 #include "runtime/live/server/control_socket.h"
 #include "runtime/live/server/listener.h"
+#include "runtime/live/server/loopback.h"
 #include "runtime/live/server/service.h"
 
 namespace runtime {
@@ -59,7 +60,8 @@ class Server::Implementation {
   Implementation(const ServerOptions& options, RequestHandler& handler, PageMaker page_maker)
       : folder_(OpenRunFolder(options.folder)),
         control_socket_(folder_, options.folder),
-        loopback_(ListenOnLoopback(options.port)),
+        loopback_(options.loopback >= 0 ? Descriptor(options.loopback)
+                                        : ListenOnLoopback(options.port)),
         port_(PortOf(loopback_)),
         token_(NewToken()),
         control_file_(folder_, port_, token_),

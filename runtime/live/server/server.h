@@ -28,6 +28,7 @@ struct ServerLimits {
 struct ServerOptions {
   std::filesystem::path folder;  // of the run, which this process has locked
   uint16_t port = 0;             // on 127.0.0.1; 0: any that is free
+  int loopback = -1;  // a socket that listens there already, which the server takes; -1: none
   // Program and arguments of a language server for tasks; empty: there is none.
   std::vector<std::string> language_server = {};
   ServerLimits limits = {};

@@ -10,6 +10,7 @@
 #include "runtime/trainer/rescore/rescore_report.h"
 #include "runtime/trainer/rescore/rescore_runs.h"
 #include "runtime/trainer/runs/many_runs.h"
+#include "runtime/trainer/setup/sandbox_rules.h"
 #include "runtime/trainer/setup/task_setup.h"
 
 namespace runtime {
@@ -45,6 +46,12 @@ std::vector<RescoredRun> RescoreAll(const RescoreOptions& options,
 int Rescore(const RescoreOptions& options) {
   const BuiltTask built(options.task);
   if (!built.plugin()) return kFailed;
+  // Who reads a run's database writes beside it.
+  SandboxRules rules{.files = {.readable = {options.task.task}, .writable = {options.folder}}};
+  if (options.task.task != *built.plugin()) {
+    rules.files.writable.push_back(built.plugin()->parent_path());
+  }
+  const CommandSandbox sandbox(rules);
   const auto new_task = std::make_shared<const Plugin>(*built.plugin(), options.task.task);
   const StopRequest stop;
   const std::vector<RescoredRun> runs = RescoreAll(options, new_task, stop);
@@ -75,6 +82,7 @@ void AddRescoreCommand(command_line::Command& program) {
       .ValueName("FILE.task");
   AddRobotsOption(command, options->task.robots);
   command.AddFlag("--json", options->json, "print JSON");
+  AddSandboxOption(command);
   command.OnRun([options] { return Rescore(*options); });
 }
 

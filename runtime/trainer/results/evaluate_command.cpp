@@ -9,8 +9,10 @@
 #include "runtime/trainer/commands.h"
 #include "runtime/trainer/results/evaluate_run.h"
 #include "runtime/trainer/results/evaluation_table.h"
+#include "runtime/trainer/runs/kept_run.h"
 #include "runtime/trainer/runs/many_runs.h"
 #include "runtime/trainer/runs/run_session.h"
+#include "runtime/trainer/setup/sandbox_rules.h"
 #include "runtime/trainer/setup/task_setup.h"
 #include "runtime/training/run/run_database.h"
 
@@ -32,6 +34,11 @@ int EvaluateOne(const EvaluateOptions& options) {
   const ProgressStyle style = options.output.style();
   const StopRequest stop;
   std::optional<PolicyEvaluation> evaluation = FindEvaluation(options.folder, options.plan);
+  std::optional<CommandSandbox> sandbox;
+  if (!evaluation) {
+    const RunRecord run = RunDatabase::OpenToRead(options.folder).ReadRun();
+    sandbox.emplace(RulesOf(AgentOfRun(options.folder, run), options.folder));
+  }
   if (!evaluation) evaluation = EvaluateRun(options.folder, options.plan, style, stop);
   if (!evaluation) {
     if (IsForPeople(style)) {
@@ -153,6 +160,7 @@ void AddEvaluateCommand(command_line::Command& program) {
       .ShowDefault();
   AddJobsOption(command, options->jobs, "how many runs to evaluate at a time");
   options->output.AddTo(command, "one JSON object per episode and one per run");
+  AddSandboxOption(command);
   command.OnRun([options] { return Evaluate(*options); });
 }
 

@@ -13,14 +13,18 @@
 #include <cerrno>
 #include <climits>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
+#include <memory>
 #include <new>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "base/text/print.h"
+#include "runtime/base/sandbox.h"
+#include "runtime/base/scratch_folder.h"
 #include "runtime/base/user_error.h"
 #include "runtime/core/task/plugin_watch.h"
 #include "runtime/live/control/journal.h"
@@ -285,6 +289,25 @@ int StatusOf(const End& end) {
   return 128 + signal;
 }
 
+// For the files of the child, which is not to reach those of others. It is removed by the process
+// that has made it, however the child ends.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() : owner_(getpid()), folder_(std::make_unique<ScratchFolder>()) {
+    setenv("TMPDIR", folder_->path().c_str(), 1);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  ~TemporaryFolder() {
+    [[maybe_unused]] static ScratchFolder* of_the_guard = nullptr;
+    if (getpid() != owner_) of_the_guard = folder_.release();
+  }
+
+ private:
+  pid_t owner_;
+  std::unique_ptr<ScratchFolder> folder_;
+};
+
 // In the child: whichever way `work` ends, that is the child's own end.
 template <class Work>
 int RunToTheEnd(const Work& work) {
@@ -301,6 +324,8 @@ int RunToTheEnd(const Work& work) {
 
 int RunGuarded(const std::function<int()>& train,
                const std::function<int(const std::filesystem::path& run, Pace pace)>& again) {
+  WarnWhereSandboxIsWeak();
+  const TemporaryFolder temporary;
   if (IsBeingDebugged()) return train();
   shared_page = MakeSharedPage();
   bool is_child = false;

@@ -33,6 +33,10 @@ ModuleTypes TypesOf(const std::filesystem::path& folder, const Agent& agent,
 
 }  // namespace
 
+Agent AgentOfRun(const std::filesystem::path& folder, const RunRecord& run) {
+  return FromDatabase<UserError>(folder, "agent", [&] { return ParseAgent(run.agent, "agent"); });
+}
+
 KeptRun::KeptRun(const std::filesystem::path& folder, const RunRecord& run,
                  const std::filesystem::path& robot_folder, const ModuleTypes& program_types)
     : plugin(std::make_shared<const Plugin>(FindKeptPlugin(folder, run.tasks.front().plugin))),
@@ -40,8 +44,7 @@ KeptRun::KeptRun(const std::filesystem::path& folder, const RunRecord& run,
           folder, "robot_description",
           [&] { return ReadKeptRobot(robot_folder, run.robot_description); })),
       context{&robot, plugin, run.seed},
-      agent(
-          FromDatabase<UserError>(folder, "agent", [&] { return ParseAgent(run.agent, "agent"); })),
+      agent(AgentOfRun(folder, run)),
       types(TypesOf(folder, agent, program_types)),
       graph(FromDatabase<UserError>(folder, "agent",
                                     [&] { return BuildGraph(agent, types, context); })) {}

@@ -13,6 +13,10 @@
 
 namespace runtime {
 
+// What it learns by, with libraries called as they are in `folder`. Runs none of their code. Throws
+// UserError where the record of it is damaged.
+Agent AgentOfRun(const std::filesystem::path& folder, const RunRecord& run);
+
 struct KeptRun {
   // `robot_folder`: gets the robot's description as a file. `program_types`: what the agent's
   // modules can be made of, besides its libraries and its own composites. Throws UserError where

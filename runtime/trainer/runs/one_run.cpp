@@ -5,6 +5,8 @@
 #include "base/text/print.h"
 #include "runtime/trainer/commands.h"
 #include "runtime/trainer/runs/kept_run.h"
+#include "runtime/trainer/runs/worker_sandbox.h"
+#include "runtime/trainer/setup/sandbox_rules.h"
 #include "runtime/trainer/setup/start_check.h"
 #include "runtime/training/run/run_database.h"
 #include "runtime/training/run/run_settings.h"
@@ -32,17 +34,22 @@ int TrainOneRun(const TaskOptions& options, const RunPlan& plan,
                 const ModuleTypes& types) {
   const BuiltTask task(options);
   if (!task.plugin()) return kFailed;
-  TaskSetup setup(options, *task.plugin(), plan.seed, types);
+  WorkerSandbox sandbox(session);
+  const std::filesystem::path outer = named_folder.empty() ? kRunsFolder : named_folder;
+  TaskSetup setup(options, *task.plugin(), plan.seed, types,
+                  [&](const TaskSetup& known) { sandbox.Enter(RulesOf(known, outer)); });
   RunRecord run = RecordOf(setup, plan);
   const std::filesystem::path folder =
       named_folder.empty()
-          ? std::filesystem::path("runs") / fmt::format("{}-seed{}", NameOfRuns(run), run.seed)
+          ? std::filesystem::path(kRunsFolder) / fmt::format("{}-seed{}", NameOfRuns(run), run.seed)
           : named_folder;
   RunDatabase::CheckIsFree(folder);
   setup.graph.Start();  // the last that can be wrong: only now the folder is made
   WarnOfStart(setup);
   RunDatabase database = CreateRun(folder, setup, run);
-  return RunSession({folder, run, database, setup.graph, setup.types, setup.context}, session);
+  if (named_folder.empty()) sandbox.NarrowTo(folder);
+  return RunSession({folder, run, database, setup.graph, setup.types, setup.context}, session,
+                    sandbox.TakeLoopback());
 }
 
 bool PlanEpisodes(std::optional<int64_t> episodes, RunDatabase& database, RunRecord& run) {
@@ -73,10 +80,13 @@ int ResumeOneRun(const std::filesystem::path& folder, std::optional<int64_t> epi
     return kSuccess;
   }
   WarnOfOtherVersion(run);
+  WorkerSandbox sandbox(session);
+  sandbox.Enter(RulesOf(AgentOfRun(folder, run), folder));
   KeptRun kept(folder, run, folder, types);
   kept.graph.Start();
   database.SetState(RunState::kRunning);
-  return RunSession({folder, run, database, kept.graph, kept.types, kept.context}, session);
+  return RunSession({folder, run, database, kept.graph, kept.types, kept.context}, session,
+                    sandbox.TakeLoopback());
 }
 
 }  // namespace runtime

@@ -10,6 +10,7 @@
 #include "runtime/live/server/server.h"
 #include "runtime/trainer/commands.h"
 #include "runtime/trainer/runs/many_runs.h"
+#include "runtime/trainer/setup/sandbox_rules.h"
 #include "runtime/training/run/machine_record.h"
 #include "runtime/training/run/record_error.h"
 #include "runtime/training/run/run_settings.h"
@@ -53,10 +54,11 @@ PageMaker PagesOf(const std::filesystem::path& folder) {
 // Where clients cannot be served, such as on a disk without sockets, the run is worth as much:
 // null, unless a server was asked for.
 std::unique_ptr<Server> StartServer(const RunParts& run, const SessionOptions& options,
-                                    LiveRun& live, Progress& progress) {
+                                    Descriptor loopback, LiveRun& live, Progress& progress) {
   try {
     const ServerOptions server = {.folder = run.folder,
                                   .port = options.port,
+                                  .loopback = loopback.Release(),
                                   .language_server = {CompilerProgram().string(), "lsp", "--robots",
                                                       live.robots_folder().string()}};
     return std::make_unique<Server>(server, live, PagesOf(run.folder));
@@ -121,9 +123,11 @@ void SessionOptions::AddTo(command_line::Command& command) {
       .AddOption("--port", port,
                  "port on 127.0.0.1 that clients can connect to; by default any free one")
       .Range(1, 65535);
+  in_sandbox = true;
+  AddSandboxOption(command);
 }
 
-int RunSession(const RunParts& run, const SessionOptions& options) {
+int RunSession(const RunParts& run, const SessionOptions& options, Descriptor loopback) {
   const std::string name = run.folder.string();
   TellGuard(run.folder);
   const StopRequest stop;
@@ -133,7 +137,8 @@ int RunSession(const RunParts& run, const SessionOptions& options) {
   training.Restore();
   NoteMachine(run, training.episodes_done() + 1, progress);
   RunSideBySide(training, run, options, progress);
-  const std::unique_ptr<Server> server = StartServer(run, options, live, progress);
+  const std::unique_ptr<Server> server =
+      StartServer(run, options, std::move(loopback), live, progress);
   live.PublishTo(server.get());
   if (server != nullptr) progress.SetAddress(server->page_address());
   progress.Note(fmt::format("{}: task {}, {}, seed {}, episodes {} to {}", name,

@@ -141,11 +141,15 @@ Agent AgentLayers::Merge() const {
   return merged;
 }
 
-std::vector<Setting> AgentLayers::SettingsIn(const Agent& merged) const {
-  Agent changes = IsAgentFile(agent) ? Read(agent) : Agent{};
+Agent AgentLayers::Changes() const {
+  Agent changes = IsAgentFile(agent) ? Read(FindAgentFile(agent, robot_folder)) : Agent{};
   for (const std::string& setting : settings) {
     changes = Joined(std::move(changes), ParseSetting(setting));
   }
+  return changes;
+}
+
+std::vector<Setting> AgentLayers::SettingsIn(const Agent& merged, const Agent& changes) const {
   std::vector<Setting> found;
   for (const ModuleSetting& module : changes.modules) {
     for (const ParameterSetting& parameter : module.parameters) {

@@ -29,9 +29,11 @@ struct AgentLayers {
 
   // Throws UserError, or CallError where there is no such agent.
   Agent Merge() const;
-  // What the user's file, if `agent` is one, and `settings` set, with the values of `merged`; not
-  // what another layer has set differently after them.
-  std::vector<Setting> SettingsIn(const Agent& merged) const;
+  // The user's file, if `agent` is one, and `settings`. Throws as Merge() does.
+  Agent Changes() const;
+  // What `changes`, from Changes(), set, with the values of `merged`; not what another layer has
+  // set differently after them.
+  std::vector<Setting> SettingsIn(const Agent& merged, const Agent& changes) const;
 
  private:
   Agent Read(const std::filesystem::path& file) const;

@@ -11,6 +11,9 @@
 
 namespace runtime {
 
+// Where runs are that nobody has named a folder for.
+inline constexpr const char* kRunsFolder = "runs";
+
 // What a run is besides its task and agent.
 struct RunPlan {
   int64_t episodes = 1000;

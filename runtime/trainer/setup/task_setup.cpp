@@ -47,26 +47,26 @@ void CheckHasEnd(const taskc_plugin& plugin) {
 }
 
 // "": none.
-std::string RobotName(const TaskOptions& options, const taskc_plugin& plugin) {
+std::string RobotName(const TaskOptions& options, const PluginFacts& plugin) {
   return options.robot.empty() ? plugin.robot : options.robot;
 }
 
 // As the compiler looks for it, which does so beside the file that names it: that may be another
 // one than the task's own.
 std::vector<std::filesystem::path> RobotFoldersOf(const TaskOptions& options,
-                                                  const taskc_plugin& plugin) {
+                                                  const PluginFacts& plugin) {
   std::vector<std::filesystem::path> files = {options.task};
-  for (uint32_t i = 0; i < plugin.source_count; ++i) files.emplace_back(plugin.sources[i].file);
+  files.insert(files.end(), plugin.sources.begin(), plugin.sources.end());
   return robot::RobotFolders(files, options.robots);
 }
 
 // Of a task without a robot: "".
-std::filesystem::path RobotFile(const TaskOptions& options, const taskc_plugin& plugin) {
+std::filesystem::path RobotFile(const TaskOptions& options, const PluginFacts& plugin) {
   const std::string name = RobotName(options, plugin);
   return name.empty() ? "" : robot::FindRobotFile(name, RobotFoldersOf(options, plugin));
 }
 
-robot::RobotDescription ReadRobot(const TaskOptions& options, const taskc_plugin& plugin,
+robot::RobotDescription ReadRobot(const TaskOptions& options, const PluginFacts& plugin,
                                   const std::filesystem::path& file) {
   return file.empty() ? robot::RobotDescription{}
                       : robot::ReadRobotCalled(RobotName(options, plugin), file);
@@ -82,8 +82,10 @@ AgentLayers LayersOf(const TaskOptions& options, const std::filesystem::path& ro
           options.settings};
 }
 
-std::shared_ptr<const Plugin> Load(const std::filesystem::path& file) {
-  auto plugin = std::make_shared<const Plugin>(file);
+std::shared_ptr<const Plugin> LoadAfter(const BeforeLoading& before_loading,
+                                        const TaskSetup& known) {
+  if (before_loading) before_loading(known);
+  auto plugin = std::make_shared<const Plugin>(known.plugin_file);
   CheckHasEnd(plugin->table());
   return plugin;
 }
@@ -136,18 +138,20 @@ BuiltTask::BuiltTask(const TaskOptions& options) {
 }
 
 TaskSetup::TaskSetup(const TaskOptions& wanted, const std::filesystem::path& file, uint64_t seed,
-                     const ModuleTypes& program_types)
+                     const ModuleTypes& program_types, const BeforeLoading& before_loading)
     : options(wanted),
       plugin_file(file),
-      plugin(Load(file)),
-      robot_file(RobotFile(options, plugin->table())),
-      robot(ReadRobot(options, plugin->table(), robot_file)),
+      facts(before_loading ? ReadPluginFacts(file) : FactsOf(Plugin(file))),
+      robot_file(RobotFile(options, facts)),
+      robot(ReadRobot(options, facts, robot_file)),
       agent(LayersOf(options, robot_file).Merge()),
+      changes(LayersOf(options, robot_file).Changes()),
+      plugin(LoadAfter(before_loading, *this)),
       context{&robot, plugin, seed},
       types(WithComposites(WithLibraries(program_types, agent), agent)),
       graph(BuildGraph(agent, types, context)) {
   agent = Resolved(agent, graph);
-  settings = LayersOf(options, robot_file).SettingsIn(agent);
+  settings = LayersOf(options, robot_file).SettingsIn(agent, changes);
 }
 
 }  // namespace runtime

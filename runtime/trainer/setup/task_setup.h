@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -15,6 +16,7 @@
 #include "runtime/core/module/context.h"
 #include "runtime/core/module/module_graph.h"
 #include "runtime/core/task/plugin.h"
+#include "runtime/trainer/setup/plugin_facts.h"
 #include "runtime/training/run/module_types.h"
 #include "runtime/training/run/run_settings.h"
 
@@ -51,21 +53,29 @@ class BuiltTask {
   std::optional<std::filesystem::path> plugin_;
 };
 
+struct TaskSetup;
+// Called when all files are known that a task and its agent need, and none of their code has run in
+// this process: of the setup there is what comes before `plugin`.
+using BeforeLoading = std::function<void(const TaskSetup&)>;
+
 struct TaskSetup {
   // `program_types`: what the agent's modules can be made of, besides its own composites. Throws
   // UserError or CallError for whatever does not exist or does not fit.
   TaskSetup(const TaskOptions& wanted, const std::filesystem::path& plugin_file, uint64_t seed,
-            const ModuleTypes& program_types = ProgramModuleTypes());
+            const ModuleTypes& program_types = ProgramModuleTypes(),
+            const BeforeLoading& before_loading = {});
   TaskSetup(const TaskSetup&) = delete;
   TaskSetup& operator=(const TaskSetup&) = delete;
 
   TaskOptions options;
   std::filesystem::path plugin_file;
-  std::shared_ptr<const Plugin> plugin;
+  PluginFacts facts;
   std::filesystem::path robot_file;  // "": a task without a robot
   robot::RobotDescription robot;     // of such a task: empty (context.h)
   Agent agent;                       // resolved
-  std::vector<Setting> settings;     // what the user has set in it
+  Agent changes;                     // of it, by the user
+  std::shared_ptr<const Plugin> plugin;
+  std::vector<Setting> settings;  // what the user has set in the agent
   Context context;
   ModuleTypes types;  // also those of the agent's libraries, and its own composites
   ModuleGraph graph;

@@ -5,6 +5,7 @@
 #include "runtime/trainer/runs/guard.h"
 #include "runtime/trainer/runs/many_runs.h"
 #include "runtime/trainer/runs/one_run.h"
+#include "runtime/trainer/setup/made_folder.h"
 #include "runtime/training/run/run_database.h"
 
 namespace runtime {
@@ -22,6 +23,8 @@ int Serve(const ServeOptions& options) {
     return ResumeOneRun(run, std::nullopt, options.session.At(pace));
   };
   const bool is_run = RunDatabase::Exists(options.task.task);
+  std::optional<MadeFolder> folder;
+  if (!is_run) folder.emplace(options.out.empty() ? kRunsFolder : options.out);
   return RunGuarded(
       [&] {
         return is_run ? resume(options.task.task, Pace::kAsAsked)

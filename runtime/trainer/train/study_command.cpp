@@ -11,7 +11,10 @@
 #include "runtime/trainer/engines/slurm_engine.h"
 #include "runtime/trainer/engines/study_status.h"
 #include "runtime/trainer/runs/many_runs.h"
+#include "runtime/trainer/setup/apart.h"
 #include "runtime/trainer/setup/create_run.h"
+#include "runtime/trainer/setup/made_folder.h"
+#include "runtime/trainer/setup/sandbox_rules.h"
 #include "runtime/trainer/setup/start_check.h"
 #include "runtime/trainer/setup/study_file.h"
 #include "runtime/trainer/train/prepare_runs.h"
@@ -34,24 +37,39 @@ struct StudyOptions {
   OutputOptions output;
 };
 
-// Makes the runs of an experiment that are not there yet, and returns the folders of all. `names`:
-// the experiments' folders taken before.
-std::vector<std::filesystem::path> Prepare(const Experiment& experiment,
-                                           const std::filesystem::path& out,
-                                           std::set<std::string>& names) {
-  const BuiltTask task(experiment.task);
-  if (!task.plugin()) throw UserError(fmt::format("{}: its task has errors", experiment.place));
-  TaskSetup setup(experiment.task, *task.plugin(), experiment.seeds.front());
+// Makes the runs of an experiment that are not there yet, and returns its name, then the folders of
+// all. `names`: the experiments' folders taken before.
+Words Prepare(const Experiment& experiment, const std::filesystem::path& plugin,
+              const std::filesystem::path& out, const std::set<std::string>& names) {
+  TaskSetup setup(experiment.task, plugin, experiment.seeds.front(), ProgramModuleTypes(),
+                  [&](const TaskSetup& known) { EnterSandbox(RulesOf(known, out)); });
   const RunRecord run = RecordOf(setup, experiment.plan);
   const std::string name = experiment.name.empty() ? NameOfRuns(run) : experiment.name;
-  if (!names.insert(name).second) {
+  if (names.contains(name)) {
     throw UserError(fmt::format("{}: two experiments are called `{}`; give this one another `name`",
                                 experiment.place, name));
   }
   setup.graph.Start();
   WarnOfStart(setup);
-  return PrepareRuns(setup, run, experiment.seeds, out / name, experiment.place,
-                     "give this experiment another `name`");
+  Words found = {name};
+  for (const std::filesystem::path& folder :
+       PrepareRuns(setup, run, experiment.seeds, out / name, experiment.place,
+                   "give this experiment another `name`")) {
+    found.push_back(folder.string());
+  }
+  return found;
+}
+
+// The same in a process of its own: this one starts others, and so is in no sandbox.
+std::vector<std::filesystem::path> PrepareApart(const Experiment& experiment,
+                                                const std::filesystem::path& out,
+                                                std::set<std::string>& names) {
+  const BuiltTask task(experiment.task);
+  if (!task.plugin()) throw UserError(fmt::format("{}: its task has errors", experiment.place));
+  const Words found = RunApart(experiment.task.task.string(),
+                               [&] { return Prepare(experiment, *task.plugin(), out, names); });
+  names.insert(found.front());
+  return {found.begin() + 1, found.end()};
 }
 
 std::unique_ptr<Engine> EngineOf(const StudyOptions& options, const SlurmSettings& slurm) {
@@ -62,11 +80,13 @@ std::unique_ptr<Engine> EngineOf(const StudyOptions& options, const SlurmSetting
 int TrainStudy(const StudyOptions& options) {
   const StudyPlan study = ReadStudy(options.file);
   const std::filesystem::path out =
-      options.out.empty() ? std::filesystem::path("runs") / options.file.stem() : options.out;
+      options.out.empty() ? std::filesystem::path(kRunsFolder) / options.file.stem() : options.out;
+  WarnWhereSandboxIsWeak();
+  const MadeFolder folder(out);
   std::set<std::string> names;
   std::vector<std::filesystem::path> runs;
   for (const Experiment& experiment : study.experiments) {
-    std::ranges::move(Prepare(experiment, out, names), std::back_inserter(runs));
+    std::ranges::move(PrepareApart(experiment, out, names), std::back_inserter(runs));
   }
   return EngineOf(options, study.slurm)->Train({out, runs}, options.output);
 }
@@ -119,6 +139,7 @@ void AddStudyCommand(command_line::Command& program) {
   AddJobsOption(command, options->jobs, "how many runs to train on this machine at a time");
   options->slurm.AddTo(command);
   options->output.AddTo(command);
+  AddSandboxOption(command);
   command.OnRun([options] { return RunStudy(*options); });
 }
 

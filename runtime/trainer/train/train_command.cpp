@@ -6,7 +6,10 @@
 #include "runtime/trainer/runs/guard.h"
 #include "runtime/trainer/runs/many_runs.h"
 #include "runtime/trainer/runs/one_run.h"
+#include "runtime/trainer/setup/apart.h"
 #include "runtime/trainer/setup/create_run.h"
+#include "runtime/trainer/setup/made_folder.h"
+#include "runtime/trainer/setup/sandbox_rules.h"
 #include "runtime/trainer/setup/start_check.h"
 #include "runtime/trainer/setup/task_setup.h"
 #include "runtime/training/run/run_database.h"
@@ -24,6 +27,7 @@ struct TrainOptions {
 };
 
 int TrainOne(const TrainOptions& options) {
+  const MadeFolder folder(options.out.empty() ? kRunsFolder : options.out);
   return RunGuarded(
       [&] { return TrainOneRun(options.task, options.plan, options.out, options.session); },
       [&](const std::filesystem::path& run, Pace pace) {
@@ -31,15 +35,13 @@ int TrainOne(const TrainOptions& options) {
       });
 }
 
-// Makes all runs before the first one starts, so that they go on with the same task and agent
-// whatever becomes of the files; each is then trained as if it were resumed.
-int TrainMany(const TrainOptions& options) {
-  const BuiltTask task(options.task);
-  if (!task.plugin()) return kFailed;
-  TaskSetup setup(options.task, *task.plugin(), options.plan.seed);
+// Returns the folder of their folders.
+Words MakeRuns(const TrainOptions& options, const std::filesystem::path& plugin) {
+  const std::filesystem::path outer = options.out.empty() ? kRunsFolder : options.out;
+  TaskSetup setup(options.task, plugin, options.plan.seed, ProgramModuleTypes(),
+                  [&](const TaskSetup& known) { EnterSandbox(RulesOf(known, outer)); });
   const RunRecord run = RecordOf(setup, options.plan);
-  const std::filesystem::path folder =
-      options.out.empty() ? std::filesystem::path("runs") / NameOfRuns(run) : options.out;
+  const std::filesystem::path folder = options.out.empty() ? outer / NameOfRuns(run) : outer;
   setup.graph.Start();
   const uint64_t end = run.seed + static_cast<uint64_t>(options.runs);
   for (uint64_t seed = run.seed; seed < end; ++seed) {
@@ -49,9 +51,21 @@ int TrainMany(const TrainOptions& options) {
   for (uint64_t seed = run.seed; seed < end; ++seed) {
     PrepareRun(SeedFolder(folder, seed), setup, run, seed);
   }
-  return TrainRuns(folder, FindRuns(folder), options.session.jobs, options.session.output);
+  return {folder.string()};
 }
 
+// Makes all runs before the first one starts, so that they go on with the same task and agent
+// whatever becomes of the files; each is then trained as if it were resumed.
+int TrainMany(const TrainOptions& options) {
+  const BuiltTask task(options.task);
+  if (!task.plugin()) return kFailed;
+  WarnWhereSandboxIsWeak();
+  const MadeFolder outer(options.out.empty() ? kRunsFolder : options.out);
+  const std::filesystem::path folder = RunApart(options.task.task.string(), [&] {
+                                         return MakeRuns(options, *task.plugin());
+                                       }).front();
+  return TrainRuns(folder, FindRuns(folder), options.session.jobs, options.session.output);
+}
 int Train(const TrainOptions& options) {
   return options.runs == 1 ? TrainOne(options) : TrainMany(options);
 }

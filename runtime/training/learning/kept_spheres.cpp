@@ -67,7 +67,7 @@ void Keep(const fs::path& folder, const std::string& key, const std::string& byt
 }  // namespace
 
 Spheres KeptSpheres(const robot::NetDescription& net, uint64_t seed) {
-  const std::optional<fs::path> folder = cache::DefaultFolder();
+  const std::optional<fs::path> folder = cache::NetFolder();
   if (!folder) return PackSpheres(net, seed);
   const std::string key = KeyOf(net, seed);
   const std::string kept = file::Read(*folder / cache::NetName(key)).bytes;

@@ -10,6 +10,7 @@
 #include "base/file/read.h"
 #include "base/text/cells.h"
 #include "base/text/trim.h"
+#include "runtime/base/program_starter.h"
 #include "runtime/base/user_error.h"
 
 namespace runtime {
@@ -30,7 +31,7 @@ class SignalFileReader {
   explicit SignalFileReader(const std::filesystem::path& file) : file_(file) {}
 
   SignalFile Read() {
-    file::Reading reading = file::Read(file_, kMostBytes + 1);
+    file::Reading reading = ReadTable(file_, kMostBytes + 1);
     if (!reading.problem.empty())
       throw UserError(fmt::format("`{}` cannot be read: {}", file_.string(), reading.problem));
     if (reading.bytes.size() > kMostBytes)

@@ -72,7 +72,8 @@ TEST_F(PluginEndTest, AFirstTaskThatExitsIsAFailure) {
   const ProgramResult result =
       Trainer({"train", Plugin("exits_on_load"), "--robot", "humanoid", "--out", RunFolder("run")});
   EXPECT_EQ(result.exit_status, 1);
-  EXPECT_THAT(result.errors, HasSubstr("the training process has exited (exit status 0)"));
+  EXPECT_THAT(result.errors,
+              HasSubstr("its code ended the process that loaded it (exit status 0)"));
 }
 
 }  // namespace

@@ -27,8 +27,8 @@ class KeptSpheresTest : public testing::Test {
   const robot::NetDescription& net_ = HumanoidNet("bq3dof60");
   const Spheres packed_ = PackSpheres(net_, 1);
   TemporaryFolder folder_;
-  fs::path cache_ = folder_.path() / "cache";
-  ScopedEnvironment environment_{"TASKC_CACHE", cache_.string()};
+  fs::path cache_ = folder_.path() / "cache" / "nets";
+  ScopedEnvironment environment_{"TASKC_CACHE", cache_.parent_path().string()};
 };
 
 TEST_F(KeptSpheresTest, AreThePackedOnesBitForBit) {
@@ -71,6 +71,7 @@ TEST_F(KeptSpheresTest, DamageIsRepaired) {
 }
 
 TEST_F(KeptSpheresTest, ACacheThatCannotBeWrittenToDoesNotMatter) {
+  fs::create_directories(cache_.parent_path());
   std::ofstream(cache_) << "not a folder";
   EXPECT_EQ(KeptSpheres(net_, 1).centers, packed_.centers);
 }
