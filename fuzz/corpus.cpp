@@ -41,12 +41,13 @@ void AddTable(const Table& table, std::vector<std::string>& words) {
   for (const auto& word : table) words.emplace_back(word.text);
 }
 
-// Without what tests expect of them.
+}  // namespace
+
 std::vector<std::string> TextsIn(const std::vector<const char*>& folders, const char* ending) {
   std::vector<fs::path> files;
   for (const char* folder : folders) {
     for (const auto& entry : fs::recursive_directory_iterator(SOURCE_DIR + std::string(folder))) {
-      if (entry.path().extension() == ending) files.push_back(entry.path());
+      if (entry.path().string().ends_with(ending)) files.push_back(entry.path());
     }
   }
   std::ranges::sort(files);
@@ -54,8 +55,6 @@ std::vector<std::string> TextsIn(const std::vector<const char*>& folders, const 
   for (const fs::path& file : files) texts.push_back(golden::Split(file, ReadFile(file)).input);
   return texts;
 }
-
-}  // namespace
 
 std::vector<std::string> TaskTexts() {
   return TextsIn({"/tasks", "/tests/compiler", "/tests/runtime/trainer/tasks"}, ".task");

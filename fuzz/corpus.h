@@ -6,6 +6,10 @@
 
 namespace fuzz {
 
+// The files with this ending in these folders of the project, "/plugins", and below; without what
+// tests expect of them.
+std::vector<std::string> TextsIn(const std::vector<const char*>& folders, const char* ending);
+
 // All tasks of the project: those that are learned and those of the tests, right and wrong ones.
 std::vector<std::string> TaskTexts();
 

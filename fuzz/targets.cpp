@@ -1,8 +1,5 @@
 #include "fuzz/targets.h"
 
-#include <cstdio>
-#include <cstdlib>
-
 #include "compiler/check/check.h"
 #include "compiler/compose/compose.h"
 #include "compiler/emit/emit.h"
@@ -18,12 +15,6 @@ namespace {
 using compiler::CheckedTask;
 using compiler::Diagnostics;
 using compiler::Sources;
-
-void Require(bool condition, const char* what) {
-  if (condition) return;
-  std::fprintf(stderr, "fuzz: %s\n", what);
-  std::abort();
-}
 
 const robot::RobotDescription& Humanoid() {
   static const robot::RobotDescription robot =
@@ -125,14 +116,6 @@ const std::vector<Target>& Targets() {
       {"table", Table, TableTexts, TableWords},
   };
   return targets;
-}
-
-const Target& FindTarget(std::string_view name) {
-  for (const Target& target : Targets()) {
-    if (target.name == name) return target;
-  }
-  std::fprintf(stderr, "fuzz: there is no target of this name\n");
-  std::exit(2);
 }
 
 }  // namespace fuzz

@@ -1,5 +1,6 @@
-// The parts of the compiler that must cope with anything, each as a function of a text. They check
-// what must hold for every text, and abort where it does not.
+// The parts of the programs that must cope with anything, each as a function of a text. They check
+// what must hold for every text, and abort where it does not. There are two lists, in a library
+// each: those of the compiler (targets.cpp) and those of the trainer (runtime_targets.cpp).
 #pragma once
 
 #include <array>
@@ -15,6 +16,9 @@ struct Target {
   std::vector<std::string> (*corpus)();
   std::vector<std::string> (*words)();
 };
+
+// Aborts, and says why.
+void Require(bool condition, const char* what);
 
 // There is a tree, or there are errors; each error can be shown.
 void Parse(const std::string& text);

@@ -1,0 +1,203 @@
+#include "fuzz/runtime_targets.h"
+
+#include <unistd.h>
+
+#include <fstream>
+#include <optional>
+
+#include "fuzz/corpus.h"
+#include "fuzz/targets.h"
+#include "plugins/robot/robot_description.h"
+#include "plugins/world/world_description.h"
+#include "runtime/base/user_error.h"
+#include "runtime/core/agent/agent.h"
+#include "runtime/trainer/setup/study_file.h"
+#include "runtime/training/environment/environment_link.h"
+#include "runtime/training/signal/signal_file.h"
+#include "tests/runtime/training/run/temporary_folder.h"
+
+namespace fuzz {
+namespace {
+
+using Texts = std::vector<std::string>;
+
+// `text` as a file of this name.
+std::filesystem::path FileOf(const std::string& text, const char* name) {
+  static const runtime::TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / name;
+  std::ofstream(file, std::ios::binary | std::ios::trunc) << text;
+  return file;
+}
+
+// Each error has a text; any other exception ends the fuzzer.
+template <class Read>
+void ReadOrRefuse(const Read& read) {
+  try {
+    read();
+  } catch (const runtime::UserError& error) {
+    Require(*error.what() != '\0', "an error says nothing");
+  } catch (const robot::DescriptionError& error) {
+    Require(*error.what() != '\0', "an error says nothing");
+  }
+}
+
+Texts RobotTexts() { return TextsIn({"/plugins", "/tests/plugins/robots"}, "robot.toml"); }
+Texts AgentTexts() { return TextsIn({"/plugins", "/tests/runtime"}, "agent.toml"); }
+Texts StudyTexts() { return TextsIn({"/examples"}, ".toml"); }
+Texts WorldTexts() { return TextsIn({"/examples/tasks", "/tests/plugins/world"}, ".toml"); }
+Texts GreetingTexts() {
+  return {R"({"time_step":0.01,"actions":4,"sensors":[{"name":"x","type":"real","unit":"m"}]})",
+          R"({"time_step":0.01,"low":[-1],"high":[1],"sensors":[],"format":"binary"})"};
+}
+
+// All words of some texts, and what TOML, JSON and CSV are made of.
+Texts WordsOf(const Texts& texts) {
+  Texts words = {"[",
+                 "]",
+                 "[[",
+                 "]]",
+                 "{",
+                 "}",
+                 "=",
+                 ",",
+                 "\"",
+                 "'",
+                 "\"\"\"",
+                 "#",
+                 "\n",
+                 "\r\n",
+                 ".",
+                 "-",
+                 "true",
+                 "inf",
+                 "nan",
+                 "1e308",
+                 "1e-400",
+                 "0",
+                 "-1",
+                 "1979-05-27",
+                 "\\u",
+                 "\\uD800",
+                 "\xff",
+                 ":",
+                 "null",
+                 "[]",
+                 "18446744073709551616",
+                 std::string(1, '\0')};
+  for (const std::string& text : texts) {
+    std::string word;
+    for (const char character : text) {
+      if (std::isalnum(static_cast<unsigned char>(character)) != 0 || character == '_') {
+        word += character;
+      } else if (!word.empty()) {
+        words.push_back(std::exchange(word, {}));
+      }
+    }
+  }
+  return words;
+}
+
+template <Texts (*texts)()>
+Texts WordsIn() {
+  return WordsOf(texts());
+}
+
+Texts SignalTexts() { return {"time [s], wish [m/s]\n0, 0.2\n2.5, 0.5\n", "0 1 2\n1 2 3\n"}; }
+Texts EditTexts() { return {std::string(4, '\0'), "abcd", "abcdefghijklmnop"}; }
+Texts EditWords() {
+  return {std::string(4, '\0'), "\xff\xff\xff\xff", std::string("\0\0\0\x7f", 4), "abcd"};
+}
+Texts ChangeTexts() {
+  return {"set\n{\"command\":\"set\",\"name\":\"task.limit\",\"value\":\"0.5\",\"task\":1}",
+          "swap\n{\"command\":\"swap\",\"module\":\"task\",\"task\":1,\"forget\":true}",
+          "load\n{\"command\":\"load\",\"name\":\"shadow\",\"task\":1}",
+          "unload\n{\"command\":\"unload\",\"name\":\"shadow\"}"};
+}
+Texts RequestTexts() {
+  return {"GET\n/api/get?name=task.weight\n",
+          "GET\n/api/status\n",
+          "GET\n/report\n",
+          "POST\n/api/set\n{\"name\":\"task.limit\",\"value\":\"0.5 s\"}",
+          "POST\n/api/swap\n{\"module\":\"task\",\"file\":\"a.task\",\"now\":true}",
+          "GET\n/api/language?token=0123\n"};
+}
+Texts RequestWords() {
+  Texts words = WordsOf(RequestTexts());
+  for (const char* word :
+       {"%00", "%", "%zz", "+", "&", "?", "/", "//", "/..", "[[[[[[[[[[[[[[[[[["}) {
+    words.emplace_back(word);
+  }
+  return words;
+}
+// A text, a ping, a close and the half of a message, masked with zeros.
+Texts FrameTexts() {
+  return {std::string("\x81\x82\0\0\0\0{}", 8), std::string("\x89\x80\0\0\0\0", 6),
+          std::string("\x88\x82\0\0\0\0\x03\xe8", 8), std::string("\x01\x81\0\0\0\0a", 7)};
+}
+Texts FrameWords() {
+  return {std::string("\x81\xfe\xff\xff", 4),
+          std::string("\x81\xff\0\0\0\0\xff\xff\xff\xff", 10),
+          std::string("\0\x80\0\0\0\0", 6),
+          std::string("\x80\x80\0\0\0\0", 6),
+          std::string(126, 'a'),
+          "\xff"};
+}
+
+}  // namespace
+
+void Robot(const std::string& text) {
+  ReadOrRefuse([&] { robot::ReadRobot(FileOf(text, "robot.toml")); });
+}
+
+void Agent(const std::string& text) {
+  ReadOrRefuse([&] {
+    const runtime::Agent agent = runtime::ParseAgent(text, "agent.toml");
+    const std::string written = runtime::ToToml(agent);
+    Require(runtime::ToToml(runtime::ParseAgent(written, "again")) == written,
+            "an agent that was written is read otherwise");
+  });
+}
+
+void Study(const std::string& text) {
+  ReadOrRefuse([&] { runtime::ReadStudy(FileOf(text, "study.toml")); });
+}
+
+void World(const std::string& text) {
+  const auto read = [&](const std::filesystem::path&) { return std::optional(text); };
+  ReadOrRefuse([&] { world::ReadWorld(text, "world.toml", read); });
+}
+
+void Signal(const std::string& text) {
+  ReadOrRefuse([&] {
+    const runtime::SignalFile signal = runtime::ReadSignalFile(FileOf(text, "signal.csv"));
+    Require(signal.samples.size() % (signal.elements + 1) == 0, "half a row");
+    runtime::CheckSamples(signal.samples, signal.elements, "what was read");
+  });
+}
+
+void Greeting(const std::string& text) {
+  ReadOrRefuse([&] {
+    const runtime::EnvironmentGreeting greeting = runtime::ParseGreeting(text);
+    Require(greeting.time_step > 0, "no time passes");
+  });
+}
+
+const std::vector<Target>& Targets() {
+  static const std::vector<Target> targets = {
+      {"robot", Robot, RobotTexts, WordsIn<RobotTexts>},
+      {"agent", Agent, AgentTexts, WordsIn<AgentTexts>},
+      {"study", Study, StudyTexts, WordsIn<StudyTexts>},
+      {"world", World, WorldTexts, WordsIn<WorldTexts>},
+      {"signal", Signal, SignalTexts, TableWords},
+      {"greeting", Greeting, GreetingTexts, WordsIn<GreetingTexts>},
+      {"plugin", Plugin, EditTexts, EditWords},
+      {"run", Run, EditTexts, EditWords},
+      {"checkpoint", Checkpoint, EditTexts, EditWords},
+      {"change", Change, ChangeTexts, WordsIn<ChangeTexts>},
+      {"request", Request, RequestTexts, RequestWords},
+      {"frames", Frames, FrameTexts, FrameWords},
+  };
+  return targets;
+}
+
+}  // namespace fuzz
