@@ -3,12 +3,17 @@
 # line with its figures, and is not repeated when the script is called again after it was stopped.
 #
 #   tests/long.sh                      all parts
-#   tests/long.sh kills flips          some: kills, swaps, studies, builds, flips, strangers, slurm
+#   tests/long.sh kills flips          some: kills, swaps, studies, builds, flips, strangers, slurm,
+#                                      power, disk, load, fuzz, soak
 #   KILLS=1000 tests/long.sh kills     how often something is killed (200)
 #   NAP=3000 tests/long.sh kills       how long it may work until then, at most, in ms (800)
+#   STEP=1 tests/long.sh power disk    at which of the changes on the disk (every 17th byte of flips)
+#   SECONDS_OF_LOAD=60                 of load
+#   FUZZ=DIR, MINUTES=60               of fuzz: the fuzzers (build-fuzz/bin), how long each of them
+#   HOURS=8 tests/long.sh soak         of everyday use
 #   FOLDER=DIR, BIN=DIR, SEED=N        where it works (build/long), the programs, the random numbers
 #
-# rm -r build/long forgets what was done.
+# rm -r build/long forgets what was done; AGAIN=1 does it again.
 set -euo pipefail
 root=$(realpath "$(dirname "${BASH_SOURCE[0]}")/..")
 bin=$(realpath "${BIN:-$root/build/bin}")
@@ -19,7 +24,7 @@ folder=$(realpath "$folder")
 RANDOM=${SEED:-7}
 task=$root/tests/runtime/trainer/tasks/leaning.task
 parts=("$@")
-[ ${#parts[@]} -gt 0 ] || parts=(kills swaps studies builds flips strangers slurm)
+[ ${#parts[@]} -gt 0 ] || parts=(kills swaps studies builds flips strangers slurm power disk load fuzz soak)
 
 # shellcheck source=tests/run_record.sh
 source "$root/tests/run_record.sh"
@@ -222,7 +227,7 @@ part_flips() {
   mkdir -p "$folder/flips"
   loud_plugin "$plugin"
   export LOUD=$folder/flips/ran
-  "$bin/trainer" train "$plugin" --robot humanoid --out "$folder/flips/run" >/dev/null 2>&1 || true
+  "$bin/trainer" train "$plugin" --robot humanoid --no-sandbox --out "$folder/flips/run" >/dev/null 2>&1 || true
   [ -s "$LOUD" ] || fail "the plugin as it is was not loaded"
   rm "$LOUD"
   size=$(stat -c %s "$plugin")
@@ -230,7 +235,7 @@ part_flips() {
     cp "$plugin" "$folder/flips/other.so"
     printf '%b' "\\x$(printf '%02x' $((0x$(od -An -tx1 -j "$at" -N 1 "$plugin" | tr -d " ") ^ (1 << RANDOM % 8))))" |
       dd of="$folder/flips/other.so" bs=1 seek="$at" conv=notrunc status=none
-    if "$bin/trainer" train "$folder/flips/other.so" --robot humanoid --out "$folder/flips/run" \
+    if "$bin/trainer" train "$folder/flips/other.so" --robot humanoid --no-sandbox --out "$folder/flips/run" \
       >/dev/null 2>"$folder/flips/errors"; then
       fail "byte $at flipped, and the plugin is trained"
     fi
@@ -273,10 +278,133 @@ END
   echo "$count ways to look at a run whose plugin was replaced: none has run its code"
 }
 
+# The library that makes a program see another disk (tests/disk/disk_faults.c).
+disk_library() { gcc -shared -fPIC -O1 -o "$1" "$root/tests/disk/disk_faults.c" -ldl; }
+# A small run in $1, from its start or where it stands.
+small_words=(--profile fast --episodes 6 --seed 3 --checkpoint-every 0 --record-every 2)
+train_or_resume() {
+  if [ -e "$1/run.db" ]; then
+    "$bin/trainer" resume "$1" --quiet
+  else
+    "$bin/trainer" train "$folder/small.so" "${small_words[@]}" --out "$1" --quiet
+  fi
+}
+
+# A machine that loses its power after any change on the disk: what was not synced is gone, or half
+# of it. The run that goes on from there is the one that was left alone; so is the next build.
+part_power() {
+  local log=$folder/power/log total at seed count=0 begun=0
+  rm -rf "$folder/power"
+  mkdir -p "$folder/power/disk"
+  disk_library "$folder/power/disk.so"
+  "$bin/taskc" build "$task" -o "$folder/small.so" >/dev/null
+  train_or_resume "$folder/power/calm"
+  DISK_FOLDER=$folder/power/disk DISK_LOG=$log LD_PRELOAD=$folder/power/disk.so \
+    train_or_resume "$folder/power/disk/run"
+  expect_same "$folder/power/disk/run" "$folder/power/calm"
+  total=$("$root/tests/disk/power_cut.py" count "$log")
+  [ "$total" -gt 50 ] || fail "only $total changes on the disk were seen"
+  for ((at = 0; at <= total; at += ${STEP:-1})); do
+    for seed in 0 $((at + 1)); do
+      rm -rf "$folder/power/cut"
+      "$root/tests/disk/power_cut.py" make "$log" "$at" "$seed" "$folder/power/disk" "$folder/power/cut"
+      [ ! -e "$folder/power/cut/run/run.db" ] || begun=$((begun + 1))
+      train_or_resume "$folder/power/cut/run" 2>"$folder/power/errors" ||
+        fail "the power was lost after change $at (seed $seed): $(cat "$folder/power/errors")"
+      is_same_run "$folder/power/cut/run" "$folder/power/calm" ||
+        fail "the power was lost after change $at (seed $seed): another run"
+      count=$((count + 1))
+    done
+  done
+  [ "$begun" -gt 0 ] || fail "no run has outlived the power"
+  echo "the power lost $count times, after any of $total changes on the disk, with all that was not synced" \
+    "gone, or any half of it: every run went on as the one that was left alone, $begun from what it had"
+}
+
+# A disk that is full, read-only or fails once, from any change on, and then is well again.
+part_disk() {
+  local kind at last count=0 ended=0 run=$folder/disk/disk/run
+  rm -rf "$folder/disk"
+  mkdir -p "$folder/disk/disk"
+  disk_library "$folder/disk/disk.so"
+  "$bin/taskc" build "$task" -o "$folder/small.so" >/dev/null
+  train_or_resume "$folder/disk/calm"
+  DISK_FOLDER=$folder/disk/disk DISK_LOG=$folder/disk/log LD_PRELOAD=$folder/disk/disk.so train_or_resume "$run"
+  last=$("$root/tests/disk/power_cut.py" count "$folder/disk/log")
+  for kind in ENOSPC EROFS EIO; do
+    for ((at = 1; at <= last; at += ${STEP:-1})); do
+      rm -rf "$run"
+      DISK_FOLDER=$folder/disk/disk DISK_FAULT=$kind DISK_AT=$at LD_PRELOAD=$folder/disk/disk.so \
+        timeout 60 "$root/tests/long.sh" --in-part train_or_resume "$run" >/dev/null 2>"$folder/disk/errors" && status=0 || status=$?
+      [ "$status" -le 2 ] || fail "$kind at change $at: exit status $status: $(cat "$folder/disk/errors")"
+      if [ "$status" -ne 0 ]; then
+        [ -s "$folder/disk/errors" ] || fail "$kind at change $at: ended without a word"
+        ended=$((ended + 1))
+        train_or_resume "$run" 2>"$folder/disk/errors" ||
+          fail "$kind at change $at, then all was well: $(cat "$folder/disk/errors")"
+      fi
+      is_same_run "$run" "$folder/disk/calm" || fail "$kind at change $at: another run"
+      count=$((count + 1))
+    done
+  done
+  [ "$ended" -gt 0 ] || fail "no fault was noticed"
+  echo "$count times full (ENOSPC), read-only (EROFS) or broken once (EIO) from any of $last changes on: $ended" \
+    "runs ended with a message and went on when all was well, the others did not need it; all as left alone"
+}
+
+# A trainer in $1 that trains until it is told to end; sets `server`.
+serve() {
+  "$bin/trainer" serve "$task" --profile fast --episodes 100000000 --out "$1" --quiet >/dev/null 2>"$1.errors" &
+  server=$!
+  until [ -s "$1/control.json" ]; do
+    kill -0 "$server" 2>/dev/null || fail "the trainer: $(cat "$1.errors")"
+    sleep 0.05
+  done
+}
+
+# More clients than it takes, fast ones, slow ones and strange ones (tests/load/server_load.py).
+part_load() {
+  local figures
+  rm -rf "$folder/load"
+  mkdir -p "$folder/load"
+  serve "$folder/load/run"
+  figures=$("$root/tests/load/server_load.py" "$folder/load/run" --seconds "${SECONDS_OF_LOAD:-60}") ||
+    { kill_tree "$server"; fail "$figures"; }
+  "$bin/trainer" ctl --run "$folder/load/run" stop >/dev/null
+  wait "$server" || fail "the trainer ended with status $?"
+  echo "$figures"
+}
+
+# Every fuzzer of the build with sanitizers (cmake --preset fuzz), one after the other.
+part_fuzz() {
+  local fuzzers=${FUZZ:-$root/build-fuzz/bin} fuzzer count=0 text total=0
+  rm -rf "$folder/fuzz"
+  mkdir -p "$folder/fuzz"
+  for fuzzer in "$fuzzers"/fuzz_*; do
+    text=$(cd "$folder/fuzz" && "$fuzzer" "-max_total_time=$((${MINUTES:-60} * 60))" "-seed=${SEED:-7}" \
+      2>"$folder/fuzz/errors") ||
+      fail "$(basename "$fuzzer"): $(tail -n 30 "$folder/fuzz/errors"); the text is in $folder/fuzz/last-input"
+    echo "  $text" >&2
+    total=$((total + $(sed -n 's/.*: \([0-9]*\) texts.*/\1/p' <<<"$text")))
+    count=$((count + 1))
+  done
+  [ "$count" -gt 0 ] || fail "no fuzzers in $fuzzers: cmake --preset fuzz && cmake --build --preset fuzz"
+  echo "$count fuzzers, ${MINUTES:-60} minutes each: $total texts, nothing found"
+}
+
+part_soak() { "$root/tests/soak.sh" "$bin" "$folder/soak" "${HOURS:-8}" | tail -n 1; }
+
 part_slurm() { "$root/tests/slurm/study.sh" "$bin" | tail -n 1; }
 
+# How a part calls one of these functions in a process of its own.
+if [ "${1:-}" = --in-part ]; then
+  shift
+  "$@"
+  exit
+fi
+
 for part in "${parts[@]}"; do
-  if [ -e "$folder/$part.done" ]; then
+  if [ -e "$folder/$part.done" ] && [ -z "${AGAIN:-}" ]; then
     echo "$part: $(cat "$folder/$part.done") (before)"
     continue
   fi
