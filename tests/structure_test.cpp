@@ -46,7 +46,7 @@ const std::map<std::string, Folders> kMayInclude = {
     {"compiler/mend", {"compiler/analyze", "compiler/compose", "compiler/source"}},
     {"compiler/language_server",
      {"base/text", "compiler/analyze", "compiler/bounds", "compiler/check", "compiler/compose",
-      "compiler/format", "compiler/source", "compiler/syntax", "plugins/robot", "plugins/world"}},
+      "compiler/document", "compiler/format", "compiler/source", "compiler/syntax", "plugins/robot", "plugins/world"}},
     {"compiler/spec",
      {"base/text", "compiler/check", "compiler/compose", "compiler/language_server",
       "compiler/report", "compiler/source", "compiler/syntax", "plugins/robot"}},

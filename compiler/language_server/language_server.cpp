@@ -12,6 +12,7 @@
 #include "compiler/language_server/hover.h"
 #include "compiler/language_server/message_stream.h"
 #include "compiler/language_server/navigation.h"
+#include "compiler/language_server/page_of_task.h"
 #include "compiler/language_server/published_diagnostics.h"
 #include "compiler/language_server/signature_help.h"
 #include "compiler/language_server/uri.h"
@@ -85,7 +86,8 @@ const std::map<std::string, LanguageServer::RequestHandler>& LanguageServer::Req
       {"textDocument/codeAction", &LanguageServer::ActionsAt},
       {"textDocument/formatting", &LanguageServer::FormatAll},
       {"textDocument/signatureHelp", &LanguageServer::SignatureAt},
-      {"textDocument/documentSymbol", &LanguageServer::SymbolsOf}};
+      {"textDocument/documentSymbol", &LanguageServer::SymbolsOf},
+      {"task/page", &LanguageServer::ShowPage}};
   return requests;
 }
 
@@ -350,6 +352,11 @@ Json LanguageServer::SignatureAt(const Json& params) {
 }
 
 Json LanguageServer::SymbolsOf(const Json& params) { return DocumentSymbols(DocumentIn(params)); }
+
+// Not of the protocol.
+Json LanguageServer::ShowPage(const Json& params) {
+  return PageOfTask(workspace_.FindingsOf(DocumentIn(params)).analysis);
+}
 
 // ---- The stream ---------------------------------------------------------------------------------
 

@@ -56,6 +56,7 @@ class LanguageServer {
   Json FormatAll(const Json& params);
   Json SignatureAt(const Json& params);
   Json SymbolsOf(const Json& params);
+  Json ShowPage(const Json& params);
 
   void Initialized(const Json& params);
   void Exit(const Json& params);
