@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <set>
 #include <span>
@@ -53,6 +54,12 @@ class LiveRun : public RequestHandler, public TrainingHooks {
     view_.ShowTo(events);
   }
 
+  // By what recorded episodes are judged by another task: the words, program included, of one that
+  // prints what docs/trainer.md says of `trainer rescore --json`. Before the training begins.
+  using RescoreWords =
+      std::function<std::vector<std::string>(const std::filesystem::path& plugin, int64_t episode)>;
+  void RescoreBy(RescoreWords words) { rescore_words_ = std::move(words); }
+
   void Handle(Request request, ReplyHandler reply) override;
   // Where the run's robot is, for programs that read tasks.
   const std::filesystem::path& robots_folder() const { return loader_.robots_folder(); }
@@ -95,15 +102,19 @@ class LiveRun : public RequestHandler, public TrainingHooks {
   std::optional<std::string> TryAgain(const DueChange& due);
   void Do(const DueChange& due);
   void NoteDone(const ChangeRecord& record);
+  // On the loader's thread.
+  Reply DoAside(AsideHandler handler, const nlohmann::json& arguments, const BuiltPlugin& task);
   void ServeQueue();
   void Serve(const QueuedRequest& request);
 
   // Handlers of all commands.
 #define LOOK(handler, ...) nlohmann::json handler(const nlohmann::json& arguments) const;
+#define ASIDE(handler, ...) \
+  nlohmann::json handler(const nlohmann::json& arguments, const BuiltPlugin& task);
 #define CHANGE(handler, ...) nlohmann::json handler(const QueuedRequest& request);
 #define CHANGE_LATER(handler, ...) void handler(const QueuedRequest& request);
 #include "runtime/live/control/command_table.def"
-  friend std::span<const CommandSpec> Commands();
+  friend const CommandHandler& HandlerOf(const CommandSpec& command);
 
   nlohmann::json StatusJson() const;
   void CheckEpisodesAreLeft() const;
@@ -134,6 +145,7 @@ class LiveRun : public RequestHandler, public TrainingHooks {
   ChangeMaker maker_;
   RequestQueue queue_;
   TaskLoader loader_;
+  RescoreWords rescore_words_;
   EventSink* events_ = nullptr;
   LiveView view_;
 

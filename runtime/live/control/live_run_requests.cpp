@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/variant/overloaded.h"
+#include "runtime/base/child_process.h"
 #include "runtime/base/suggestion.h"
 #include "runtime/live/control/live_run.h"
 #include "runtime/live/control/replies.h"
@@ -28,11 +29,27 @@ void LiveRun::Handle(Request request, ReplyHandler reply) {
   if (file == nullptr) return queue_.Push(std::move(queued));
   std::optional<std::string> text;
   if (queued.arguments.contains("text")) text = queued.arguments.at("text").get<std::string>();
-  const auto push = [this, queued](LoadedTask task) {
-    if (task.plugin == nullptr) return queued.reply({false, {}, std::move(task.messages)});
-    queue_.Push({queued.command, queued.arguments, queued.reply, std::move(task)});
+  const std::filesystem::path task = queued.arguments.at(file->name).get<std::string>();
+  if (const auto* aside = std::get_if<AsideHandler>(&HandlerOf(command))) {
+    const auto done = [this, queued, aside = *aside](const BuiltPlugin& built) {
+      queued.reply(DoAside(aside, queued.arguments, built));
+    };
+    return loader_.BuildOnly(task, done, std::move(text));
+  }
+  const auto push = [this, queued](LoadedTask loaded) {
+    if (loaded.plugin == nullptr) return queued.reply({false, {}, std::move(loaded.messages)});
+    queue_.Push({queued.command, queued.arguments, queued.reply, std::move(loaded)});
   };
-  loader_.Load(queued.arguments.at(file->name).get<std::string>(), push, std::move(text));
+  loader_.Load(task, push, std::move(text));
+}
+
+Reply LiveRun::DoAside(AsideHandler handler, const Json& arguments, const BuiltPlugin& task) {
+  if (task.plugin.empty()) return {false, {}, task.messages};
+  try {
+    return {true, (this->*handler)(arguments, task), ""};
+  } catch (const std::exception& error) {
+    return {false, {}, error.what()};
+  }
 }
 
 void LiveRun::ServeQueue() {
@@ -45,10 +62,11 @@ void LiveRun::Serve(const QueuedRequest& request) {
   try {
     std::visit(variant::Overloaded{
                    [&](LookHandler look) { done((this->*look)(request.arguments)); },
+                   [](AsideHandler) {},  // never waits here
                    [&](ChangeHandler change) { done((this->*change)(request)); },
                    [&](LateHandler change) { (this->*change)(request); },
                },
-               request.command->handler);
+               HandlerOf(*request.command));
   } catch (const std::exception& error) {
     request.reply({false, {}, error.what()});
   }
@@ -83,6 +101,30 @@ Json LiveRun::Get(const Json& arguments) const {
 
 Json LiveRun::Graph(const Json& arguments) const {
   return GraphReply(graph_, arguments.value("format", std::string("text")));
+}
+
+// In a process of its own: the task's code has not been tried yet.
+Json LiveRun::Rescore(const Json& arguments, const BuiltPlugin& task) {
+  if (!rescore_words_) throw UserError("nothing here judges recorded episodes");
+  Json recorded = Json::array();
+  for (const RecordedEpisode& each : RunDatabase::OpenToRead(run_.folder).ReadRecordedEpisodes()) {
+    recorded.push_back(each.number);
+  }
+  if (recorded.empty()) throw UserError("no episode is recorded yet; the first one always is");
+  const int64_t episode = arguments.value("episode", recorded.back().get<int64_t>());
+  const ChildResult result = RunChild(rescore_words_(task.plugin, episode), Captured::kAll,
+                                      {.stop = loader_.stop_token()});
+  if (result.was_too_slow) throw UserError("judging the episode took too long");
+  const Json said = Json::parse(result.captured, nullptr, false);
+  if (!result.is_success || !said.is_object()) {
+    throw UserError(result.captured.empty() ? "the episode cannot be judged" : result.captured);
+  }
+  const Json& run = said.at("runs").at(0);
+  if (run.at("episodes").empty()) throw UserError(run.at("left_out").at(0).get<std::string>());
+  Json value = run.at("episodes").at(0);
+  value["caveats"] = said.at("caveats");
+  value["recorded"] = std::move(recorded);
+  return value;
 }
 
 Json LiveRun::Pause(const QueuedRequest&) {

@@ -3,14 +3,16 @@
 
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <string>
 
+#include "runtime/live/control/command.h"
 #include "runtime/live/control/view_frame.h"
 
 namespace runtime {
 
 struct Request {
-  std::string command;       // one of Commands() (command_table.h)
+  std::string command;       // one of the handler's commands()
   nlohmann::json arguments;  // an object, checked by CheckArguments()
 };
 
@@ -26,6 +28,8 @@ using ReplyHandler = std::function<void(Reply)>;
 class RequestHandler {
  public:
   virtual ~RequestHandler() = default;
+  // What it takes: by default what the trainer of a run does (command_table.h).
+  virtual std::span<const CommandSpec> commands() const;
   // Any thread; returns at once. What is asked for is done later, and then `reply` is called.
   virtual void Handle(Request request, ReplyHandler reply) = 0;
   // Any thread; returns at once. What is to be shown from now on (EventSink::Show()); an episode

@@ -5,6 +5,7 @@
 
 #include <utility>
 
+#include "base/variant/overloaded.h"
 #include "runtime/base/build_task.h"
 #include "runtime/base/program_starter.h"
 #include "runtime/core/task/plugin_watch.h"
@@ -50,13 +51,22 @@ TaskLoader::~TaskLoader() {
   }
   stop_.request_stop();
   thread_.join();
-  for (const Job& job : jobs_) job.handler({nullptr, "", kTrainerHasEnded});
+  for (const Job& job : jobs_) Refuse(job, kTrainerHasEnded);
 }
 
 void TaskLoader::Load(std::filesystem::path file, Handler handler,
                       std::optional<std::string> text) {
+  Add({std::move(file), std::move(text), std::move(handler)});
+}
+
+void TaskLoader::BuildOnly(std::filesystem::path file, BuiltHandler handler,
+                           std::optional<std::string> text) {
+  Add({std::move(file), std::move(text), std::move(handler)});
+}
+
+void TaskLoader::Add(Job job) {
   const std::lock_guard lock(mutex_);
-  jobs_.push_back({std::move(file), std::move(text), std::move(handler)});
+  jobs_.push_back(std::move(job));
   changed_.notify_one();
 }
 
@@ -68,50 +78,75 @@ void TaskLoader::Run() {
     const Job job = std::move(jobs_.front());
     jobs_.pop_front();
     lock.unlock();
-    job.handler(Load(job));
+    Do(job);
     lock.lock();
   }
 }
 
-LoadedTask TaskLoader::Load(const Job& job) {
+void TaskLoader::Do(const Job& job) {
+  BuiltPlugin built;
   try {
-    const bool is_source = job.file.extension() == ".task";
-    if (job.text && !is_source) {
-      throw UserError(fmt::format("{}: a text is that of a .task file", job.file.string()));
-    }
-    if (!job.text && !std::filesystem::exists(job.file)) {
-      return {nullptr, "", fmt::format("{}: there is no such file", job.file.string())};
-    }
-    return is_source ? Build(job) : KeepAsItIs(job.file);
+    built = Build(job);
   } catch (const std::exception& error) {
-    return {nullptr, "", error.what()};
+    return Refuse(job, error.what());
   }
+  if (built.plugin.empty()) return Refuse(job, built.messages);
+  std::visit(variant::Overloaded{
+                 [&](const BuiltHandler& handler) { handler(built); },
+                 [&](const Handler& handler) { handler(Load(job, built)); },
+             },
+             job.handler);
 }
 
-LoadedTask TaskLoader::Build(const Job& job) {
-  const std::filesystem::path built = scratch_.path() / "task.so";
-  TaskBuild build{.task = job.file, .plugin = built, .robots = scratch_.path()};
+void TaskLoader::Refuse(const Job& job, const std::string& why) {
+  std::visit(variant::Overloaded{
+                 [&](const BuiltHandler& handler) {
+                   handler({"", why});
+                 },
+                 [&](const Handler& handler) {
+                   handler({nullptr, "", why});
+                 },
+             },
+             job.handler);
+}
+
+BuiltPlugin TaskLoader::Build(const Job& job) {
+  const bool is_source = job.file.extension() == ".task";
+  if (job.text && !is_source) {
+    throw UserError(fmt::format("{}: a text is that of a .task file", job.file.string()));
+  }
+  if (!job.text && !std::filesystem::exists(job.file)) {
+    throw UserError(fmt::format("{}: there is no such file", job.file.string()));
+  }
+  if (!is_source) return {BroughtIn(job.file), ""};
+  const std::filesystem::path plugin = scratch_.path() / "task.so";
+  TaskBuild build{.task = job.file, .plugin = plugin, .robots = scratch_.path()};
   if (job.text) {
     build.text = scratch_.path() / "task.text";
     WriteFile(build.text, *job.text);
   }
   std::string messages;
-  if (!BuildTask(build, &messages, stop_.get_token())) {
-    return {nullptr, "", stop_.stop_requested() ? kTrainerHasEnded : WithoutEnd(messages)};
-  }
-  LoadedTask task = Keep(built, job.file);
-  task.messages = WithoutEnd(messages);
-  return task;
+  if (BuildTask(build, &messages, stop_.get_token())) return {plugin, WithoutEnd(messages)};
+  return {"", stop_.stop_requested() ? kTrainerHasEnded : WithoutEnd(messages)};
 }
 
-// In the sandbox, what lies outside is brought in first.
-LoadedTask TaskLoader::KeepAsItIs(const std::filesystem::path& plugin) {
-  if (!AreProgramsStartedOutside() || !std::filesystem::is_regular_file(plugin)) {
-    return Keep(plugin, plugin);  // or says why not
+LoadedTask TaskLoader::Load(const Job& job, BuiltPlugin built) {
+  try {
+    LoadedTask task = Keep(built.plugin, job.file);
+    task.messages = std::move(built.messages);
+    return task;
+  } catch (const std::exception& error) {
+    return {nullptr, "", error.what()};
   }
-  const std::filesystem::path copy = scratch_.path() / "outside.so";
+}
+
+// In the sandbox, what lies outside is copied to where it can be read.
+std::filesystem::path TaskLoader::BroughtIn(const std::filesystem::path& plugin) const {
+  const bool is_outside = AreProgramsStartedOutside() && std::filesystem::is_regular_file(plugin);
+  if (!is_outside) return plugin;  // whoever loads it says what is wrong with it
+  std::filesystem::path copy = scratch_.path() / "outside.so";
   CopyPluginFromOutside(plugin, copy);
-  return Keep(copy, plugin);
+  return copy;
 }
 
 // Loaded before it is kept, so that nothing is kept that cannot be loaded; and kept as it was

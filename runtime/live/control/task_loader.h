@@ -11,6 +11,7 @@
 #include <stop_token>
 #include <string>
 #include <thread>
+#include <variant>
 
 #include "runtime/base/scratch_folder.h"
 #include "runtime/core/task/plugin.h"
@@ -24,9 +25,16 @@ struct LoadedTask {
   std::string messages;  // what was wrong, or what the compiler said of a task that it has built
 };
 
+// A plugin that nobody has loaded yet.
+struct BuiltPlugin {
+  std::filesystem::path plugin;  // empty where something was wrong; there until the next is built
+  std::string messages;          // as of a LoadedTask
+};
+
 class TaskLoader {
  public:
   using Handler = std::function<void(LoadedTask)>;
+  using BuiltHandler = std::function<void(const BuiltPlugin&)>;
 
   // Plugins are kept in `run_folder` (runtime/training/run/run_files.h). Tasks are built for the
   // run's robot as its record has it, wherever the robot's own folder has gone.
@@ -43,6 +51,12 @@ class TaskLoader {
   void Load(std::filesystem::path file, Handler handler,
             std::optional<std::string> text = std::nullopt);
 
+  // The same up to where it would be loaded.
+  void BuildOnly(std::filesystem::path file, BuiltHandler handler,
+                 std::optional<std::string> text = std::nullopt);
+
+  // Stops what a handler waits for, as the loader ends.
+  std::stop_token stop_token() const { return stop_.get_token(); }
   // A folder of robots with the run's own.
   const std::filesystem::path& robots_folder() const { return scratch_.path(); }
 
@@ -50,13 +64,16 @@ class TaskLoader {
   struct Job {
     std::filesystem::path file;
     std::optional<std::string> text;
-    Handler handler;
+    std::variant<Handler, BuiltHandler> handler;
   };
 
   void Run();
-  LoadedTask Load(const Job& job);
-  LoadedTask Build(const Job& job);
-  LoadedTask KeepAsItIs(const std::filesystem::path& plugin);
+  void Add(Job job);
+  void Do(const Job& job);
+  static void Refuse(const Job& job, const std::string& why);
+  BuiltPlugin Build(const Job& job);
+  LoadedTask Load(const Job& job, BuiltPlugin built);
+  std::filesystem::path BroughtIn(const std::filesystem::path& plugin) const;
   LoadedTask Keep(const std::filesystem::path& plugin, const std::filesystem::path& name);
 
   const std::filesystem::path run_folder_;

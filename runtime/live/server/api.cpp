@@ -6,7 +6,6 @@
 #include <charconv>
 #include <iterator>
 
-#include "runtime/live/control/command_table.h"
 #include "runtime/live/server/control_file.h"
 #include "runtime/live/server/http_error.h"
 
@@ -70,16 +69,16 @@ json ParseArguments(std::string_view text) {
   }
 }
 
-const CommandSpec& CommandAt(std::string_view path) {
+const CommandSpec& CommandAt(std::string_view path, std::span<const CommandSpec> commands) {
   try {
-    return FindCommand(path.substr(kApi.size()));
+    return FindCommand(commands, path.substr(kApi.size()));
   } catch (const UserError& error) {
     throw HttpError(404, error.what());
   }
 }
 
-Request ReadRequest(const HttpRequest& http) {
-  const CommandSpec& command = CommandAt(PathOf(http.target));
+Request ReadRequest(const HttpRequest& http, std::span<const CommandSpec> commands) {
+  const CommandSpec& command = CommandAt(PathOf(http.target), commands);
   const bool is_get = http.method == "GET";
   if (http.method != "POST" && (!is_get || command.changes())) {
     throw HttpError(
@@ -118,9 +117,9 @@ struct SpecialPath {
 
 const SpecialPath* FindSpecial(std::string_view path) {
   static const SpecialPath kPaths[] = {
-      {"/", PageRoute{Page::kLive}, true},
-      {"/report", PageRoute{Page::kReport}, true},
-      {"/api/record", PageRoute{Page::kRecord}, false},
+      {"/", PageRoute{Page::kLive, ""}, true},
+      {"/report", PageRoute{Page::kReport, ""}, true},
+      {"/api/record", PageRoute{Page::kRecord, ""}, false},
       {"/api/events", StreamRoute::kEvents, true},
       {"/api/view", StreamRoute::kView, true},
       {"/api/language", StreamRoute::kLanguage, true},
@@ -135,13 +134,15 @@ std::string Text(const json& object) {
 
 }  // namespace
 
-Route ReadRoute(const HttpRequest& request) {
+Route ReadRoute(const HttpRequest& request, std::span<const CommandSpec> commands) {
   const std::string_view path = PathOf(request.target);
   if (const SpecialPath* special = FindSpecial(path)) {
     CheckIsGet(request);
-    return special->route;
+    Route route = special->route;
+    if (auto* page = std::get_if<PageRoute>(&route)) page->run = QueryValue(request.target, "run");
+    return route;
   }
-  if (path.starts_with(kApi)) return ReadRequest(request);
+  if (path.starts_with(kApi)) return ReadRequest(request, commands);
   throw HttpError(404, fmt::format("there is nothing at `{}`; commands are at /api/COMMAND, the "
                                    "run's page at /",
                                    path));
@@ -158,16 +159,17 @@ std::string QueryValue(std::string_view target, std::string_view name) {
   return QueryArguments(target).value(std::string(name), "");
 }
 
-HttpResponse MakePage(const PageMaker& maker, Page page, std::string_view host) {
+HttpResponse MakePage(const PageMaker& maker, const PageRoute& route, std::string_view host) {
+  const auto& [page, run] = route;
   switch (page) {
     case Page::kLive: {
       const std::string nonce = NewToken();
-      return {200, kHtml, maker(page, nonce), PolicyOf(nonce, host)};
+      return {200, kHtml, maker(page, nonce, run), PolicyOf(nonce, host)};
     }
     case Page::kReport:
-      return {200, kHtml, maker(page, "")};
+      return {200, kHtml, maker(page, "", run)};
     case Page::kRecord:
-      return {200, kJson, fmt::format("{{\"ok\":true,\"value\":{}}}\n", maker(page, ""))};
+      return {200, kJson, fmt::format("{{\"ok\":true,\"value\":{}}}\n", maker(page, "", run))};
   }
   return {};
 }

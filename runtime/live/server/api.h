@@ -1,6 +1,7 @@
 // What an HTTP request asks for, and how the response is written.
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -20,13 +21,14 @@ struct HttpRequest {
 // A text that is made for browsers.
 struct PageRoute {
   Page page;
+  std::string run;  // which, where the server has many; ""
 };
 // A WebSocket: events as they happen, what is seen of the robot, or a language server.
 enum class StreamRoute { kEvents, kView, kLanguage };
 using Route = std::variant<PageRoute, StreamRoute, Request>;
 
-// The arguments of a Request are checked. Throws HttpError.
-Route ReadRoute(const HttpRequest& request);
+// The arguments of a Request, one of the `commands`, are checked. Throws HttpError.
+Route ReadRoute(const HttpRequest& request, std::span<const CommandSpec> commands);
 
 // Whether a browser asks for it by its address alone, so that the token stands there.
 bool IsForBrowser(std::string_view target);
@@ -42,7 +44,7 @@ struct HttpResponse {
 };
 
 // `host`: of the request. Throws what `maker` throws.
-HttpResponse MakePage(const PageMaker& maker, Page page, std::string_view host);
+HttpResponse MakePage(const PageMaker& maker, const PageRoute& route, std::string_view host);
 
 HttpResponse ResponseOf(const Reply& reply);
 HttpResponse ResponseOf(unsigned status, const std::string& error);

@@ -63,7 +63,7 @@ class HttpConnection final : public Connection,
 
   void Do(Route route);
   void Pass(Request request);
-  void SendPage(Page page);
+  void SendPage(PageRoute route);
   void BecomeStream(StreamRoute route);
 
   void Refuse(HttpResponse response);
@@ -126,7 +126,8 @@ void HttpConnection::OnBody(error_code error) {
   try {
     Do(ReadRoute({.method = message().method_string(),
                   .target = message().target(),
-                  .body = message().body()}));
+                  .body = message().body()},
+                 service_.handler.commands()));
   } catch (const HttpError& refusal) {
     Send(ResponseOf(refusal.status(), refusal.what()));
   }
@@ -163,8 +164,8 @@ void HttpConnection::CheckAccess() const {
 }
 
 void HttpConnection::Do(Route route) {
-  if (const auto* page = std::get_if<PageRoute>(&route)) {
-    SendPage(page->page);
+  if (auto* page = std::get_if<PageRoute>(&route)) {
+    SendPage(std::move(*page));
   } else if (const auto* stream = std::get_if<StreamRoute>(&route)) {
     BecomeStream(*stream);
   } else {
@@ -180,17 +181,18 @@ void HttpConnection::Pass(Request request) {
   });
 }
 
-void HttpConnection::SendPage(Page page) {
+void HttpConnection::SendPage(PageRoute route) {
   const std::string host(Header(http::field::host));
-  net::post(service_.pages, [&service = service_, self = weak_from_this(), page, host] {
-    HttpResponse response;
-    try {
-      response = MakePage(service.page_maker, page, host);
-    } catch (const std::exception& error) {
-      response = ResponseOf(500, error.what());
-    }
-    SendLater(service, self, std::move(response));
-  });
+  net::post(service_.pages,
+            [&service = service_, self = weak_from_this(), route = std::move(route), host] {
+              HttpResponse response;
+              try {
+                response = MakePage(service.page_maker, route, host);
+              } catch (const std::exception& error) {
+                response = ResponseOf(500, error.what());
+              }
+              SendLater(service, self, std::move(response));
+            });
 }
 
 void HttpConnection::BecomeStream(StreamRoute route) {

@@ -34,14 +34,15 @@ struct ServerOptions {
   ServerLimits limits = {};
 };
 
-// What is made for browsers: the page on which the run is watched and tuned, the report, and the
-// record's numbers as JSON, which the first of these draws.
+// What is made for browsers: the page on which what is served is watched and steered, a run's
+// report, and its record's numbers as JSON, which a page draws.
 enum class Page { kLive, kReport, kRecord };
 
 // Makes one of them, on a thread of its own, one at a time. `nonce`: an attribute of the scripts
-// and styles of the live page; all others are refused by the browser. What it throws is told to the
-// client.
-using PageMaker = std::function<std::string(Page page, const std::string& nonce)>;
+// and styles of the live page; all others are refused by the browser. `run`: which one, where many
+// are served. What it throws is told to the client.
+using PageMaker =
+    std::function<std::string(Page page, const std::string& nonce, const std::string& run)>;
 
 // Serves on threads of its own for as long as it lives. Requests are checked, then passed on; what
 // they do is the handler's. The handler must outlive the server; the replies to its requests may

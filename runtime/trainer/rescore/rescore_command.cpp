@@ -19,6 +19,7 @@ namespace {
 struct RescoreOptions {
   std::filesystem::path folder;
   TaskOptions task;
+  int64_t episode = 0;  // 0: all that are recorded
   bool json = false;
 };
 
@@ -27,13 +28,15 @@ std::vector<RescoredRun> RescoreAll(const RescoreOptions& options,
                                     const std::shared_ptr<const Plugin>& new_task,
                                     const StopRequest& stop) {
   const std::vector<std::filesystem::path> folders = FindRuns(options.folder);
-  if (folders.empty()) return {RescoreRun(options.folder, options.folder.string(), new_task, stop)};
+  if (folders.empty()) {
+    return {RescoreRun(options.folder, options.folder.string(), new_task, options.episode, stop)};
+  }
   std::vector<RescoredRun> runs;
   for (const std::filesystem::path& folder : folders) {
     if (stop.signal() != 0) break;
     const std::string name = folder.lexically_relative(options.folder).string();
     try {
-      runs.push_back(RescoreRun(folder, name, new_task, stop));
+      runs.push_back(RescoreRun(folder, name, new_task, options.episode, stop));
     } catch (const UserError& error) {
       text::Print(stderr, "{}: left out: {}\n", name, error.what());
     }
@@ -81,6 +84,10 @@ void AddRescoreCommand(command_line::Command& program) {
       .Required()
       .ValueName("FILE.task");
   AddRobotsOption(command, options->task.robots);
+  command
+      .AddOption("--episode", options->episode,
+                 "judge only this episode; by default all that are recorded")
+      .Range(1, 1'000'000'000);
   command.AddFlag("--json", options->json, "print JSON");
   AddSandboxOption(command);
   command.OnRun([options] { return Rescore(*options); });

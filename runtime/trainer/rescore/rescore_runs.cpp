@@ -36,11 +36,13 @@ class RunRescorer {
         robot_(ReadKeptRobot(scratch_.path(), run_.robot_description)),
         new_task_(std::move(new_task)) {}
 
-  RescoredRun Rescore(const std::string& name, const StopRequest& stop) {
+  RescoredRun Rescore(const std::string& name, int64_t only, const StopRequest& stop) {
+    CheckIsRecorded(only);
     RescoredRun rescored{name, run_.tasks.front().task, run_.profile, {}, {}};
     bool has_tapes = false;
     for (const RecordedEpisode& each : recorded_) {
       if (stop.signal() != 0) break;
+      if (only != 0 && each.number != only) continue;
       const EpisodeRecord& episode = episodes_.at(static_cast<size_t>(each.number - 1));
       const std::optional<Recording> recording = database_.ReadRecording(each.number);
       if (!recording) continue;
@@ -71,6 +73,15 @@ class RunRescorer {
     return *rescorers_.emplace(task, std::move(made)).first->second;
   }
 
+  void CheckIsRecorded(int64_t episode) const {
+    if (episode == 0 ||
+        std::ranges::find(recorded_, episode, &RecordedEpisode::number) != recorded_.end())
+      return;
+    throw UserError(
+        fmt::format("{}: episode {} is not recorded; `trainer rescore {}` judges those that are",
+                    folder_.string(), episode, folder_.string()));
+  }
+
   [[noreturn]] void Refuse(bool has_tapes, const RescoredRun& rescored) const {
     if (has_tapes) throw UserError(folder_.string() + ": " + rescored.left_out.back());
     throw UserError(fmt::format(
@@ -98,8 +109,9 @@ double RescoredRun::recorded_return() const { return MeanOver(episodes, Recorded
 double RescoredRun::new_return() const { return MeanOver(episodes, NewReturn); }
 
 RescoredRun RescoreRun(const std::filesystem::path& folder, const std::string& name,
-                       const std::shared_ptr<const Plugin>& new_task, const StopRequest& stop) {
-  return RunRescorer(folder, new_task).Rescore(name, stop);
+                       const std::shared_ptr<const Plugin>& new_task, int64_t episode,
+                       const StopRequest& stop) {
+  return RunRescorer(folder, new_task).Rescore(name, episode, stop);
 }
 
 RankCorrelation OrderOf(const RescoredRun& run) {

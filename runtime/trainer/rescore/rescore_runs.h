@@ -1,6 +1,7 @@
 // The recorded episodes of runs, judged by another task.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -27,8 +28,10 @@ struct RescoredRun {
 
 // Throws UserError where the run has no episode that can be simulated again, or where the task does
 // not fit its robot. Of a run that is being trained those that are there by now.
+// `episode`: only this one, which must be recorded; 0: all that are.
 RescoredRun RescoreRun(const std::filesystem::path& folder, const std::string& name,
-                       const std::shared_ptr<const Plugin>& new_task, const StopRequest& stop);
+                       const std::shared_ptr<const Plugin>& new_task, int64_t episode,
+                       const StopRequest& stop);
 
 // Over the episodes of a run, and over the runs.
 RankCorrelation OrderOf(const RescoredRun& run);

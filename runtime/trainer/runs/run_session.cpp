@@ -38,7 +38,7 @@ int Fail(const RunParts& run, LiveRun& live, Progress& progress, const UserError
 }
 
 PageMaker PagesOf(const std::filesystem::path& folder) {
-  return [folder](Page page, const std::string& nonce) {
+  return [folder](Page page, const std::string& nonce, const std::string&) {
     switch (page) {
       case Page::kLive:
         return LivePage(folder, nonce);
@@ -141,6 +141,12 @@ int RunSession(const RunParts& run, const SessionOptions& options, Descriptor lo
       StartServer(run, options, std::move(loopback), live, progress);
   live.PublishTo(server.get());
   if (server != nullptr) progress.SetAddress(server->page_address());
+  live.RescoreBy([folder = run.folder](const std::filesystem::path& plugin, int64_t episode) {
+    const std::string program = std::filesystem::read_symlink("/proc/self/exe").string();
+    return std::vector<std::string>{
+        program,         "rescore",   folder.string(),         "--task",
+        plugin.string(), "--episode", std::to_string(episode), "--json"};
+  });
   progress.Note(fmt::format("{}: task {}, {}, seed {}, episodes {} to {}", name,
                             run.record.tasks.front().task, RobotText(run.record), run.record.seed,
                             training.episodes_done() + 1, run.record.episodes_planned));

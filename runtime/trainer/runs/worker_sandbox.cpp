@@ -1,5 +1,7 @@
 #include "runtime/trainer/runs/worker_sandbox.h"
 
+#include <algorithm>
+#include <cctype>
 #include <string>
 #include <vector>
 
@@ -31,9 +33,21 @@ bool MayBuild(const std::vector<std::string>& words) {
   return true;
 }
 
-// What the sandbox's other side starts: the compiler, where it writes nothing but a plugin.
+// `trainer rescore RUN --task PLUGIN --episode N --json`: it enters a sandbox of its own.
+bool MayRescore(const std::vector<std::string>& words) {
+  const auto is_digit = [](unsigned char c) { return std::isdigit(c) != 0; };
+  return words.size() == 8 && !words[2].starts_with('-') && words[3] == "--task" &&
+         IsInTemporaryFolder(words[4]) && words[5] == "--episode" &&
+         std::ranges::all_of(words[6], is_digit) && words[7] == "--json";
+}
+
+// What the sandbox's other side starts: the compiler, where it writes nothing but a plugin, and
+// what judges a recorded episode by another task.
 bool MayStartOutside(const std::vector<std::string>& words) {
-  if (words.size() < 2 || words[0] != CompilerProgram()) return false;
+  if (words.size() < 2) return false;
+  if (words[0] == fs::read_symlink("/proc/self/exe"))
+    return words[1] == "rescore" && MayRescore(words);
+  if (words[0] != CompilerProgram()) return false;
   if (words[1] == "build") return MayBuild(words);
   if (words[1] == "lsp") return words.size() == 4 && words[2] == "--robots";
   return words[1] == "fault" && words.size() == 7 && words[4] == "--robots" && words[6] == "--json";

@@ -15,6 +15,24 @@ using testing::IsEmpty;
 using testing::Not;
 using testing::SizeIs;
 
+// In a process of its own, so that a task that crashes takes nothing with it; the run learns on as
+// if nothing had been asked.
+TEST_F(LiveTest, ARecordedEpisodeIsJudgedByAnotherTask) {
+  Serve(3);
+  RunEpisodes(1);
+  const json judged = Ask({"rescore", TaskFile("upright")});
+  EXPECT_EQ(judged["recorded"].front(), 1);
+  const auto number = judged["episode"].get<size_t>();
+  EXPECT_EQ(judged["episode"], judged["recorded"].back());
+  EXPECT_EQ(judged["recorded_return"], Episodes().at(number - 1).active.episode_return);
+  EXPECT_NE(judged["old"]["terms"], judged["new"]["terms"]);
+  EXPECT_THAT(Refusal({"rescore", TaskFile("upright"), "--episode", "77"}),
+              testing::HasSubstr("episode 77 is not recorded"));
+  EXPECT_THAT(Refusal({"rescore", Plugin("crashes")}), testing::HasSubstr("cannot be judged"));
+  EXPECT_EQ(Ask({"list"})["tasks"].size(), 1u);
+  EXPECT_EQ(Changes().size(), 0u);
+}
+
 TEST_F(LiveTest, WhatWasChangedIsEvaluatedAsItWas) {
   Serve(100,
         {"--set", "learner.episode_end=immediate"});  // at the limit, not when an action is over

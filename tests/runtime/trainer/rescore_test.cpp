@@ -68,6 +68,24 @@ TEST_F(RescoreTest, SaysWhereAnotherTaskFirstDiffers) {
   EXPECT_NEAR(episode["first_difference"]["time"], 0.005, 1e-9);
 }
 
+TEST_F(RescoreTest, JudgesOneEpisodeAlone) {
+  Train("run", 4, {"--record-every", "2"});
+  const std::vector<std::string> words = {"rescore",           RunFolder("run"), "--task",
+                                          TaskFile("leaning"), "--json",         "--episode"};
+  const auto judge = [&](const std::string& episode) {
+    std::vector<std::string> all = words;
+    all.push_back(episode);
+    return Trainer(std::move(all));
+  };
+  const json run = json::parse(judge("2").output)["runs"][0];
+  ASSERT_THAT(run["episodes"], SizeIs(1));
+  EXPECT_EQ(run["episodes"][0]["episode"], 2);
+  EXPECT_EQ(run["episodes"][0]["old"], run["episodes"][0]["new"]);
+  const ProgramResult wrong = judge("9");
+  EXPECT_EQ(wrong.exit_status, 1);
+  EXPECT_THAT(wrong.errors, HasSubstr("episode 9 is not recorded"));
+}
+
 TEST_F(RescoreTest, PutsRunsInOrder) {
   for (const char* seed : {"1", "2", "3"})
     Train(std::string("runs/seed") + seed, 3, {"--record-every", "1", "--seed", seed});

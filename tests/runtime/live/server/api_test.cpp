@@ -153,6 +153,8 @@ TEST_F(ApiTest, ThePageIsMadeWhenItIsAskedFor) {
   EXPECT_THAT(response.body, HasSubstr("<html>live"));
   EXPECT_THAT(response.header, HasSubstr("Content-Type: text/html"));
   EXPECT_EQ(ResponseTo("GET", "/report", Credentials()).body, "<html>a report</html>");
+  EXPECT_EQ(ResponseTo("GET", "/report?run=+of+many%2Fseed1", Credentials()).body,
+            "<html>a report of many/seed1</html>");
   EXPECT_EQ(json::parse(ResponseTo("GET", "/api/record", Credentials()).body),
             json::parse(R"({"ok": true, "value": {"a": 1}})"));
 }
@@ -174,9 +176,10 @@ TEST_F(ApiTest, TheLivePageRunsNoScriptButItsOwn) {
 }
 
 TEST_F(ApiTest, APageThatCannotBeMadeSaysWhy) {
-  const Server server({.folder = folder()}, handler_, [](Page, const std::string&) -> std::string {
-    throw UserError("no episode yet");
-  });
+  const Server server({.folder = folder()}, handler_,
+                      [](Page, const std::string&, const std::string&) -> std::string {
+                        throw UserError("no episode yet");
+                      });
   RawClient client = OnSocket();
   client.Send(RequestText("GET", "/", "Host: x\r\n"));
   const RawResponse response = client.Receive();

@@ -55,7 +55,7 @@ TEST_F(EndTest, IsPromptWhileClientsAreConnected) {
 TEST_F(EndTest, IsPromptWhereClientsTakeNothing) {
   const std::string page(20'000'000, 'x');
   server_.emplace(ServerOptions{.folder = folder()}, handler_,
-                  [&](Page, const std::string&) { return page; });
+                  [&](Page, const std::string&, const std::string&) { return page; });
   RawClient client = OnSocket();
   client.Send(RequestText("GET", "/", ""));
   std::this_thread::sleep_for(100ms);

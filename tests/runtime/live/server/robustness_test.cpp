@@ -127,7 +127,7 @@ TEST_F(RobustnessTest, AClientThatTakesNoAnswerIsLetGo) {
   limits.idle_timeout = 500ms;
   const std::string page(20'000'000, 'x');
   const Server server({.folder = folder(), .limits = limits}, handler_,
-                      [&](Page, const std::string&) { return page; });
+                      [&](Page, const std::string&, const std::string&) { return page; });
   RawClient client = OnSocket();
   client.Send(RequestText("GET", "/", ""));
   std::this_thread::sleep_for(100ms);

@@ -28,10 +28,12 @@ class ServerTest : public testing::Test {
   void Start(const ServerLimits& limits = {}) { Start({.folder = folder(), .limits = limits}); }
   // Pages say what they are.
   void Start(const ServerOptions& options) {
-    server_.emplace(options, handler_, [](Page page, const std::string& nonce) -> std::string {
-      if (page == Page::kLive) return "<html>live, nonce " + nonce + "</html>";
-      return page == Page::kReport ? "<html>a report</html>" : "{\"a\":1}";
-    });
+    server_.emplace(options, handler_,
+                    [](Page page, const std::string& nonce, const std::string& run) -> std::string {
+                      if (page == Page::kLive) return "<html>live, nonce " + nonce + "</html>";
+                      return page == Page::kReport ? "<html>a report" + run + "</html>"
+                                                   : "{\"a\":1}";
+                    });
     const nlohmann::json control = ControlFileContent();
     token_ = control["token"];
     const std::string url = control["url"];
