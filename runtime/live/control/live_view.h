@@ -31,8 +31,6 @@ class LiveView : public EpisodeWatcher {
   void BreakOff(const Environment& environment) override;
 
  private:
-  using Clock = std::chrono::steady_clock;
-
   // An episode that is kept until it is over.
   struct Kept {
     int64_t episode = 0;
@@ -43,7 +41,7 @@ class LiveView : public EpisodeWatcher {
 
   void Look(int64_t episode, int64_t steps, const EpisodeModules& modules) override;
   // Whether it is this environment's episode that is looked at.
-  bool Claim(const Environment& environment, int64_t steps, Clock::time_point now);
+  bool Claim(const Environment& environment, int64_t steps, std::chrono::nanoseconds now);
   void RefreshLayout(const EpisodeModules& modules);
   void ShowInstant(int64_t episode, int64_t steps, const EpisodeModules& modules);
   void StartEpisode(int64_t episode, const EpisodeModules& modules);
@@ -57,8 +55,8 @@ class LiveView : public EpisodeWatcher {
   std::mutex mutex_;  // guards all of the following
   ViewWish wish_;
   const Environment* looked_at_ = nullptr;
-  Clock::time_point last_look_;
-  Clock::time_point last_instant_;
+  std::chrono::nanoseconds last_look_{};  // of the monotonic clock
+  std::chrono::nanoseconds last_instant_{};
   std::optional<ViewLayout> layout_;
   std::shared_ptr<const std::string> layout_text_;
   std::optional<Kept> kept_;
