@@ -44,8 +44,8 @@ class InstallTest : public testing::Test {
     ASSERT_EQ(configured.exit_status, 0) << configured.errors;
     for (const char* part :
          {"bin/taskc", "bin/trainer", "share/taskc/report", "share/taskc/study",
-          "share/taskc/document", "share/taskc/probe", "share/taskc/live", "packaging/man1",
-          "packaging/bash", "packaging/zsh", "packaging/fish", "lib"}) {
+          "share/taskc/document", "share/taskc/probe", "share/taskc/live", "share/taskc/runs",
+          "packaging/man1", "packaging/bash", "packaging/zsh", "packaging/fish", "lib"}) {
       if (!std::filesystem::exists(std::filesystem::path(BUILD_DIR) / part)) continue;
       std::filesystem::create_directories((build_ / part).parent_path());
       std::filesystem::copy(std::filesystem::path(BUILD_DIR) / part, build_ / part,

@@ -8,8 +8,8 @@
 
 namespace runtime {
 
-// share/taskc/NAME beside the running program's folder; "report", "live", "study" and "probe" are
-// there.
+// share/taskc/NAME beside the running program's folder; "report", "live", "runs", "study" and
+// "probe" are there.
 std::filesystem::path PageFolder(std::string_view name);
 
 // template.html of `folder` with page.css, page.js and `data` in it; data.title is the title,

@@ -6,6 +6,7 @@
 
 #include "runtime/base/user_error.h"
 #include "runtime/live/client/client.h"
+#include "runtime/training/run/run_database.h"
 
 namespace runtime {
 namespace {
@@ -24,7 +25,8 @@ std::vector<std::string> TrainersUnder(const std::filesystem::path& root) {
     std::error_code ignored;
     if (!entry->is_socket(ignored)) continue;
     const std::filesystem::path folder = entry->path().parent_path();
-    if (HasTrainer(folder)) folders.push_back(folder.string());
+    // Who serves a folder of runs listens there, too.
+    if (RunDatabase::Exists(folder) && HasTrainer(folder)) folders.push_back(folder.string());
   }
   std::ranges::sort(folders);
   return folders;

@@ -18,12 +18,13 @@
 namespace runtime {
 
 struct Supervisor::Job {
-  RunProgress& run;
+  size_t run;  // index: more runs may come
   Worker worker;
   int64_t episodes_before = 0;  // when this worker began
+  bool is_to_end = false;       // it was asked to, alone
 
-  Job(RunProgress& progress, const WorkerWords& words)
-      : run(progress), worker(words(progress)), episodes_before(progress.episodes) {}
+  Job(size_t index, const RunProgress& progress, const WorkerWords& words)
+      : run(index), worker(words(progress)), episodes_before(progress.episodes) {}
 };
 
 namespace {
@@ -80,33 +81,58 @@ Supervisor::~Supervisor() = default;
 
 bool Supervisor::Run(const StopRequest& stop) {
   StartWorkers();
-  while (!running_.empty()) {
-    Wait();
-    StopWorkers(stop);
-    if (!is_stopping()) StartWorkers();
-  }
+  while (has_workers()) Turn(stop);
   return std::ranges::all_of(
       runs_, [](const RunProgress& run) { return run.state == RunProgressState::kFinished; });
 }
 
+void Supervisor::Turn(const StopRequest& stop, int wake) {
+  if (!is_stopping()) StartWorkers();  // those that were added
+  Wait(wake);
+  StopWorkers(stop);
+  if (!is_stopping()) StartWorkers();
+}
+
+void Supervisor::Add(RunProgress run) {
+  const auto known = std::ranges::find(runs_, run.name, &RunProgress::name);
+  if (known == runs_.end()) {
+    runs_.push_back(std::move(run));
+  } else if (known->state != RunProgressState::kRunning) {
+    *known = std::move(run);
+  }
+}
+
+bool Supervisor::End(const std::string& name) {
+  const auto run = std::ranges::find(runs_, name, &RunProgress::name);
+  if (run == runs_.end()) return false;
+  if (run->state == RunProgressState::kWaiting) run->state = RunProgressState::kStopped;
+  for (const auto& job : running_) {
+    if (&runs_[job->run] != &*run) continue;
+    job->is_to_end = true;
+    job->worker.Send(SIGTERM);
+    return true;
+  }
+  return run->state == RunProgressState::kStopped;
+}
+
 void Supervisor::StartWorkers() {
   const size_t before = running_.size();
-  for (RunProgress& run : runs_) {
-    if (running_.size() >= jobs_) break;
-    if (run.state != RunProgressState::kWaiting) continue;
-    run.state = RunProgressState::kRunning;
-    running_.push_back(std::make_unique<Job>(run, words_));
+  for (size_t i = 0; i < runs_.size() && running_.size() < jobs_; ++i) {
+    if (runs_[i].state != RunProgressState::kWaiting) continue;
+    runs_[i].state = RunProgressState::kRunning;
+    running_.push_back(std::make_unique<Job>(i, runs_[i], words_));
   }
   if (running_.size() > before) listener_.OnStart();
 }
 
-void Supervisor::Wait() {
+void Supervisor::Wait(int wake) {
   constexpr int kLookAtStop = 200;  // ms: how soon Ctrl-C is noticed where nothing is printed
   std::vector<pollfd> waits;
   for (const auto& job : running_) {
     waits.push_back({job->worker.output().descriptor(), POLLIN, 0});
     waits.push_back({job->worker.errors().descriptor(), POLLIN, 0});
   }
+  waits.push_back({wake, POLLIN, 0});  // one that is negative is passed over
   if (poll(waits.data(), waits.size(), kLookAtStop) <= 0) return;
   for (size_t i = 0; i < running_.size(); ++i) {
     ReadFrom(*running_[i], waits[2 * i].revents, waits[2 * i + 1].revents);
@@ -125,8 +151,8 @@ void Supervisor::ReadFrom(Job& job, short output_events, short error_events) {
   if (error_events != 0) {
     job.worker.errors().Read([&](std::string_view line) {
       if (line.starts_with(kStopNotice)) return;  // the listener was told of all at once
-      job.run.failure = line;
-      listener_.OnMessage(job.run, line);
+      runs_[job.run].failure = line;
+      listener_.OnMessage(runs_[job.run], line);
     });
   }
 }
@@ -134,18 +160,19 @@ void Supervisor::ReadFrom(Job& job, short output_events, short error_events) {
 void Supervisor::OnLine(Job& job, std::string_view line) {
   const auto json = nlohmann::json::parse(line, nullptr, false);
   if (!json.is_object()) return;  // cut off by a crash
-  if (json.contains("episode")) CountEpisode(json, job.run);
-  listener_.OnLine(job.run, line);
+  RunProgress& run = runs_[job.run];
+  if (json.contains("episode")) CountEpisode(json, run);
+  listener_.OnLine(run, line);
 }
 
 void Supervisor::OnEnd(Job& job) {
-  RunProgress& run = job.run;
+  RunProgress& run = runs_[job.run];
   const int status = job.worker.WaitStatus();
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0) {
     run.state = RunProgressState::kFinished;
     return;
   }
-  if (is_stopping()) {
+  if (is_stopping() || job.is_to_end) {
     run.state = RunProgressState::kStopped;
     return;
   }

@@ -81,13 +81,23 @@ class Supervisor {
   // Returns whether all are finished.
   bool Run(const StopRequest& stop);
 
+  // For those whose runs come and go. Looks after the workers once, for at most a fifth of a
+  // second, or until `wake` can be read (-1: nothing else is waited for).
+  void Turn(const StopRequest& stop, int wake = -1);
+  // One more run, or one that has no worker now and is to go on.
+  void Add(RunProgress run);
+  // Asks the worker of this run to end after the current episode; takes one that waits off its
+  // place. Returns whether it is one of them.
+  bool End(const std::string& name);
+  bool has_workers() const { return !running_.empty(); }
+
   const std::vector<RunProgress>& runs() const { return runs_; }
 
  private:
   struct Job;
 
   void StartWorkers();
-  void Wait();
+  void Wait(int wake);
   void ReadFrom(Job& job, short output_events, short error_events);
   void OnLine(Job& job, std::string_view line);
   void OnEnd(Job& job);

@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <fstream>
+
 #include "runtime/live/server/control_socket.h"
 #include "tests/runtime/training/run/error_of.h"
 #include "tests/runtime/training/run/temporary_folder.h"
@@ -22,6 +24,7 @@ class ListeningRun {
  private:
   static Descriptor MadeFolder(const std::filesystem::path& path) {
     std::filesystem::create_directories(path);
+    std::ofstream(path / "run.db") << "of a run";
     return OpenRunFolder(path);
   }
 
@@ -34,6 +37,14 @@ TEST(FindTrainer, TakesTheOnlyOneHoweverDeep) {
   std::filesystem::create_directories(root.path() / "finished");
   const ListeningRun run(root.path() / "study" / "crawling-fast" / "seed1");
   EXPECT_EQ(FindTrainer(root.path()), root.path() / "study" / "crawling-fast" / "seed1");
+}
+
+TEST(FindTrainer, PassesOverWhoServesAFolderOfRuns) {
+  const TemporaryFolder root;
+  const ListeningRun many(root.path());
+  std::filesystem::remove(root.path() / "run.db");
+  const ListeningRun run(root.path() / "seed1");
+  EXPECT_EQ(FindTrainer(root.path()), root.path() / "seed1");
 }
 
 TEST(FindTrainer, NamesThemAllWhereThereAreSeveral) {
