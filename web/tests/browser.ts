@@ -4,10 +4,18 @@
 // CHROMIUM names the browser; without it the exit status is 77 (skipped).
 
 import assert from "node:assert/strict";
-import { existsSync, mkdirSync } from "node:fs";
 import { pathToFileURL } from "node:url";
 
-import { chromium, type Browser, type BrowserContextOptions, type Page } from "playwright-core";
+import type { Browser, BrowserContextOptions, Page } from "playwright-core";
+
+import {
+  fitsItsWidth,
+  inBrowser,
+  onPage as onPageAt,
+  screenshotsIn,
+  textOf,
+  type Check,
+} from "./in_browser.ts";
 
 import { hasNoSeriousFault } from "./accessibility.ts";
 import {
@@ -21,36 +29,18 @@ import {
 
 const [fullPage = "", firstPage = "", tunedPage = "", studyPage = "", probePage = "", screenshots = "."] =
   process.argv.slice(2);
-const kBrowser = process.env["CHROMIUM"] ?? "";
-const kSoftwareGl = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
 
-const kPatience = 120_000; // [ms]: the machine may have other things to do
-
-type Check = (page: Page) => Promise<void>;
-
-/** Opens `file`, runs `check`, and fails for anything on the console and for any request. */
+/** Opens `file`, which asks for nothing else. */
 async function onPage(
   browser: Browser,
   file: string,
   options: BrowserContextOptions,
   check: Check,
 ): Promise<void> {
-  const page = await browser.newPage({ viewport: { width: 1280, height: 900 }, ...options });
-  page.setDefaultTimeout(kPatience);
-  const complaints: string[] = [];
-  page.on("console", (message) => {
-    if (message.type() === "error") complaints.push(message.text());
-  });
-  page.on("pageerror", (error) => complaints.push(String(error.stack)));
-  page.on("request", (request) => {
-    if (!/^(file|data|blob):/.test(request.url())) complaints.push(`request: ${request.url()}`);
-  });
   const [path = "", fragment] = file.split("#");
-  await page.goto(pathToFileURL(path).href + (fragment ? `#${fragment}` : ""));
-  await page.locator("html[data-ready=true]").waitFor({ state: "attached" });
-  await check(page);
-  await page.close();
-  assert.deepEqual(complaints, []);
+  const url = pathToFileURL(path).href + (fragment ? `#${fragment}` : "");
+  const address = { url, isOwn: (asked: string) => asked.startsWith("file:") };
+  await onPageAt(browser, address, { viewport: { width: 1280, height: 900 }, ...options }, check);
 }
 
 /** How many pixels of what `selector` shows are colored, as the robot's limbs are. */
@@ -72,9 +62,6 @@ async function colorfulPixels(page: Page, selector: string): Promise<number> {
     return colorful;
   }, png.toString("base64"));
 }
-
-const textOf = async (page: Page, selector: string): Promise<string> =>
-  (await page.locator(selector).textContent()) ?? "";
 
 const secondsOf = async (page: Page): Promise<number> =>
   Number.parseFloat(await textOf(page, "#clock"));
@@ -431,13 +418,6 @@ const readsATap: Check = async (page) => {
   assert.equal(await mark.getAttribute("aria-pressed"), "true");
 };
 
-const fitsItsWidth: Check = async (page) => {
-  const overflow = await page.evaluate(
-    () => document.documentElement.scrollWidth - document.documentElement.clientWidth,
-  );
-  assert.equal(overflow, 0);
-};
-
 const saysThatNothingIsRecorded: Check = async (page) => {
   assert.match(await textOf(page, "#stage-message"), /No episode has been recorded/);
   assert.equal(await page.locator("#curve canvas").count(), 1);
@@ -454,23 +434,11 @@ const saysThatWebGlIsMissing: Check = async (page) => {
   assert.match(await textOf(page, "#timeline-now"), /^\s*[1-9]/);
 };
 
+const takePicture = screenshotsIn(screenshots);
 const screenshot =
   (name: string): Check =>
-  async (page) => {
-    await page.screenshot({ path: `${screenshots}/${name}.png`, fullPage: true });
-  };
-
-async function inBrowser(args: string[], run: (browser: Browser) => Promise<void>): Promise<void> {
-  const browser = await chromium.launch({
-    executablePath: kBrowser,
-    args: ["--no-sandbox", ...args],
-  });
-  try {
-    await run(browser);
-  } finally {
-    await browser.close();
-  }
-}
+  (page) =>
+    takePicture(page, name, true);
 
 async function checkFullPage(browser: Browser): Promise<void> {
   await onPage(browser, fullPage, { colorScheme: "light" }, async (page) => {
@@ -534,12 +502,7 @@ async function checkProbePage(browser: Browser): Promise<void> {
   });
 }
 
-if (!existsSync(kBrowser)) {
-  console.log("skipped: there is no Chromium (Debian: apt install chromium)");
-  process.exit(77);
-}
-mkdirSync(screenshots, { recursive: true });
-await inBrowser(kSoftwareGl, async (browser) => {
+await inBrowser(async (browser) => {
   await checkFullPage(browser);
   await onPage(browser, firstPage, {}, saysThatNothingIsRecorded);
   await onPage(browser, tunedPage, {}, async (page) => {
@@ -562,9 +525,9 @@ await inBrowser(kSoftwareGl, async (browser) => {
   await checkStudyPage(browser);
   await checkProbePage(browser);
 });
-await inBrowser(["--disable-3d-apis"], async (browser) => {
+await inBrowser(async (browser) => {
   await onPage(browser, fullPage, {}, async (page) => {
     await saysThatWebGlIsMissing(page);
     await screenshot("without-webgl")(page);
   });
-});
+}, ["--disable-3d-apis"]);

@@ -8,6 +8,8 @@ const report = {
   episode: Float32Array.of(1, 2),
   returns: Float32Array.of(10, 20),
   changes: [],
+  ends: [{ kind: "truncated", reason: "time is up", count: 2 }],
+  endOf: [0, 0],
   terms: [{ name: "forward", unit: "", doc: "", values: Float32Array.of(1, 2) }],
   metrics: [],
   learner: [],
@@ -77,4 +79,40 @@ test("what a change made of the task is learned after the change", () => {
   assert.ok(record.takeDifferences([told]));
   assert.deepEqual(record.changes.map(({ difference }) => difference), ["param weight: removed\n", undefined]);
   assert.ok(!record.takeDifferences([told]));
+});
+
+test("however many episodes, there are so many rows at most, each a mean", () => {
+  const record = new GrowingRecord(report, 4);
+  for (let i = 3; i <= 9; ++i) record.add(event(i), undefined);
+  // 1..8 in rows of two, then halved once more with what the ninth brought.
+  assert.equal(record.episodesPerRow, 4);
+  assert.deepEqual(record.episodes, [4, 8, 9]);
+  assert.deepEqual(record.returns, [25, 65, 90]);
+  assert.deepEqual(valuesOf(record, "forward"), [2.5, 6.5, 9]);
+  assert.deepEqual(record.best, { episode: 9, value: 90 });
+  for (let i = 10; i <= 1000; ++i) record.add(event(i), undefined);
+  assert.ok(record.episodes.length <= 4);
+  assert.equal(record.episodes.at(-1), 1000);
+  const mean = record.returns.reduce((sum, value) => sum + value, 0) / record.returns.length;
+  assert.ok(mean > 4000 && mean < 6500);
+  assert.equal(record.rowsOf(20), 1);
+});
+
+test("a long record is halved when it is read", () => {
+  const episode = Float32Array.from({ length: 9 }, (_, i) => i + 1);
+  const long = { ...report, episode, returns: episode, terms: [], endOf: Array(9).fill(0) };
+  const record = new GrowingRecord(long as unknown as Report, 4);
+  assert.deepEqual(record.episodes, [4, 8, 9]);
+  assert.deepEqual(record.returns, [2.5, 6.5, 9]);
+  record.add(event(10), undefined);
+  assert.deepEqual(record.episodes, [4, 8, 10]);
+  assert.deepEqual(record.returns, [2.5, 6.5, 54.5]);
+});
+
+test("a run that went back to a checkpoint is cut there, also within a row", () => {
+  const record = new GrowingRecord(report, 4);
+  for (let i = 3; i <= 9; ++i) record.add(event(i), undefined);
+  record.add(event(6), undefined);
+  assert.deepEqual(record.episodes, [4, 6]);
+  assert.deepEqual(record.returns, [25, 60]);
 });

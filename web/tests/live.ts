@@ -2,94 +2,28 @@
 // the browser; without it the exit status is 77 (skipped).
 
 import assert from "node:assert/strict";
-import { spawn, type ChildProcess } from "node:child_process";
-import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync } from "node:fs";
-import { tmpdir } from "node:os";
 import { join } from "node:path";
 
-import { chromium, type Browser, type BrowserContextOptions, type Page } from "playwright-core";
+import type { Page } from "playwright-core";
+
+import {
+  fitsItsWidth,
+  hasNoSeriousFault,
+  inBrowser,
+  kPhone,
+  numberIn,
+  onPage,
+  screenshotsIn,
+  sleep,
+  textOf,
+} from "./in_browser.ts";
+import { inFolder, Trainer } from "./trainer.ts";
 
 const [trainer = "", task = "", screenshots = "."] = process.argv.slice(2);
-const kBrowser = process.env["CHROMIUM"] ?? "";
-const kSoftwareGl = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
-const kPatience = 120_000; // [ms]: the machine may have other things to do
-const kDesktop = { width: 1280, height: 800 };
-const kPhone = { width: 390, height: 844 };
-
-interface Control {
-  url: string;
-  token: string;
-}
-
-const sleep = (time: number): Promise<void> => new Promise((done) => setTimeout(done, time));
-
-async function startTrainer(folder: string): Promise<[ChildProcess, Control]> {
-  const run = join(folder, "run");
-  const words = ["serve", task, "--profile", "fast-tree", "--episodes", "100000", "--seed", "1"];
-  const process = spawn(trainer, [...words, "--out", run, "--quiet"], { stdio: "inherit" });
-  for (const end = Date.now() + kPatience; Date.now() < end; await sleep(50)) {
-    const file = join(run, "control.json");
-    if (existsSync(file)) return [process, JSON.parse(readFileSync(file, "utf8")) as Control];
-  }
-  throw new Error("the trainer does not serve");
-}
-
-class Run {
-  constructor(readonly control: Control) {}
-
-  get page(): string {
-    return `${this.control.url}?token=${this.control.token}`;
-  }
-  async ask(command: string, args: object = {}): Promise<any> {
-    const response = await fetch(`${this.control.url}api/${command}`, {
-      method: "POST",
-      headers: { Authorization: `Bearer ${this.control.token}` },
-      body: JSON.stringify(args),
-    });
-    const reply = (await response.json()) as { ok: boolean; value: unknown; error: string };
-    assert.ok(reply.ok, reply.error);
-    return reply.value;
-  }
-}
-
-/** Fails for anything on the console, and for any request that does not go to the trainer. */
-async function onPage(
-  browser: Browser,
-  run: Run,
-  options: BrowserContextOptions,
-  check: (page: Page) => Promise<void>,
-): Promise<void> {
-  const page = await browser.newPage({ viewport: kDesktop, ...options });
-  page.setDefaultTimeout(kPatience);
-  const complaints: string[] = [];
-  page.on("console", (message) => {
-    const isRefusal = message.text().includes("status of 422"); // what is asked for on purpose
-    if (message.type() === "error" && !isRefusal) complaints.push(message.text());
-  });
-  page.on("pageerror", (error) => complaints.push(String(error.stack)));
-  page.on("request", (request) => {
-    const { host } = new URL(run.control.url);
-    const isOurs = /^(data|blob):/.test(request.url()) || new URL(request.url()).host === host;
-    if (!isOurs) complaints.push(`request: ${request.url()}`);
-  });
-  await page.goto(run.page);
-  await page.locator("html[data-ready=true]").waitFor({ state: "attached" });
-  await check(page);
-  await page.close();
-  assert.deepEqual(complaints, []);
-}
-
-const textOf = async (page: Page, selector: string): Promise<string> =>
-  (await page.locator(selector).first().textContent()) ?? "";
-
-/** "−1.250" as the page writes numbers. */
-const numberIn = (text: string): number => Number(text.replace(/\u2212/g, "-").replace(/\u202f/g, ""));
+const screenshot = screenshotsIn(screenshots);
 
 const isAbout = (shown: number, value: number): boolean =>
   Math.abs(shown - value) <= 6e-4 * Math.max(1, Math.abs(value));
-
-const screenshot = (page: Page, name: string, fullPage = false): Promise<unknown> =>
-  page.screenshot({ path: join(screenshots, `${name}.png`), fullPage });
 
 async function showsTheRun(page: Page): Promise<void> {
   assert.equal(await textOf(page, "#state"), "running");
@@ -98,14 +32,11 @@ async function showsTheRun(page: Page): Promise<void> {
   assert.ok((await page.locator("#lines .pays").count()) >= 1);
   assert.ok((await page.locator(".value-row").count()) >= 3);
   await page.locator("#curve canvas").waitFor();
-  const overflow = await page.evaluate(
-    () => document.documentElement.scrollWidth - document.documentElement.clientWidth,
-  );
-  assert.equal(overflow, 0, "fits its width");
+  await fitsItsWidth(page);
 }
 
 /** A paused run: what the page says is what the API says. */
-async function numbersAreThoseOfTheApi(page: Page, run: Run): Promise<void> {
+async function numbersAreThoseOfTheApi(page: Page, run: Trainer): Promise<void> {
   await page.getByRole("button", { name: "Pause" }).click();
   await page.locator('#state[data-state="paused"]').waitFor();
   await page.locator("#step").click();
@@ -133,7 +64,7 @@ async function numbersAreThoseOfTheApi(page: Page, run: Run): Promise<void> {
   await page.locator('#state[data-state="running"]').waitFor();
 }
 
-async function aSliderSetsAParameter(page: Page, run: Run): Promise<void> {
+async function aSliderSetsAParameter(page: Page, run: Trainer): Promise<void> {
   const [task] = (await run.ask("list")).tasks;
   const parameter = task.params.find((each: { minimum?: number; maximum?: number; value: unknown }) =>
     typeof each.value === "number" && each.minimum !== undefined && each.maximum !== undefined);
@@ -150,7 +81,7 @@ async function aSliderSetsAParameter(page: Page, run: Run): Promise<void> {
 }
 
 /** The learner without a task: the trainer says why not, and nothing has changed. */
-async function aRewiringIsRefusedWithAReason(page: Page, run: Run): Promise<void> {
+async function aRewiringIsRefusedWithAReason(page: Page, run: Trainer): Promise<void> {
   await page.locator('[data-port="task.reward"]').first().waitFor();
   const before = await run.ask("graph", { format: "json" });
   await page.getByText("Connections as a list").click();
@@ -162,7 +93,7 @@ async function aRewiringIsRefusedWithAReason(page: Page, run: Run): Promise<void
 }
 
 /** Edit, see the error, mend it, try it as a shadow, promote it, and go back. */
-async function aTaskIsEdited(page: Page, run: Run): Promise<void> {
+async function aTaskIsEdited(page: Page, run: Trainer): Promise<void> {
   await page.locator("#editor-open").click();
   await page.locator(".cm-content").click();
   await page.keyboard.press("Control+End");
@@ -189,46 +120,82 @@ async function aTaskIsEdited(page: Page, run: Run): Promise<void> {
   await page.locator('.task-card[data-module="task"][data-role="active"]').waitFor();
 }
 
-if (!existsSync(kBrowser)) {
-  console.log("skipped: there is no Chromium (Debian: apt install chromium)");
-  process.exit(77);
-}
-mkdirSync(screenshots, { recursive: true });
-const folder = mkdtempSync(join(tmpdir(), "live-"));
-const [child, control] = await startTrainer(folder);
-const run = new Run(control);
-const browser = await chromium.launch({ executablePath: kBrowser, args: ["--no-sandbox", ...kSoftwareGl] });
-try {
-  await onPage(browser, run, { colorScheme: "light" }, async (page) => {
-    const isThere = await page.evaluate(() => {
-      const [navigation] = performance.getEntriesByType("navigation");
-      return (navigation as PerformanceNavigationTiming).domContentLoadedEventEnd;
-    });
-    console.log(`the page is there after ${isThere.toFixed(0)} ms`);
-    await showsTheRun(page);
-    await numbersAreThoseOfTheApi(page, run);
-    await aSliderSetsAParameter(page, run);
-    await page.evaluate(() => scrollTo(0, 0));
-    await sleep(3000);
-    await screenshot(page, "live");
-    await aRewiringIsRefusedWithAReason(page, run);
-    await aTaskIsEdited(page, run);
-    await screenshot(page, "live-whole", true);
+/** The equations of the text, and what it would have paid. */
+async function anEpisodeIsJudged(page: Page, run: Trainer): Promise<void> {
+  await page.locator("#editor-page .katex").first().waitFor();
+  const { tasks } = await run.ask("list");
+  await page.locator("#what-if-now").click();
+  const rows = page.locator("#what-if-result tr[data-what-if]");
+  await rows.first().waitFor();
+  const judged = await run.ask("rescore", {
+    file: task,
+    episode: Number(await page.locator("#what-if-episode").inputValue()),
   });
-  for (const [name, options] of [
-    ["live-dark", { colorScheme: "dark" }],
-    ["live-narrow", { colorScheme: "light", viewport: kPhone }],
-    ["live-narrow-dark", { colorScheme: "dark", viewport: kPhone }],
-  ] as const) {
-    await onPage(browser, run, options, async (page) => {
-      await showsTheRun(page);
-      await sleep(4000);
-      await screenshot(page, name);
-      await screenshot(page, `${name}-whole`, true);
-    });
-  }
-} finally {
-  await browser.close();
-  child.kill("SIGKILL");
-  rmSync(folder, { recursive: true, force: true });
+  const { old } = judged;
+  const returned = page.locator('tr[data-what-if="return"] td');
+  assert.ok(isAbout(numberIn((await returned.nth(1).textContent()) ?? ""), old.return));
+  assert.equal(await returned.nth(3).textContent(), "0");
+  assert.equal(await rows.count(), 1 + Object.keys(tasks[0].terms).length + Object.keys(old.metrics).length);
 }
+
+/** Twice as much for going forward: twice the sum of that term, at once. */
+async function anEditIsJudgedAtOnce(page: Page): Promise<void> {
+  await page.locator("#what-if-follow").check();
+  const sum = async (column: number): Promise<number> =>
+    numberIn((await page.locator('tr[data-what-if="doubled"] td').nth(column).textContent()) ?? "");
+  await page.locator(".cm-content").click();
+  await page.keyboard.press("Control+End");
+  await page.keyboard.type("\non end_of_time_step { reward doubled = 1 }\n");
+  await page.locator('tr[data-what-if="doubled"]').waitFor();
+  assert.ok((await sum(2)) > 0);
+  await page.locator("#editor-text").scrollIntoViewIfNeeded();
+  await screenshot(page, "live-what-if");
+  await page.locator("#what-if-follow").uncheck();
+  await page.locator("#editor-revert").click();
+}
+
+await inBrowser(async (browser) =>
+  inFolder(async (folder) => {
+    const out = join(folder, "run");
+    const words = [task, "--profile", "fast-tree", "--episodes", "100000", "--seed", "1", "--out", out];
+    const run = await Trainer.serve(trainer, words, out);
+    try {
+      await onPage(browser, run.page, { colorScheme: "light" }, async (page) => {
+        const isThere = await page.evaluate(() => {
+          const [navigation] = performance.getEntriesByType("navigation");
+          return (navigation as PerformanceNavigationTiming).domContentLoadedEventEnd;
+        });
+        console.log(`the page is there after ${isThere.toFixed(0)} ms`);
+        await showsTheRun(page);
+        await numbersAreThoseOfTheApi(page, run);
+        await aSliderSetsAParameter(page, run);
+        await page.evaluate(() => scrollTo(0, 0));
+        await sleep(3000);
+        await screenshot(page, "live");
+        await aRewiringIsRefusedWithAReason(page, run);
+        await aTaskIsEdited(page, run);
+        await anEpisodeIsJudged(page, run);
+        await anEditIsJudgedAtOnce(page);
+        await screenshot(page, "live-whole", true);
+      });
+      for (const [name, options] of [
+        ["live-light", { colorScheme: "light" }],
+        ["live-dark", { colorScheme: "dark" }],
+        ["live-narrow", { colorScheme: "light", viewport: kPhone }],
+        ["live-narrow-dark", { colorScheme: "dark", viewport: kPhone }],
+      ] as const) {
+        await onPage(browser, run.page, { ...options, bypassCSP: true }, async (page) => {
+          await showsTheRun(page);
+          await sleep(4000);
+          await screenshot(page, name);
+          await page.locator("#editor-open").click();
+          await page.locator("#editor-page .katex").first().waitFor();
+          await screenshot(page, `${name}-whole`, true);
+          await hasNoSeriousFault(page);
+        });
+      }
+    } finally {
+      run.kill();
+    }
+  }),
+);

@@ -4,6 +4,7 @@ import uPlot from "uplot";
 
 import { formatCount, formatTick } from "../data/words.ts";
 import { themeColor } from "../page/dom.ts";
+import type { ChartPicture } from "./export_chart.ts";
 import { drawPoints } from "./points.ts";
 import type { ChartSeries } from "./series.ts";
 
@@ -152,7 +153,7 @@ export class EpisodeChart {
 
   constructor(
     private readonly host: HTMLElement,
-    options: ChartOptions,
+    private readonly options: ChartOptions,
   ) {
     this.data = [options.episode, ...options.series.map((series) => series.values)];
     this.plot = new uPlot(plotOptions(options, host.clientWidth), this.plotData(), host);
@@ -164,6 +165,25 @@ export class EpisodeChart {
     this.resizing.observe(host);
     this.syncKey = options.sync ?? kEpisodeSync;
     uPlot.sync(this.syncKey).sub(this.plot);
+  }
+
+  /** What it shows now, for other programs. */
+  get picture(): ChartPicture {
+    const [episode = new Float32Array(), ...values] = this.data;
+    const range = (axis: string): [number, number] => {
+      const { min = 0, max = 1 } = this.plot.scales[axis] as uPlot.Scale;
+      return [min, max];
+    };
+    const { series, band } = this.options;
+    return {
+      episode,
+      series: series.map((each, i) => ({ ...each, values: values[i] ?? each.values })),
+      ...(band ? { band } : {}),
+      isVisible: this.plot.series.slice(1).map(({ show }) => show !== false),
+      x: range("x"),
+      y: range("y"),
+      canvas: this.plot.ctx.canvas,
+    };
   }
 
   setValues(index: number, values: Float32Array): void {

@@ -4,12 +4,13 @@
 import type uPlot from "uplot";
 
 import type { Recording, Report } from "../data/report_data.ts";
-import { runningMean } from "../data/statistics.ts";
+import { runningMean, runningMeanWhereThere } from "../data/statistics.ts";
 import { versionStarts } from "../data/versions.ts";
-import { formatCount, formatNumber } from "../data/words.ts";
+import { endInWords, formatCount, formatNumber } from "../data/words.ts";
 import { element, leaveAfterClick, onThemeChange } from "../page/dom.ts";
 import { ChangeMarks } from "./change_marks.ts";
 import { EpisodeChart } from "./episode_chart.ts";
+import { shadowColor } from "./series.ts";
 
 const kHint = "Point at an episode for its values; drag to zoom, double-click to see all.";
 
@@ -78,9 +79,7 @@ export class LearningCurve {
   }
 
   private shadowMeansOf(window: number): Float32Array[] {
-    return this.report.shadows.map(({ values }) =>
-      runningMean(values, window).map((mean, i) => (Number.isFinite(values[i]) ? mean : NaN)),
-    );
+    return this.report.shadows.map(({ values }) => runningMeanWhereThere(values, window));
   }
 
   private fillKey(): void {
@@ -154,10 +153,7 @@ export class LearningCurve {
     report.shadows.forEach(({ module, values }) => {
       if (Number.isFinite(values[index])) words.push(`${module} ${formatNumber(values[index])}`);
     });
-    if (end) words.push(end.reason ? `${end.kind}: ${end.reason}` : end.kind);
+    if (end) words.push(endInWords(end));
     this.parts.readout.textContent = words.join("  ·  ");
   }
 }
-
-/** Neither that of the active task nor that of the marks. */
-const shadowColor = (index: number): string => `--series-${(index % 6) + 3}`;

@@ -7,8 +7,7 @@ import { formatCount, formatNumber } from "../data/words.ts";
 import { element, onThemeChange } from "../page/dom.ts";
 import { ChangeMarks } from "./change_marks.ts";
 import { EpisodeChart } from "./episode_chart.ts";
-
-const kColors = 8; // --series-1 … --series-8
+import { seriesColor } from "./series.ts";
 
 export class TermCurves {
   private readonly chart: EpisodeChart;
@@ -27,7 +26,7 @@ export class TermCurves {
       episode: report.episode,
       series: this.means.map((values, i) => ({
         values,
-        color: colorName(i),
+        color: seriesColor(i),
         kind: "line",
         hasGaps: true,
         starts: versionStarts(report),
@@ -60,7 +59,7 @@ export class TermCurves {
     const output = element("output", { class: "value" });
     this.outputs.push(output);
     const swatch = element("span", { class: "swatch", "aria-hidden": "true" });
-    swatch.style.background = `var(${colorName(index)})`;
+    swatch.style.background = `var(${seriesColor(index)})`;
     const name = element("span", { class: "name" }, term.name);
     const entry = element(
       "button",
@@ -87,5 +86,3 @@ export class TermCurves {
     this.parts.caption.textContent = `running mean at episode ${episode}`;
   }
 }
-
-const colorName = (index: number): string => `--series-${(index % kColors) + 1}`;

@@ -1,5 +1,6 @@
 // A small chart with its heading, as they stand side by side in the sections of values.
 
+import { withUnit } from "../data/words.ts";
 import type { Curve } from "../data/report_data.ts";
 import { element } from "../page/dom.ts";
 
@@ -15,7 +16,7 @@ export function addValueCard(
   note: string,
 ): ValueCard {
   const value = element("output", { class: "value" });
-  const heading = element("h3", {}, unit ? `${name} [${unit}]` : name);
+  const heading = element("h3", {}, withUnit({ name, unit }));
   const chart = element("div", { class: "chart" });
   const words = element("p", { class: "note" }, note);
   host.append(element("article", {}, element("header", {}, heading, value), words, chart));

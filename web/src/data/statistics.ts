@@ -34,6 +34,10 @@ export function runningMean(values: Values, window: number, starts: number[] = [
   return means;
 }
 
+/** The same of what a shadow says, only where it was there: a mean goes on where there is nothing. */
+export const runningMeanWhereThere = (values: Values, window: number): Float32Array =>
+  runningMean(values, window).map((mean, i) => (Number.isFinite(values[i]) ? mean : NaN));
+
 /** Numbers of episodes over which the page can take its means. */
 export const kWindows = [1, 3, 5, 10, 20, 50, 100, 200, 500, 1000];
 

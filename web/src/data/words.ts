@@ -60,6 +60,14 @@ export function formatTime(seconds: number, duration: number): string {
   return seconds.toFixed(2).padStart(duration.toFixed(2).length, "\u2007");
 }
 
+/** "jumped [m]"; the name alone where there is no unit. */
+export const withUnit = ({ name, unit }: { name: string; unit: string }): string =>
+  unit ? `${name} [${unit}]` : name;
+
+/** "failure: it has fallen" */
+export const endInWords = ({ kind, reason }: { kind: string; reason: string }): string =>
+  reason ? `${kind}: ${reason}` : kind;
+
 const text = (value: unknown): string => String(value ?? "");
 
 const kModuleWords: Record<string, (module: AgentModule) => string> = {

@@ -4,9 +4,16 @@ import type uPlot from "uplot";
 
 import { ChangeMarks } from "../charts/change_marks.ts";
 import { EpisodeChart } from "../charts/episode_chart.ts";
-import type { ChartSeries } from "../charts/series.ts";
+import { ExportButtons } from "../charts/export_buttons.ts";
+import { shadowColor, type ChartSeries } from "../charts/series.ts";
 import { addValueCard } from "../charts/value_card.ts";
-import { kWindows, runningMean, usualWindow } from "../data/statistics.ts";
+import type { Change } from "../data/report_data.ts";
+import {
+  kWindows,
+  runningMean,
+  runningMeanWhereThere,
+  usualWindow,
+} from "../data/statistics.ts";
 import { formatCount, formatNumber } from "../data/words.ts";
 import { byId, element, onThemeChange } from "../page/dom.ts";
 import type { GrowingCurve, GrowingRecord } from "./growing_record.ts";
@@ -41,6 +48,10 @@ class GrowingChart {
 
   redraw(): void {
     this.chart?.redraw();
+  }
+
+  get drawn(): EpisodeChart | undefined {
+    return this.chart;
   }
 }
 
@@ -81,7 +92,8 @@ class CurveCard {
     const at = this.shownAt ?? this.record.episodes.length - 1;
     const episode = this.record.episodes[at];
     if (episode === undefined) return;
-    this.value.textContent = `episode ${formatCount(episode)}: ${formatNumber(this.curve.values[at])}`;
+    const words = episodesInWords(episode, this.record.episodesPerRow).toLowerCase();
+    this.value.textContent = `${words}: ${formatNumber(this.curve.values[at])}`;
   }
 }
 
@@ -92,7 +104,7 @@ export class GrowingCurves {
   private readonly select = byId("window", HTMLSelectElement);
   private readonly cards = new Map<GrowingCurve, CurveCard>();
   private marks = new ChangeMarks([]);
-  private markCount = 0;
+  private lastMark: Change | undefined;
   private isWindowChosen = false;
   private cardsAreOld = false;
   private shownAt: number | null = null;
@@ -114,13 +126,22 @@ export class GrowingCurves {
       onDraw: (plot) => this.marks.place(plot),
     });
     onThemeChange(() => this.curve.redraw());
+    const names = (): string[] => [
+      "return",
+      "mean",
+      ...record.curvesOf("shadow").map(({ name }) => `${name}, mean`),
+    ];
+    byId("curve-export", HTMLElement).append(
+      new ExportButtons("returns", () => this.curve.drawn, names).element,
+    );
   }
 
   draw(): void {
     const { record } = this;
     const episode = Float32Array.from(record.episodes);
-    if (!this.isWindowChosen) this.select.value = String(usualWindow(episode.length));
-    const window = Number(this.select.value);
+    const count = record.episodes.at(-1) ?? 0;
+    if (!this.isWindowChosen) this.select.value = String(usualWindow(count));
+    const window = record.rowsOf(Number(this.select.value));
     this.renewMarks();
     const returns = Float32Array.from(record.returns);
     this.mean = runningMean(returns, window);
@@ -129,9 +150,7 @@ export class GrowingCurves {
       { values: returns, color: "--point", kind: "points" },
       { values: this.mean, color: "--accent", kind: "line", hasGaps: true },
       ...shadows.map(({ values }, i): ChartSeries => ({
-        values: runningMean(values, window).map((mean, at) =>
-          Number.isFinite(values[at]) ? mean : NaN,
-        ),
+        values: runningMeanWhereThere(values, window),
         color: shadowColor(i),
         kind: "line",
         hasGaps: true,
@@ -148,7 +167,7 @@ export class GrowingCurves {
     if (!this.cardsAreOld || !isInSight(byId("curves", HTMLElement))) return;
     this.cardsAreOld = false;
     const episode = Float32Array.from(this.record.episodes);
-    const window = Number(this.select.value);
+    const window = this.record.rowsOf(Number(this.select.value));
     for (const each of this.record.curves) this.cardOf(each)?.draw(episode, window);
   }
 
@@ -162,8 +181,8 @@ export class GrowingCurves {
   }
 
   private renewMarks(): void {
-    if (this.markCount === this.record.changes.length) return;
-    this.markCount = this.record.changes.length;
+    if (this.lastMark === this.record.changes.at(-1)) return;
+    this.lastMark = this.record.changes.at(-1);
     this.marks.remove();
     this.marks = new ChangeMarks(this.record.changes);
   }
@@ -175,10 +194,10 @@ export class GrowingCurves {
       return element("li", {}, sign, words);
     };
     this.key.replaceChildren(
-      item("dot", "return of an episode"),
+      item("dot", this.record.episodesPerRow === 1 ? "return of an episode" : `mean return of ${this.record.episodesPerRow} episodes`),
       item("dash", "running mean"),
       ...shadows.map(({ name }, i) => item("dash", `shadow ${name}, running mean`, shadowColor(i))),
-      ...(this.markCount > 0 ? [item("bar-mark", "change")] : []),
+      ...(this.lastMark ? [item("bar-mark", "change")] : []),
     );
   }
 
@@ -190,7 +209,7 @@ export class GrowingCurves {
       return;
     }
     const words = [
-      `Episode ${formatCount(record.episodes[at] ?? 0)}`,
+      episodesInWords(record.episodes[at] ?? 0, record.episodesPerRow),
       `return ${formatNumber(record.returns[at])}`,
       `mean ${formatNumber(this.mean[at])}`,
     ];
@@ -202,11 +221,14 @@ export class GrowingCurves {
   }
 }
 
+/** "Episode 12"; where each row is the mean of several, "Episodes 9 to 12". */
+const episodesInWords = (last: number, perRow: number): string =>
+  perRow === 1
+    ? `Episode ${formatCount(last)}`
+    : `Episodes ${formatCount(Math.max(1, last - perRow + 1))} to ${formatCount(last)}`;
+
 /** Or about to be. */
 function isInSight(part: HTMLElement): boolean {
   const { top, bottom } = part.getBoundingClientRect();
   return bottom > -window.innerHeight && top < 2 * window.innerHeight;
 }
-
-/** Neither that of the active task nor that of the marks. */
-const shadowColor = (index: number): string => `--series-${(index % 6) + 3}`;

@@ -8,6 +8,7 @@ import "../style/replay.css";
 import "../style/live_rewards.css";
 import "../style/live_values.css";
 import "../style/live_tune.css";
+import "katex/dist/katex.min.css";
 import "../style/editor.css";
 import "../style/graph.css";
 import "../style/live.css"; // last: it says what becomes of all on a narrow screen
@@ -32,6 +33,7 @@ import { addressOf, ask, LastingSocket } from "./trainer.ts";
 import { Values } from "./values.ts";
 import { ViewSource, type Pace } from "./view_source.ts";
 
+const kBetweenDrawings = 1000 / 30 - 4; // [ms]; a screen's own pictures do not come exactly in time
 const kStatusEvery = 1000; // [ms]
 const kTracesEvery = 120; // [ms]
 const kCurvesEvery = 1000; // [ms]
@@ -83,11 +85,6 @@ class LivePage {
     );
     this.choosePace();
     this.showChanges();
-    new LastingSocket("/api/events", {
-      onOpen: () => void this.catchUp(),
-      onLost: () => this.run.showLost(),
-      onMessage: (data) => this.hear(JSON.parse(data as string) as TrainerEvent),
-    });
     window.setInterval(() => void this.refreshStatus(), kStatusEvery);
     document.addEventListener("visibilitychange", () => this.source.setHidden(document.hidden));
     onThemeChange(() => (this.lastTraces = 0));
@@ -113,15 +110,23 @@ class LivePage {
     }
   }
 
-  /** What has happened while nothing was heard. */
-  private async catchUp(): Promise<void> {
-    await this.rereadRecord();
+  async begin(): Promise<void> {
     await this.refreshStatus();
     await this.refreshListing();
-    if (document.documentElement.dataset["ready"]) return; // the user may have chosen a pace since
     const { status } = this.run;
     if (status && status.speed > 0 && status.speed < kSlow) this.watchInstants();
     document.documentElement.dataset["ready"] = "true";
+  }
+
+  /** What has happened while nothing was heard. */
+  async catchUp(): Promise<void> {
+    await this.rereadRecord();
+    await this.refreshStatus();
+    await this.refreshListing();
+  }
+
+  showLost(): void {
+    this.run.showLost();
   }
 
   private watchInstants(): void {
@@ -141,6 +146,9 @@ class LivePage {
   private async refreshListing(): Promise<void> {
     await this.attempt(async () => {
       const listing = await ask<Listing>("list");
+      const isKnown = ({ hash }: { hash: string }): boolean =>
+        this.report.tasks.some((task) => task.hash === hash);
+      if (!listing.tasks.every(isKnown)) await this.refreshTexts();
       this.tasks.show(listing);
       await this.parameters.refresh(listing);
       await this.graph.refresh();
@@ -160,18 +168,17 @@ class LivePage {
     byId("shown", HTMLElement).title = behind;
   }
 
-  private hear(event: TrainerEvent): void {
+  hear(event: TrainerEvent): void {
     if (event.event === "episode") {
       const episode = event as unknown as EpisodeEvent;
       this.heardWhileReading?.push(episode);
       this.record.add(episode, this.history.layout);
       this.curvesAreOld = true;
     } else if (event.event === "change") {
-      this.record.changes.push(event as unknown as Change);
+      this.record.addChange(event as unknown as Change);
       this.curvesAreOld = true;
       this.showChanges();
       void this.refreshListing();
-      void this.attempt(() => this.refreshTexts());
     } else if (event.event === "missed") {
       void this.rereadRecord();
     } else if (event.event === "state") {
@@ -209,6 +216,8 @@ class LivePage {
 
   private draw(now: number): void {
     requestAnimationFrame((next) => this.draw(next));
+    // There are thirty frames a second; a screen may show many more.
+    if (this.lastDraw !== undefined && now - this.lastDraw < kBetweenDrawings) return;
     // A page that was in the background goes on from where it was.
     const passed = Math.min(now - (this.lastDraw ?? now), 1000) / 1000;
     this.lastDraw = now;
@@ -264,9 +273,26 @@ class LivePage {
 
 const readRecord = async (): Promise<Report> => decodeParsed(await ask<EncodedReport>("record"));
 
-async function main(): Promise<void> {
+/** What happens is heard before the record is read, so that nothing falls in between. */
+function main(): void {
   byId("report-link", HTMLAnchorElement).href = addressOf("/report");
-  new LivePage(await readRecord());
+  let page: LivePage | undefined;
+  const heard: TrainerEvent[] = [];
+  const begin = async (): Promise<void> => {
+    const begun = new LivePage(await readRecord());
+    for (const event of heard.splice(0)) begun.hear(event);
+    page = begun;
+    await begun.begin();
+  };
+  new LastingSocket("/api/events", {
+    onOpen: () => void (page ? page.catchUp() : begin()),
+    onLost: () => page?.showLost(),
+    onMessage: (data) => {
+      const event = JSON.parse(data as string) as TrainerEvent;
+      if (page) page.hear(event);
+      else heard.push(event);
+    },
+  });
 }
 
-void main();
+main();

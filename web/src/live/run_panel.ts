@@ -1,7 +1,8 @@
 // What the run is doing, and its buttons.
 
 import { formatCount, formatDuration, formatNumber, formatRatio } from "../data/words.ts";
-import { byId, element, onThemeChange, themeColor } from "../page/dom.ts";
+import { drawSparkline } from "../page/canvas.ts";
+import { byId, element, onThemeChange } from "../page/dom.ts";
 import type { GrowingRecord } from "./growing_record.ts";
 import { ask } from "./trainer.ts";
 
@@ -98,33 +99,12 @@ export class RunPanel {
   }
 
   drawSpark(): void {
-    const { spark, record } = this;
-    const width = spark.clientWidth;
-    const height = spark.clientHeight;
-    if (width === 0) return;
-    const scale = window.devicePixelRatio;
-    [spark.width, spark.height] = [Math.round(width * scale), Math.round(height * scale)];
-    const values = record.returns.slice(-kSpark);
-    const context = spark.getContext("2d") as CanvasRenderingContext2D;
-    context.setTransform(scale, 0, 0, scale, 0, 0);
-    const [low, high] = [Math.min(...values), Math.max(...values)];
-    context.strokeStyle = themeColor("--accent");
-    context.lineWidth = 1.4;
-    context.lineJoin = "round";
-    context.beginPath();
-    values.forEach((value, i) => {
-      const x = (width * i) / Math.max(1, values.length - 1);
-      const y = high > low ? 2 + ((high - value) / (high - low)) * (height - 4) : height / 2;
-      if (i === 0) context.moveTo(x, y);
-      else context.lineTo(x, y);
-    });
-    context.stroke();
+    drawSparkline(this.spark, this.record.returns.slice(-kSpark));
   }
 
   private bestNote({ best_return: best }: Status): string {
-    const at = this.record.returns.findIndex((value) => Math.fround(value) === Math.fround(best ?? NaN));
-    const episode = this.record.episodes[at];
-    return episode === undefined ? "" : `in episode ${formatCount(episode)}`;
+    const { episode } = this.record.best;
+    return best === null || episode === 0 ? "" : `in episode ${formatCount(episode)}`;
   }
 
   private put({ value, note }: Figure, words: string, noteWords: string): void {

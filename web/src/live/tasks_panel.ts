@@ -6,9 +6,11 @@ import { lastValues } from "../data/statistics.ts";
 import { formatNumber } from "../data/words.ts";
 import { byId, element } from "../page/dom.ts";
 import { TaskEditor } from "./editor/task_editor.ts";
+import { showTaskPage } from "./editor/task_page.ts";
 import type { GrowingRecord } from "./growing_record.ts";
 import type { Listing, TaskModule } from "./parameters.ts";
 import { ask } from "./trainer.ts";
+import { WhatIf } from "./what_if.ts";
 
 const kMeanOf = 20; // episodes
 const kNames = ["edited", "edited_2"]; // of the module that an edited text is loaded as
@@ -31,6 +33,7 @@ export class TasksPanel {
   private readonly tryButton = byId("editor-try", HTMLButtonElement);
   private readonly revert = byId("editor-revert", HTMLButtonElement);
   private editor: TaskEditor | undefined;
+  private readonly whatIf = new WhatIf(() => ({ file: this.taskFile, text: this.editor?.text ?? "" }));
   private file = "";
   private listing: Listing | undefined;
   private returns: { module: string; output: HTMLElement }[] = [];
@@ -61,7 +64,7 @@ export class TasksPanel {
     for (const { module, output } of this.returns) {
       const shadow = this.record.curvesOf("shadow").find(({ name }) => name === module);
       const values = module === this.active?.module ? this.record.returns : (shadow?.values ?? []);
-      output.textContent = formatNumber(lastValues(values, kMeanOf).mean);
+      output.textContent = formatNumber(lastValues(values, this.record.rowsOf(kMeanOf)).mean);
     }
   }
 
@@ -115,6 +118,10 @@ export class TasksPanel {
         this.revert.disabled = !isEdited;
         if (errors > 0) this.say(`${errors} error${errors === 1 ? "" : "s"}`);
         else this.say(isEdited ? "edited" : "as the active task has it");
+      },
+      onPage: (page) => {
+        showTaskPage(page, byId("editor-page", HTMLElement));
+        this.whatIf.noteEdit();
       },
     });
     this.fill();

@@ -1,5 +1,6 @@
 // A small picture of what a value was in the last seconds.
 
+import { clearedContext } from "../page/canvas.ts";
 import { element, themeColor } from "../page/dom.ts";
 import type { Entry } from "./history.ts";
 
@@ -22,17 +23,9 @@ export class Trace {
   }
 
   draw(entries: Entry[]): void {
-    const { canvas } = this;
-    const width = canvas.clientWidth;
-    if (width === 0) return;
-    const scale = window.devicePixelRatio;
-    if (canvas.width !== Math.round(width * scale)) {
-      canvas.width = Math.round(width * scale);
-      canvas.height = Math.round(kHeight * scale);
-    }
-    const context = canvas.getContext("2d") as CanvasRenderingContext2D;
-    context.setTransform(scale, 0, 0, scale, 0, 0);
-    context.clearRect(0, 0, width, kHeight);
+    const context = clearedContext(this.canvas, this.canvas.clientWidth, kHeight);
+    if (!context) return;
+    const width = this.canvas.clientWidth;
     const [low, high] = this.range(entries);
     if (low > high) return;
     const y = (value: number): number =>

@@ -4,14 +4,7 @@ import type { Report } from "../data/report_data.ts";
 import { indexOfMaximum, lastValues } from "../data/statistics.ts";
 import { docOfTask } from "../data/task_source.ts";
 import { lastTask } from "../data/versions.ts";
-import {
-  agentInWords,
-  formatCount,
-  formatDate,
-  formatDuration,
-  formatNumber,
-  formatRatio,
-} from "../data/words.ts";
+import { agentInWords, endInWords, formatCount, formatDate, formatDuration, formatNumber, formatRatio } from "../data/words.ts";
 import { byId, element } from "./dom.ts";
 import { figure } from "./figure.ts";
 
@@ -98,7 +91,7 @@ function endsFigure(report: Report): HTMLElement {
     part.style.flexGrow = String(end.count);
     part.style.opacity = shade;
     bar.append(part);
-    const words = end.reason ? `${end.kind}: ${end.reason}` : end.kind;
+    const words = endInWords(end);
     const share = `${((100 * end.count) / total).toFixed(end.count === total ? 0 : 1)} %`;
     const swatch = element("span", { class: "swatch", "data-kind": end.kind });
     swatch.style.opacity = shade;

@@ -2,7 +2,7 @@
 // from episode to episode, and what their reward terms paid.
 
 import { interval, mean, type Estimate } from "../data/estimate.ts";
-import { formatTick } from "../data/words.ts";
+import { formatTick, withUnit } from "../data/words.ts";
 import { element } from "../page/dom.ts";
 import { row, table } from "../page/table.ts";
 import type { Experiment, Means } from "./data.ts";
@@ -24,9 +24,6 @@ export interface Figure {
 }
 
 const kByTerm = "return by ";
-
-const withUnit = ({ name, unit }: { name: string; unit: string }): string =>
-  unit ? `${name} [${unit}]` : name;
 
 /** The return, then the metrics and the terms that at least two of the experiments have. */
 export function figuresOf(experiments: Compared[]): Figure[] {

@@ -1,21 +1,13 @@
 // The curves of all runs of an experiment, and their mean with its confidence interval.
 
 import { EpisodeChart } from "../charts/episode_chart.ts";
+import { chartOfRuns, kBeforeRuns } from "../charts/run_curves.ts";
 import { formatCount, formatNumber } from "../data/words.ts";
 import { element, onThemeChange } from "../page/dom.ts";
 import type { Experiment } from "./data.ts";
 import { colorOf } from "./words.ts";
 
 const kHint = "Point at the curves for their values; drag to zoom, double-click to see all.";
-const kBeforeRuns = 2; // series before those of the runs: low and high; after them comes the mean
-
-/** `values` with NaN up to `length`. */
-function padded(values: Float32Array, length: number): Float32Array {
-  const whole = new Float32Array(length).fill(NaN);
-  whole.set(values);
-  return whole;
-}
-
 export class Curves {
   private readonly chart: EpisodeChart;
   private readonly readout = element("p", { class: "readout", "aria-live": "polite" });
@@ -27,21 +19,9 @@ export class Curves {
     const { curve, runs } = experiment;
     const chart = element("div", { class: "chart" });
     host.append(this.key(), chart, this.readout);
-    const invisible = { color: "--none", kind: "line" as const, width: 0 };
+    const colored = runs.map((run) => ({ values: run.curve, color: colorOf(run.group) }));
     this.chart = new EpisodeChart(chart, {
-      episode: curve.episodes,
-      series: [
-        { ...invisible, values: curve.low },
-        { ...invisible, values: curve.high },
-        ...runs.map((run) => ({
-          values: padded(run.curve, curve.episodes.length),
-          color: colorOf(run.group),
-          kind: "line" as const,
-          width: 1.25,
-        })),
-        { values: curve.mean, color: "--ink", kind: "line", width: 2.5 },
-      ],
-      bands: [{ upper: 1, lower: 0, color: "--band" }],
+      ...chartOfRuns(curve.episodes, curve, colored),
       height: 330,
       sync: experiment.name,
       label: `Moving averages of the returns of ${runs.length} runs, and their mean.`,

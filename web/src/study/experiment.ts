@@ -2,7 +2,7 @@
 
 import { type Estimate, interval, mean } from "../data/estimate.ts";
 import { docOfTask } from "../data/task_source.ts";
-import { agentInWords, formatCount, formatNumber } from "../data/words.ts";
+import { agentInWords, formatCount, formatNumber, withUnit } from "../data/words.ts";
 import { element } from "../page/dom.ts";
 import { figure } from "../page/figure.ts";
 import { remainsBar, wholePercent } from "../page/remains.ts";
@@ -50,8 +50,8 @@ function keyFigures(experiment: Experiment): HTMLElement {
     figure("Episodes to 80 %", mean(episodes, count), intervalOf(episodes, count)),
     figure("CPU minutes to 80 %", mean(minutes), intervalOf(minutes)),
   );
-  for (const { name, unit, value } of experiment.metrics) {
-    list.append(figure(unit ? `${name} [${unit}]` : name, mean(value), intervalOf(value)));
+  for (const metric of experiment.metrics) {
+    list.append(figure(withUnit(metric), mean(metric.value), intervalOf(metric.value)));
   }
   return list;
 }
@@ -119,7 +119,7 @@ function runTable(experiment: Experiment): HTMLElement {
   const heads = [
     ...["Run", "State", "Episodes", "Final return", "Best", "Episodes to 80 %"],
     ...["CPU min to 80 %", "CPU min"],
-    ...experiment.metrics.map(({ name, unit }) => (unit ? `${name} [${unit}]` : name)),
+    ...experiment.metrics.map(withUnit),
     "Group",
   ];
   const rows = experiment.runs.map((run) => runRow(run, experiment));

@@ -1,6 +1,7 @@
 // What the user calls better: the groups of behaviors in an order of one's own, and what followed
 // from the preferences that were stated before.
 
+import { withUnit } from "../data/words.ts";
 import { element } from "../page/dom.ts";
 import { row, table } from "../page/table.ts";
 import type { Experiment, Preferences } from "./data.ts";
@@ -126,7 +127,7 @@ function outcome(experiment: Experiment, fitted: Preferences): HTMLElement {
   const short = (name: string): string => name.replace(`${experiment.name}/`, "");
   const weights = fitted.weights.map(({ name, unit, before, after, low, high }) =>
     row([
-      unit ? `${name} [${unit}]` : name,
+      withUnit({ name, unit }),
       exactly(before),
       exactly(after),
       `${roughly(low)} … ${roughly(high)}`,

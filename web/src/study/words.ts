@@ -1,5 +1,6 @@
 // Runs and groups as text.
 
+import { seriesColor } from "../charts/series.ts";
 import type { Format } from "../data/estimate.ts";
 import { formatCount } from "../data/words.ts";
 import type { Group } from "./data.ts";
@@ -16,8 +17,6 @@ export function shareOf(group: Group): string {
   return `${formatCount(group.runs.length)} of ${runs(all)}, ${(100 * group.share).toFixed(0)} %`;
 }
 
-const kColors = 8; // --series-1 … --series-8
-
 /** The color of a group, by its name in the style sheet. */
 export const colorOf = (group: number | null): string =>
-  group === null ? "--ink-faint" : `--series-${(group % kColors) + 1}`;
+  group === null ? "--ink-faint" : seriesColor(group);

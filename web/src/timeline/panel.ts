@@ -3,7 +3,7 @@
 
 import type { Recording, Report } from "../data/report_data.ts";
 import { endOf, sampleAt, type Timeline } from "../data/timeline.ts";
-import { formatNumber, formatTime } from "../data/words.ts";
+import { endInWords, formatNumber, formatTime } from "../data/words.ts";
 import { element, onThemeChange } from "../page/dom.ts";
 import { angleTrace, jointsOf } from "../replay/joints.ts";
 import { LitSource } from "./lit_source.ts";
@@ -113,7 +113,7 @@ export class TimelinePanel {
       `${formatTime(this.time, this.duration)} s`,
       `return ${formatNumber(timeline.total.sum[sample])}`,
     ];
-    if (sample === timeline.times.length - 1) words.push(reason ? `${kind}: ${reason}` : kind);
+    if (sample === timeline.times.length - 1) words.push(endInWords({ kind, reason }));
     return words.join("  ·  ");
   }
 

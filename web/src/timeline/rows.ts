@@ -2,7 +2,7 @@
 
 import type { BodyLink } from "../data/report_data.ts";
 import { endOf, touches, type MetricTrace, type TermTrace, type Timeline } from "../data/timeline.ts";
-import { formatNumber, formatTick } from "../data/words.ts";
+import { formatNumber, formatTick, withUnit } from "../data/words.ts";
 import { element } from "../page/dom.ts";
 import { sideOf } from "../replay/side.ts";
 import {
@@ -113,7 +113,7 @@ function valueRow(
   { times, duration }: Axis,
   beside: Float64Array | undefined,
 ): Row {
-  const { label, outputs } = labelOf(unit ? `${name} [${unit}]` : name, doc, undefined, 1);
+  const { label, outputs } = labelOf(withUnit({ name, unit }), doc, undefined, 1);
   const data = { times, values, duration, beside };
   return {
     kind,

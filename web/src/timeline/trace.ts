@@ -1,5 +1,6 @@
 // One value over an episode, drawn on a canvas as wide as the time axis.
 
+import { clearedContext } from "../page/canvas.ts";
 import { themeColor } from "../page/dom.ts";
 
 export interface TraceData {
@@ -24,13 +25,8 @@ export class TraceCanvas {
   }
 
   redraw(width: number): void {
-    const scale = window.devicePixelRatio;
-    this.element.width = Math.max(1, Math.round(width * scale));
-    this.element.height = Math.round(this.height * scale);
-    const context = this.element.getContext("2d");
-    if (!context || width <= 0) return;
-    context.scale(scale, scale);
-    this.draw(context, width, this.height);
+    const context = clearedContext(this.element, Math.max(0, width), this.height);
+    if (context) this.draw(context, width, this.height);
   }
 }
 

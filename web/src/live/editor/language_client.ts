@@ -1,6 +1,7 @@
 // A client of the language server that the trainer starts for this page, for one text.
 
 import { LastingSocket } from "../trainer.ts";
+import type { TaskPage } from "./task_page.ts";
 
 export interface Position {
   line: number; // from 0
@@ -82,6 +83,11 @@ export class LanguageClient {
   }
   format(): Promise<TextEdit[] | null> {
     return this.ask("textDocument/formatting", { options: { tabSize: 2, insertSpaces: true } });
+  }
+
+  /** What `taskc doc` says of the text; null while it has errors. */
+  page(): Promise<TaskPage | null> {
+    return this.ask("task/page", {});
   }
 
   private ask<Result>(method: string, params: object): Promise<Result> {

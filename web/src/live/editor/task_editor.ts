@@ -35,6 +35,7 @@ import {
 } from "./language_client.ts";
 import { markdownToDom } from "./markdown.ts";
 import { taskColors } from "./task_colors.ts";
+import type { TaskPage } from "./task_page.ts";
 
 const kQuiet = 150; // without typing, before the text is checked [ms]
 const kError = 1;
@@ -74,6 +75,8 @@ export interface EditorListeners {
   onSave: () => void;
   /** Whether the text is another than the one that was put in, and how many errors it has. */
   onState: (isEdited: boolean, errors: number) => void;
+  /** What the text says, typeset; called whenever it has been checked and has no errors. */
+  onPage: (page: TaskPage) => void;
 }
 
 export class TaskEditor {
@@ -91,6 +94,7 @@ export class TaskEditor {
     private readonly listeners: EditorListeners,
   ) {
     this.view = new EditorView({ parent: host, state: this.makeState("", nonce) });
+    this.view.scrollDOM.tabIndex = 0; // long lines are scrolled by the keyboard, too
     this.client = new LanguageClient(
       uri,
       () => this.text,
@@ -195,6 +199,12 @@ export class TaskEditor {
     this.view.dispatch(setDiagnostics(this.view.state, diagnostics));
     this.errors = diagnostics.filter(({ severity }) => severity === "error").length;
     this.tell();
+    if (this.errors === 0) void this.showPage();
+  }
+
+  private async showPage(): Promise<void> {
+    const page = await this.client.page().catch(() => null);
+    if (page) this.listeners.onPage(page);
   }
 
   private async hover(view: EditorView, offset: number): Promise<Tooltip | null> {

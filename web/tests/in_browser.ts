@@ -1,0 +1,103 @@
+// What the tests in a real browser have in common. CHROMIUM names the browser.
+
+import assert from "node:assert/strict";
+import { existsSync, mkdirSync } from "node:fs";
+import { join } from "node:path";
+
+import axe from "axe-core";
+import { chromium, type Browser, type BrowserContextOptions, type Page } from "playwright-core";
+
+export const kPatience = 120_000; // [ms]: the machine may have other things to do
+export const kDesktop = { width: 1280, height: 800 };
+export const kPhone = { width: 390, height: 844 };
+const kSoftwareGl = ["--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
+
+const kBrowser = process.env["CHROMIUM"] ?? "";
+
+export type Check = (page: Page) => Promise<void>;
+
+export const sleep = (time: number): Promise<void> => new Promise((done) => setTimeout(done, time));
+
+/** Without a browser the program ends with the exit status 77 (skipped). */
+export async function inBrowser(
+  check: (browser: Browser) => Promise<void>,
+  args = kSoftwareGl,
+): Promise<void> {
+  if (!existsSync(kBrowser)) {
+    console.log("skipped: there is no Chromium (Debian: apt install chromium)");
+    process.exit(77);
+  }
+  const browser = await chromium.launch({ executablePath: kBrowser, args: ["--no-sandbox", ...args] });
+  try {
+    await check(browser);
+  } finally {
+    await browser.close();
+  }
+}
+
+/** A page to be opened, and what it may ask for. */
+export interface Address {
+  url: string;
+  isOwn: (url: string) => boolean;
+}
+
+/** Opens it, runs `check`, and fails for anything on the console and for any other request. */
+export async function onPage(
+  browser: Browser,
+  { url, isOwn }: Address,
+  options: BrowserContextOptions,
+  check: Check,
+): Promise<void> {
+  const page = await browser.newPage({ viewport: kDesktop, ...options });
+  page.setDefaultTimeout(kPatience);
+  const complaints: string[] = [];
+  page.on("console", (message) => {
+    const isRefusal = message.text().includes("status of 422"); // what is asked for on purpose
+    if (message.type() === "error" && !isRefusal) complaints.push(message.text());
+  });
+  page.on("pageerror", (error) => complaints.push(String(error.stack)));
+  page.on("request", (request) => {
+    const isOfThePage = /^(data|blob):/.test(request.url()) || isOwn(request.url());
+    if (!isOfThePage) complaints.push(`request: ${request.url()}`);
+  });
+  await page.goto(url);
+  await page.locator("html[data-ready=true]").waitFor({ state: "attached" });
+  await check(page);
+  await page.close();
+  assert.deepEqual(complaints, []);
+}
+
+export const textOf = async (page: Page, selector: string): Promise<string> =>
+  (await page.locator(selector).first().textContent()) ?? "";
+
+/** "−1.250" as the pages write numbers. */
+export const numberIn = (text: string): number =>
+  Number(text.replace(/\u2212/g, "-").replace(/\u202f/g, ""));
+
+export const fitsItsWidth: Check = async (page) => {
+  const overflow = await page.evaluate(
+    () => document.documentElement.scrollWidth - document.documentElement.clientWidth,
+  );
+  assert.equal(overflow, 0, "fits its width");
+};
+
+/** Takes pictures into a folder, to be looked at. */
+export function screenshotsIn(folder: string): (page: Page, name: string, whole?: boolean) => Promise<void> {
+  mkdirSync(folder, { recursive: true });
+  return async (page, name, whole = false) => {
+    await page.screenshot({ path: join(folder, `${name}.png`), fullPage: whole });
+  };
+}
+
+/** Of those that keep people from using the page. The page's own policy lets in no script of axe-core:
+ * open it with `bypassCSP`. */
+export const hasNoSeriousFault: Check = async (page) => {
+  await page.evaluate(axe.source);
+  const { violations } = await page.evaluate(() =>
+    (window as unknown as { axe: typeof axe }).axe.run(document, { resultTypes: ["violations"] }),
+  );
+  const faults = violations
+    .filter(({ impact }) => impact === "serious" || impact === "critical")
+    .map(({ id, nodes }) => `${id}: ${nodes.map(({ html, failureSummary }) => `${html}\n${failureSummary}`).join("\n")}`);
+  assert.deepEqual(faults, []);
+};
