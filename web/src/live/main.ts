@@ -38,6 +38,7 @@ const kStatusEvery = 1000; // [ms]
 const kTracesEvery = 120; // [ms]
 const kCurvesEvery = 1000; // [ms]
 const kMostChanges = 100; // of those that are listed
+const kOtherTask = ["load", "unload", "swap", "rollback", "promote"]; // changes of what is shown
 const kSlow = 2; // times real time: a run as slow as that is watched as it trains
 
 interface TrainerEvent {
@@ -175,7 +176,9 @@ class LivePage {
       this.record.add(episode, this.history.layout);
       this.curvesAreOld = true;
     } else if (event.event === "change") {
-      this.record.addChange(event as unknown as Change);
+      const change = event as unknown as Change;
+      this.record.addChange(change);
+      if (kOtherTask.includes(change.kind)) this.source.startOver();
       this.curvesAreOld = true;
       this.showChanges();
       void this.refreshListing();

@@ -25,6 +25,7 @@ export class ViewSource {
   private next: Clip | undefined;
   private isAsked = false;
   private time = 0;
+  private mustChange = false; // to the next episode, as soon as it is there
   private shown: Frame | undefined;
 
   constructor() {
@@ -43,6 +44,13 @@ export class ViewSource {
   setPaused(isPaused: boolean): void {
     if (this.isPaused === isPaused) return;
     this.isPaused = isPaused;
+    this.askAgain();
+  }
+
+  /** Another task is there: what was asked for, and the rest of what is shown, are of no more use. */
+  startOver(): void {
+    if (this.showsInstants) return;
+    this.mustChange = true;
     this.askAgain();
   }
 
@@ -84,8 +92,8 @@ export class ViewSource {
   }
 
   private changeEpisode(): void {
-    if (this.left <= 0 && this.next) {
-      [this.clip, this.next, this.time] = [this.next, undefined, 0];
+    if ((this.left <= 0 || this.mustChange) && this.next) {
+      [this.clip, this.next, this.time, this.mustChange] = [this.next, undefined, 0, false];
     }
     if (this.left < kAhead && !this.next && !this.isAsked) {
       this.isAsked = true;
