@@ -169,11 +169,12 @@ class Renderer {
 
 void Render(const Scene& scene, int left, int size, Image& image) {
   Renderer renderer(scene);
+  const StrokeLayer strokes(scene.camera, scene.strokes, size);
   const double step = 1. / size;
   for (int y = 0; y < size; ++y) {
     for (int x = 0; x < size; ++x) {
       const Layer pixel = renderer.Pixel((x + 0.5) * step, 1 - (y + 0.5) * step, step);
-      StorePixel(pixel, image.pixel(left + x, y));
+      StorePixel(strokes.at(x, y).Over(pixel), image.pixel(left + x, y));
     }
   }
 }

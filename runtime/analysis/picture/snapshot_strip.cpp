@@ -51,7 +51,9 @@ std::string SnapshotStrip(const Motion& motion, const std::vector<robot::Link>& 
   const auto draw = [&](size_t i) {
     const PosedRobot robot(links, motion, frames[i]);
     const Ground ground(cameras[i], TrailOf(motion, followed, frames, i));
-    Render({links, paints, robot, terrain, ground, cameras[i]},
+    const std::span<const Stroke> strokes =
+        options.strokes.empty() ? std::span<const Stroke>() : options.strokes[i];
+    Render({links, paints, robot, terrain, ground, cameras[i], strokes},
            static_cast<int>(i) * options.height, options.height, image);
   };
   std::vector<std::future<void>> pictures;  // at the same time: each has columns of its own

@@ -8,6 +8,7 @@
 #include "plugins/robot/robot_description.h"
 #include "plugins/world/world_description.h"
 #include "runtime/analysis/behavior/motion.h"
+#include "runtime/analysis/picture/strokes.h"
 
 namespace runtime {
 
@@ -19,7 +20,8 @@ struct StripOptions {
   double to = std::numeric_limits<double>::infinity();
   // So many of the links, at the end, are things of the world: none of the robot's.
   size_t things = 0;
-  world::Ground ground{};  // what all stand on
+  world::Ground ground{};                      // what all stand on
+  std::vector<std::vector<Stroke>> strokes{};  // over each picture; without any none
 };
 
 // The times of the pictures [s], equally spaced, the first and the last frame included: those of

@@ -1,6 +1,7 @@
 #include "runtime/analysis/robot/pose_pictures.h"
 
 #include "runtime/analysis/picture/snapshot_strip.h"
+#include "runtime/analysis/robot/joint_marks.h"
 
 namespace runtime {
 
@@ -15,11 +16,16 @@ std::string PosePictures(const robot::RobotDescription& robot, const std::vector
       motion.orientations.push_back(frame.orientation);
     }
   };
+  StripOptions options;
   for (const HeldPose& held : poses) {
     add(held.start);
+    options.strokes.push_back(JointMarks(robot, held.start, held.size));
     add(held.end);
+    options.strokes.emplace_back();
   }
-  return SnapshotStrip(motion, robot.links, {.count = motion.frame_count(), .height = height});
+  options.count = motion.frame_count();
+  options.height = height;
+  return SnapshotStrip(motion, robot.links, options);
 }
 
 }  // namespace runtime

@@ -10,7 +10,7 @@
 namespace runtime {
 
 // A strip (runtime/analysis/picture/snapshot_strip.h) of two pictures for each pose: as it starts,
-// and as it ends. `height`: of the strip [px]. At least one pose.
+// with its joints (joint_marks.h), and as it ends. `height`: of the strip [px]. At least one pose.
 std::string PosePictures(const robot::RobotDescription& robot, const std::vector<HeldPose>& poses,
                          int height);
 

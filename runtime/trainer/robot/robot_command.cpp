@@ -57,7 +57,8 @@ void AddShowRobotCommand(command_line::Command& robot) {
   AddProfileOption(show, options->profile).ShowDefault();
   const command_line::Option picture =
       show.AddOption("-o,--output", options->picture,
-                     "PNG file to write: each pose as it starts, and after the second")
+                     "PNG file to write: each pose as it starts, with the axes and ranges of its "
+                     "joints, and after the second")
           .ValueName("FILE");
   show.AddOption("--height", options->height, "height of the pictures, in pixels")
       .ShowDefault()
