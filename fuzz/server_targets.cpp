@@ -3,6 +3,7 @@
 
 #include "fuzz/runtime_targets.h"
 #include "fuzz/targets.h"
+#include "runtime/live/control/command_table.h"
 #include "runtime/live/server/api.h"
 #include "runtime/live/server/control_socket.h"
 #include "runtime/live/server/http_error.h"
@@ -18,9 +19,10 @@ namespace {
 struct Site {
   runtime::TemporaryFolder folder;
   runtime::FakeHandler handler;
-  runtime::Server server{{.folder = folder.path()}, handler, [](runtime::Page, const std::string&) {
-                           return std::string("a page");
-                         }};
+  runtime::Server server{
+      {.folder = folder.path()},
+      handler,
+      [](runtime::Page, const std::string&, const std::string&) { return std::string("a page"); }};
 
   runtime::RawClient Connect() const {
     return runtime::RawClient(runtime::ConnectToTrainer(runtime::OpenRunFolder(folder.path())));
@@ -38,7 +40,8 @@ void Request(const std::string& text) {
   const std::string_view target = piece(first + 1, second);
   try {
     const runtime::Route route = runtime::ReadRoute(
-        {.method = piece(0, first), .target = target, .body = piece(second + 1, text.size())});
+        {.method = piece(0, first), .target = target, .body = piece(second + 1, text.size())},
+        runtime::Commands());
     if (const auto* request = std::get_if<runtime::Request>(&route)) {
       Require(request->arguments.is_object(), "arguments are no object");
       runtime::ResponseOf(runtime::Reply{.value = request->arguments});

@@ -59,10 +59,6 @@ void ConnectOutput(Captured captured, int pipe) {
     case Captured::kOutput:
       dup2(pipe, STDOUT_FILENO);
       return;
-    case Captured::kAll:
-      dup2(pipe, STDERR_FILENO);
-      dup2(pipe, STDOUT_FILENO);
-      return;
     case Captured::kMessages:
       dup2(pipe, STDERR_FILENO);
       [[fallthrough]];

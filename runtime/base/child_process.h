@@ -10,9 +10,9 @@
 namespace runtime {
 
 // What of a child's output is for us. The rest goes to the user, all of it to our standard error:
-// our standard output may be read by a program. With kOutputOnly, messages go nowhere; kAll is
-// both, as they come.
-enum class Captured { kNothing, kOutput, kOutputOnly, kMessages, kAll };
+// our standard output may be read by a program. With kOutputOnly, messages go nowhere; kMessages
+// are what it says on both, as it comes.
+enum class Captured { kNothing, kOutput, kOutputOnly, kMessages };
 
 // When a child is killed, with all that it has started.
 struct ChildLimits {

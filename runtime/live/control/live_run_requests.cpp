@@ -112,7 +112,7 @@ Json LiveRun::Rescore(const Json& arguments, const BuiltPlugin& task) {
   }
   if (recorded.empty()) throw UserError("no episode is recorded yet; the first one always is");
   const int64_t episode = arguments.value("episode", recorded.back().get<int64_t>());
-  const ChildResult result = RunChild(rescore_words_(task.plugin, episode), Captured::kAll,
+  const ChildResult result = RunChild(rescore_words_(task.plugin, episode), Captured::kMessages,
                                       {.stop = loader_.stop_token()});
   if (result.was_too_slow) throw UserError("judging the episode took too long");
   const Json said = Json::parse(result.captured, nullptr, false);
