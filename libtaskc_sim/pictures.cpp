@@ -30,6 +30,32 @@ void AddFrame(const Motion& frame, const Vector3d& offset, Motion& motion) {
                              frame.orientations.end());
 }
 
+// Those behind a joint or a mount that lets them turn; where nothing carries the robot, all.
+std::vector<bool> TurningLinks(const robot::RobotDescription& robot) {
+  std::vector<bool> turns(robot.links.size(), !robot.has_fixed_base);
+  for (const robot::Branch& branch : robot.Branches()) {
+    const auto index = static_cast<size_t>(std::max(branch.joint, branch.mount));
+    const bool turns_here = branch.joint >= 0
+                                ? robot.joints[index].kind != robot::JointKind::kSlider
+                                : robot.mounts[index].kind == robot::MountKind::kBall;
+    turns[static_cast<size_t>(branch.child)] =
+        turns_here || turns[static_cast<size_t>(branch.parent)];
+  }
+  return turns;
+}
+
+// A frame that nobody sees, in which all links turn that can: what a picture is about does not
+// depend on what has moved before it.
+void AddTurned(const Motion& frame, const std::vector<bool>& turns, Motion& motion) {
+  const size_t first = motion.orientations.size();
+  AddFrame(frame, Vector3d::Zero(), motion);
+  for (size_t i = 0; i < turns.size(); ++i) {
+    if (!turns[i]) continue;
+    Eigen::Quaterniond& orientation = motion.orientations[first + i];
+    orientation = orientation * Eigen::Quaterniond(0, 1, 0, 0);  // half a turn
+  }
+}
+
 void CopyColors(const runtime::Image& image, unsigned char* rgb) {
   for (size_t i = 0; i < image.bytes.size(); i += runtime::Image::kChannels) {
     rgb = std::copy_n(image.bytes.begin() + static_cast<ptrdiff_t>(i), 3, rgb);
@@ -44,9 +70,9 @@ const Pictures::Scenery& Pictures::TheScenery() {
       runtime::WorldOf(setup_.plugin->table());
   runtime::RecordedBody body =
       runtime::ParseBody(runtime::BodyJson(setup_.robot, world.get())).value();
-  scenery_ = std::make_unique<const Scenery>(
-      Scenery{body, body.links(), runtime::PaintsOf(body.parts, body.things),
-              runtime::Terrain(world == nullptr ? world::Ground{} : world->ground)});
+  scenery_ = std::make_unique<const Scenery>(Scenery{
+      body, body.links(), TurningLinks(setup_.robot), runtime::PaintsOf(body.parts, body.things),
+      runtime::Terrain(world == nullptr ? world::Ground{} : world->ground)});
   return *scenery_;
 }
 
@@ -70,6 +96,7 @@ runtime::Camera Pictures::Follow(const Motion& now, View& view) const {
   const Vector3d way = WayBetween(view.first, now);
   Motion both = view.first;
   AddFrame(now, -way, both);
+  AddTurned(view.first, scenery_->turns, both);
   runtime::Camera camera = runtime::PlaceCameras(both, scenery_->robot, {0, 1}).back();
   Vector3d target = camera.target() + way;
   view.distance = std::max(view.distance, camera.distance);

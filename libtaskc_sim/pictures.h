@@ -32,6 +32,7 @@ class Pictures {
   struct Scenery {
     runtime::RecordedBody body;
     std::vector<robot::Link> robot;  // the links, without things
+    std::vector<bool> turns;         // which of them can
     std::vector<runtime::Paint> paints;
     runtime::Terrain terrain;
   };
