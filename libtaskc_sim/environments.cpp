@@ -16,7 +16,6 @@ namespace {
 using libtaskc_sim::Failure;
 using libtaskc_sim::RobotInTask;
 
-constexpr uint64_t kSeedMask = (uint64_t{1} << 53) - 1;
 constexpr taskc_uint32 kMostEnvironments = 100'000;
 constexpr taskc_uint32 kMostThreads = 1024;
 constexpr taskc_uint32 kSmallestPicture = 16;
@@ -101,7 +100,7 @@ void taskc_sim::Reset(const unsigned char* which, const taskc_uint64* seeds, flo
     if (which != nullptr && which[i] == 0) return;
     RobotInTask& robot = robots_[i];
     const int64_t number =
-        seeds == nullptr ? robot.NextNumber() : static_cast<int64_t>(seeds[i] & kSeedMask) + 1;
+        seeds == nullptr ? robot.NextNumber() : runtime::DecisionProcess::NumberOf(seeds[i]);
     robot.Reset(number, RowOf(observations, i, size));
   });
   ThrowFailure();
@@ -114,6 +113,9 @@ void taskc_sim::Step(const float* actions, const taskc_sim_arrays& arrays) {
   threads_.ForEach(robots_.size(),
                    [&](size_t i) { robots_[i].Step(actions + i * size, ResultsOf(i, arrays)); });
   ThrowFailure();
+  if (arrays.ended == nullptr) return;
+  *arrays.ended =
+      static_cast<taskc_uint32>(std::ranges::count_if(robots_, &RobotInTask::has_ended));
 }
 
 void taskc_sim::CheckIsReset() const {

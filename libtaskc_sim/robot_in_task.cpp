@@ -69,7 +69,7 @@ void RobotInTask::Decide(const float* action, const Results& results) {
     std::copy_n(action, action_.size(), action_.begin());
     process_.Step(action_);
   }
-  const bool is_over = !process_.is_running();
+  const bool is_over = has_ended_ = !process_.is_running();
   const bool is_terminal = is_over && (process_.end_kind() == runtime::EndKind::kSuccess ||
                                        process_.end_kind() == runtime::EndKind::kFailure);
   Write(begins ? 0 : process_.reward(), results.reward);

@@ -36,8 +36,9 @@ class RobotInTask {
 
   const runtime::DecisionProcess& process() const { return process_; }
   bool was_reset() const { return process_.number() > 0; }
-  // Whether an episode has ended here, with its record.
+  // Whether an episode has ended here, with its record; and whether one has in the last step.
   bool has_record() const { return has_record_; }
+  bool has_ended() const { return has_ended_; }
 
   // The number of the episode that follows without a seed.
   int64_t NextNumber() const;
@@ -59,6 +60,7 @@ class RobotInTask {
   Common common_;
   Eigen::VectorXd action_;
   bool has_record_ = false;
+  bool has_ended_ = false;
   std::exception_ptr failure_;
 };
 

@@ -90,7 +90,7 @@ class RobotEnv(Env):
             raise ValueError(f"an action has the shape {self.action_space.shape}, and this one has "
                              f"{np.shape(action)}")
         sim.step(action)
-        terminated, truncated = bool(sim.terminated[0]), bool(sim.truncated[0])
+        terminated, truncated = sim.flags[:, 0].tolist()
         info: Dict[str, Any] = {"terms": dict(zip(sim.term_names, sim.term_sums[0].tolist()))}
         if terminated or truncated:
             info["task"] = about(sim.last_episode(0))

@@ -61,7 +61,7 @@ def make(task: Union[Path, Task], *, robot: Optional[str] = None, robots: Option
     agent: what a decision and an observation are: one of the robot's agents, or an agent file, whose
         learner decides on vectors; by default "ppo"
     settings: as `trainer train --set`: {"task.weight": 2.0, "action_space.hold": 4,
-        "environment.friction": [0.5, 1.0]}
+        "environment.random_friction": [0.4, 1.2]}
     run_seed: after reset(seed=K) everything goes as in episode K + 1 of a run of the trainer with this
         seed
     discount: of the learner, for a task that pays a potential

@@ -41,7 +41,8 @@ class _Description(Structure):
 
 class _Arrays(Structure):
     _fields_ = [(name, c_void_p) for name in ("observations", "final_observations", "rewards",
-                                              "terminated", "truncated", "term_sums")]
+                                              "terminated", "truncated", "term_sums",
+                                              "ended")]
 
 
 class _Episode(Structure):
@@ -152,13 +153,14 @@ class Sim:
         self.observations = np.zeros((count, self.observation_size), np.float32)
         self.final_observations = np.zeros_like(self.observations)
         self.rewards = np.zeros(count)
-        self.terminated = np.zeros(count, np.bool_)
-        self.truncated = np.zeros(count, np.bool_)
+        self.flags = np.zeros((2, count), np.bool_)  # terminated, truncated
+        self.ended = c_uint32()  # how many episodes have ended
         self.term_sums = np.zeros((count, len(self.term_names)))
         # Their addresses: asking an array for its own takes longer than a call of the library.
         self._arrays = _Arrays(*[
             array.ctypes.data for array in (self.observations, self.final_observations, self.rewards,
-                                            self.terminated, self.truncated, self.term_sums)])
+                                            self.flags[0], self.flags[1], self.term_sums)])
+        self._arrays.ended = ctypes.addressof(self.ended)
         self._arrays_pointer = byref(self._arrays)
         self._actions_address = self.actions.ctypes.data
         self._observations_address = self.observations.ctypes.data
@@ -206,7 +208,7 @@ class Sim:
 
 
 def settings_of(settings: Mapping[str, Any]) -> Sequence[str]:
-    """{"environment.friction": [0.5, 1.5]} as the library takes it: MODULE.PARAMETER=VALUE."""
+    """{"environment.random_friction": [0.4, 1.2]} as the library takes it: MODULE.PARAMETER=VALUE."""
 
     def text(value: Any) -> str:
         if isinstance(value, (bool, np.bool_)):

@@ -81,6 +81,7 @@ TEST(SimEpisodes, TheNextStepBeginsAnotherOne) {
   const std::vector<float> first = sim.observations;
   StepToTheEnd(sim);
   EXPECT_THAT(sim.truncated, Each(1));
+  EXPECT_EQ(sim.ended, 1U);
   EXPECT_THAT(sim.terminated, Each(0));
   EXPECT_EQ(sim.observations, sim.last_observations);
   EXPECT_NE(sim.observations, first);
@@ -88,6 +89,7 @@ TEST(SimEpisodes, TheNextStepBeginsAnotherOne) {
   EXPECT_EQ(sim.observations, first);  // crawling begins in the same way each time
   EXPECT_THAT(sim.rewards, Each(0.0));
   EXPECT_THAT(sim.truncated, Each(0));
+  EXPECT_EQ(sim.ended, 0U);
   EXPECT_THAT(sim.term_sums, Each(0.0));
 }
 

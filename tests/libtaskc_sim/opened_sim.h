@@ -56,9 +56,9 @@ class OpenedSim {
     step_ = 0;
   }
   taskc_status TryStep() {
-    const taskc_sim_arrays arrays = {observations.data(), last_observations.data(),
-                                     rewards.data(),      terminated.data(),
-                                     truncated.data(),    term_sums.data()};
+    const taskc_sim_arrays arrays = {
+        observations.data(), last_observations.data(), rewards.data(), terminated.data(),
+        truncated.data(),    term_sums.data(),         &ended};
     return taskc_sim_step(sim_, actions.data(), &arrays);
   }
   // The decision that ActionElement() says.
@@ -84,6 +84,7 @@ class OpenedSim {
   std::vector<unsigned char> terminated;
   std::vector<unsigned char> truncated;
   std::vector<double> term_sums;
+  taskc_uint32 ended = 0;
 
  private:
   taskc_sim* sim_ = nullptr;

@@ -157,8 +157,9 @@ typedef struct taskc_sim_arrays {
   double* rewards;            // [count]: of the action
   unsigned char* terminated;  // [count]: 1 where the task has succeeded or failed, else 0
   unsigned char* truncated;   // [count]: 1 where the episode ends for another reason, else 0
-  double* term_sums;  // [count][term_count]: what each term has paid in the episode that the
-                      // reward is of
+  double* term_sums;    // [count][term_count]: what each term has paid in the episode that the
+                        // reward is of
+  taskc_uint32* ended;  // one number: in how many environments an episode has ended
 } taskc_sim_arrays;
 
 // A decision in each environment: `actions` [count][action_size]. Fails with OUT_OF_RANGE for one

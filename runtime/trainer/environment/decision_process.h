@@ -34,6 +34,10 @@ class DecisionProcess {
   const Environment& environment() const { return environment_; }
   const UniversalTask& task() const { return *tasks_.active; }
 
+  // The number of the episode that a seed stands for: one more, of its lower 53 bits.
+  static int64_t NumberOf(uint64_t seed) {
+    return static_cast<int64_t>(seed & ((uint64_t{1} << 53) - 1)) + 1;
+  }
   // Begins the episode of this number, from 1 on; one that runs is given up. It may be over where
   // it begins. Throws UserError where the environment cannot go on; then, and after a Step() that
   // has thrown, an episode is to be begun.

@@ -7,11 +7,6 @@
 #include <variant>
 
 namespace runtime {
-namespace {
-
-constexpr uint64_t kSeedMask = (uint64_t{1} << 53) - 1;
-
-}  // namespace
 
 EnvironmentSession::EnvironmentSession(const SharedEnvironment& shared, LocalSocket socket)
     : shared_(shared), messages_(std::move(socket)), process_(shared.setup, shared.discount) {}
@@ -36,8 +31,7 @@ void EnvironmentSession::Greet() {
 }
 
 void EnvironmentSession::Answer(const ResetRequest& request) {
-  process_.Reset(request.seed ? static_cast<int64_t>(*request.seed & kSeedMask) + 1
-                              : process_.number() + 1);
+  process_.Reset(request.seed ? DecisionProcess::NumberOf(*request.seed) : process_.number() + 1);
   if (process_.is_running()) return messages_.TellStart(process_.observation());
   messages_.TellError(
       fmt::format("the episode ends where it begins: {}", process_.record().active.end_reason));
