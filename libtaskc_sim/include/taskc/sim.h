@@ -42,7 +42,8 @@
 // Units: SI (m, kg, s, rad).
 //
 // Versions: the number at the end of the library's name is that of the ABI in plugin.h, as
-// libtaskc's. Within a number functions are added, and fields at the end of structs.
+// libtaskc's. Within a number functions are added, and fields at the end of taskc_sim_options and
+// taskc_sim_description; nothing else changes.
 #ifndef TASKC_SIM_H
 #define TASKC_SIM_H
 
