@@ -23,8 +23,11 @@ finish() {
 trap finish EXIT
 
 echo "== A Debian 12 with the least that there is"
-[ -x "$root/usr/bin/apt-get" ] || debootstrap --variant=minbase bookworm "$root" >"$folder/log" ||
-  { tail -n 20 "$folder/log"; exit 1; }
+if [ ! -e "$root.made" ]; then
+  rm -rf --one-file-system "$root"
+  debootstrap --variant=minbase bookworm "$root" >"$folder/log" || { tail -n 20 "$folder/log"; exit 1; }
+  touch "$root.made"
+fi
 mount -t proc proc "$root/proc"
 mount --rbind /dev "$root/dev"
 # The way to the archive is this machine's.
