@@ -49,15 +49,15 @@ Options ParseOptions(int argc, char** argv) {
   return options;
 }
 
-void RunAndRemember(const fuzz::Target& target, const std::string& text) {
+bool RunAndRemember(const fuzz::Target& target, const std::string& text) {
   const int file = open(kLastInput, O_WRONLY | O_CREAT | O_TRUNC, 0666);
   if (file < 0 || write(file, text.data(), text.size()) < 0) std::perror(kLastInput);
   close(file);
   const auto begin = std::chrono::steady_clock::now();
-  target.run(text);
+  const bool is_right = target.run(text);
   const auto took = std::chrono::steady_clock::now() - begin;
   constexpr std::chrono::seconds kTooLong(10);  // with sanitizers, on a busy machine
-  if (took < kTooLong) return;
+  if (took < kTooLong) return is_right;
   std::fprintf(stderr, "fuzz: this text took too long\n");
   std::abort();
 }
@@ -76,12 +76,12 @@ int main(int argc, char** argv) {
 
   fuzz::Mutator mutator(target.corpus(), target.words(), options.seed);
   const auto begin = std::chrono::steady_clock::now();
-  long run = 0;
+  long run = 0, right = 0;
   for (; options.runs < 0 || run < options.runs; ++run) {
     const auto passed = std::chrono::steady_clock::now() - begin;
     if (options.seconds >= 0 && passed > std::chrono::seconds(options.seconds)) break;
-    RunAndRemember(target, mutator.Next());
+    right += RunAndRemember(target, mutator.Next());
   }
   std::remove(kLastInput);
-  std::printf("%s: %ld texts, nothing found\n", target.name, run);
+  std::printf("%s: %ld texts, %ld of them right, nothing found\n", target.name, run, right);
 }

@@ -48,12 +48,14 @@ struct SampleFolder {
 };
 
 template <class Read>
-void ReadOrRefuse(const Read& read) {
+bool ReadOrRefuse(const Read& read) {
   try {
     read();
+    return true;
   } catch (const runtime::UserError& error) {
     Require(*error.what() != '\0', "an error says nothing");
   }
+  return false;
 }
 
 class Learner {
@@ -71,7 +73,7 @@ class Learner {
 
 }  // namespace
 
-void Plugin(const std::string& edits) {
+bool Plugin(const std::string& edits) {
   static const std::string intact = Content("/proc/self/exe").substr(0, 1 << 17);
   const std::string bytes = Damaged(intact, edits);
   const auto content = std::as_bytes(std::span(bytes));
@@ -82,9 +84,10 @@ void Plugin(const std::string& edits) {
   static const std::string whole = seal::Seal(intact.substr(0, 1000));
   Require((seal::StateOf(sealed) == seal::State::kIntact) == (sealed == whole),
           "a damaged file has its seal");
+  return true;
 }
 
-void Run(const std::string& edits) {
+bool Run(const std::string& edits) {
   static const SampleFolder sample;
   const std::filesystem::path folder = sample.file.parent_path();
   for (const char* suffix : {"-wal", "-shm", "-journal"}) {
@@ -101,26 +104,27 @@ void Run(const std::string& edits) {
     ReadOrRefuse([&] { database.ReadCheckpoint(); });
     ReadOrRefuse([&] { database.ReadRecordedEpisodes(); });
   });
-  ReadOrRefuse([&] { runtime::RecordText(folder); });
+  return ReadOrRefuse([&] { runtime::RecordText(folder); });
 }
 
-void Checkpoint(const std::string& edits) {
+bool Checkpoint(const std::string& edits) {
   static Learner learner;
   static const std::string state = runtime::SaveModules(learner.graph());
   const std::string damaged = Damaged(state, edits);
-  ReadOrRefuse([&] { runtime::LoadModules(learner.graph(), damaged); });
+  const bool is_read = ReadOrRefuse([&] { runtime::LoadModules(learner.graph(), damaged); });
   const std::string sealed = runtime::SealState(7, state);
   const std::string broken = Damaged(sealed, edits);
   const std::optional<std::string> unsealed = runtime::UnsealState(7, broken);
   // One without a hash is of an old version; it is taken.
   Require(!unsealed || *unsealed == state || *unsealed == broken, "a damaged state has its hash");
+  return is_read;
 }
 
-void Change(const std::string& text) {
+bool Change(const std::string& text) {
   const size_t line_end = std::min(text.find('\n'), text.size());
   const std::string kind = text.substr(0, line_end);
   const std::string data = text.substr(std::min(text.size(), line_end + 1));
-  ReadOrRefuse([&] {
+  return ReadOrRefuse([&] {
     const runtime::Change change = runtime::ReadChange(kind, data, 2);
     const std::string written = runtime::ChangeData(change);
     const runtime::Change again =

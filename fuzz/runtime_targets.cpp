@@ -31,14 +31,16 @@ std::filesystem::path FileOf(const std::string& text, const char* name) {
 
 // Each error has a text; any other exception ends the fuzzer.
 template <class Read>
-void ReadOrRefuse(const Read& read) {
+bool ReadOrRefuse(const Read& read) {
   try {
     read();
+    return true;
   } catch (const runtime::UserError& error) {
     Require(*error.what() != '\0', "an error says nothing");
   } catch (const robot::DescriptionError& error) {
     Require(*error.what() != '\0', "an error says nothing");
   }
+  return false;
 }
 
 Texts RobotTexts() { return TextsIn({"/plugins", "/tests/plugins/robots"}, "robot.toml"); }
@@ -108,17 +110,23 @@ Texts EditWords() {
   return {std::string(4, '\0'), "\xff\xff\xff\xff", std::string("\0\0\0\x7f", 4), "abcd"};
 }
 Texts ChangeTexts() {
-  return {"set\n{\"command\":\"set\",\"name\":\"task.limit\",\"value\":\"0.5\",\"task\":1}",
-          "swap\n{\"command\":\"swap\",\"module\":\"task\",\"task\":1,\"forget\":true}",
-          "load\n{\"command\":\"load\",\"name\":\"shadow\",\"task\":1}",
-          "unload\n{\"command\":\"unload\",\"name\":\"shadow\"}"};
+  return {R"(swap
+{"command":"swap","forget":true,"name":"task","task":2})",
+          R"(set
+{"command":"set","name":"a.b","value":[1.0,-0.5]})",
+          R"(schedule
+{"command":"set","episodes":10,"from":2,"name":"a.b","to":0.5})",
+          R"(module_add
+{"command":"module_add","name":"net","parameters":{"file":"x","width":3},"type":"NgNet"})",
+          R"(quarantine
+{"change":7,"command":"quarantine","why":"loop"})"};
 }
 Texts RequestTexts() {
   return {"GET\n/api/get?name=task.weight\n",
           "GET\n/api/status\n",
           "GET\n/report\n",
           "POST\n/api/set\n{\"name\":\"task.limit\",\"value\":\"0.5 s\"}",
-          "POST\n/api/swap\n{\"module\":\"task\",\"file\":\"a.task\",\"now\":true}",
+          "POST\n/api/swap\n{\"name\":\"task\",\"file\":\"a.task\",\"now\":true}",
           "GET\n/api/language?token=0123\n"};
 }
 Texts RequestWords() {
@@ -145,12 +153,12 @@ Texts FrameWords() {
 
 }  // namespace
 
-void Robot(const std::string& text) {
-  ReadOrRefuse([&] { robot::ReadRobot(FileOf(text, "robot.toml")); });
+bool Robot(const std::string& text) {
+  return ReadOrRefuse([&] { robot::ReadRobot(FileOf(text, "robot.toml")); });
 }
 
-void Agent(const std::string& text) {
-  ReadOrRefuse([&] {
+bool Agent(const std::string& text) {
+  return ReadOrRefuse([&] {
     const runtime::Agent agent = runtime::ParseAgent(text, "agent.toml");
     const std::string written = runtime::ToToml(agent);
     Require(runtime::ToToml(runtime::ParseAgent(written, "again")) == written,
@@ -158,25 +166,25 @@ void Agent(const std::string& text) {
   });
 }
 
-void Study(const std::string& text) {
-  ReadOrRefuse([&] { runtime::ReadStudy(FileOf(text, "study.toml")); });
+bool Study(const std::string& text) {
+  return ReadOrRefuse([&] { runtime::ReadStudy(FileOf(text, "study.toml")); });
 }
 
-void World(const std::string& text) {
+bool World(const std::string& text) {
   const auto read = [&](const std::filesystem::path&) { return std::optional(text); };
-  ReadOrRefuse([&] { world::ReadWorld(text, "world.toml", read); });
+  return ReadOrRefuse([&] { world::ReadWorld(text, "world.toml", read); });
 }
 
-void Signal(const std::string& text) {
-  ReadOrRefuse([&] {
+bool Signal(const std::string& text) {
+  return ReadOrRefuse([&] {
     const runtime::SignalFile signal = runtime::ReadSignalFile(FileOf(text, "signal.csv"));
     Require(signal.samples.size() % (signal.elements + 1) == 0, "half a row");
     runtime::CheckSamples(signal.samples, signal.elements, "what was read");
   });
 }
 
-void Greeting(const std::string& text) {
-  ReadOrRefuse([&] {
+bool Greeting(const std::string& text) {
+  return ReadOrRefuse([&] {
     const runtime::EnvironmentGreeting greeting = runtime::ParseGreeting(text);
     Require(greeting.time_step > 0, "no time passes");
   });

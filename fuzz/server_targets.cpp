@@ -31,7 +31,7 @@ struct Site {
 
 }  // namespace
 
-void Request(const std::string& text) {
+bool Request(const std::string& text) {
   const size_t first = std::min(text.find('\n'), text.size());
   const size_t second = std::min(text.find('\n', first + 1), text.size());
   const auto piece = [&](size_t begin, size_t end) {
@@ -50,10 +50,12 @@ void Request(const std::string& text) {
   } catch (const runtime::HttpError& error) {
     Require(error.status() >= 400 && error.status() < 500, "a client's mistake is called ours");
     runtime::ResponseOf(error.status(), error.what());
+    return false;
   }
+  return true;
 }
 
-void Frames(const std::string& bytes) {
+bool Frames(const std::string& bytes) {
   static Site& site = *new Site;  // its threads would be waited for at the end
   constexpr const char* kUpgrade =
       "Connection: Upgrade\r\nUpgrade: websocket\r\nSec-WebSocket-Version: 13\r\n"
@@ -69,6 +71,7 @@ void Frames(const std::string& bytes) {
   runtime::RawClient client = site.Connect();
   client.Send(runtime::RequestText("GET", "/api/status", "Host: localhost\r\n"));
   Require(client.Receive().status == 200, "the server does not answer any more");
+  return true;
 }
 
 }  // namespace fuzz

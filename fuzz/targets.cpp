@@ -44,31 +44,33 @@ void Use(const CheckedTask& task, const Sources& sources) {
 
 }  // namespace
 
-void Parse(const std::string& text) {
+bool Parse(const std::string& text) {
   const Sources sources("fuzz.task", text);
   Diagnostics diagnostics;
   const auto tree = compiler::Parse(sources.main(), diagnostics);
   Require(tree || diagnostics.has_errors(), "neither a tree nor an error");
   Require(!tree || tree->lost.is_empty() || diagnostics.has_errors(), "something is lost silently");
   Show(sources, diagnostics);
+  return !diagnostics.has_errors();
 }
 
-void Check(const std::string& text) {
+bool Check(const std::string& text) {
   const auto read = [&](const std::filesystem::path& file) {
     return file == "fuzz.task" ? std::optional(text) : std::nullopt;
   };
   Sources sources;
   Diagnostics diagnostics;
   const auto tree = compiler::Compose("fuzz.task", read, sources, diagnostics);
-  if (!tree) return;
+  if (!tree) return false;
   const auto task = compiler::Check(*tree, tree->robot ? &Humanoid() : nullptr, diagnostics);
   Require(task.has_value() == !diagnostics.has_errors(), "neither a task nor an error, or both");
   Show(sources, diagnostics);
   if (task) Use(*task, sources);
+  return task.has_value();
 }
 
 // A task whose only table is read, of each kind.
-void Table(const std::string& text) {
+bool Table(const std::string& text) {
   struct Kind {
     const char* type;
     const char* value;
@@ -77,6 +79,7 @@ void Table(const std::string& text) {
                              {"vec3 [m]", "norm(a(time)) / 1 m"},
                              {"quat", "a(time).w"},
                              {"real[joint] [rad]", "norm(a(time, loop)) / 1 rad"}};
+  bool is_one = false;
   for (const Kind& kind : kKinds) {
     const std::string task =
         std::string("task fuzz for humanoid\ntable a: ") + kind.type +
@@ -93,19 +96,22 @@ void Table(const std::string& text) {
             "neither a task nor an error, or both");
     Show(sources, diagnostics);
     if (checked) Use(*checked, sources);
+    is_one = is_one || checked.has_value();
   }
+  return is_one;
 }
 
-void Format(const std::string& text) {
+bool Format(const std::string& text) {
   Diagnostics diagnostics;
   const Sources sources("fuzz.task", text);
   const auto formatted = compiler::Format(sources.main(), diagnostics);
   Require(formatted.has_value() == !diagnostics.has_errors(), "neither a text nor an error");
-  if (!formatted) return;
+  if (!formatted) return false;
   const Sources again("fuzz.task", *formatted);
   const auto twice = compiler::Format(again.main(), diagnostics);
   Require(twice.has_value(), "formatting made a mistake");
   Require(*twice == *formatted, "a formatted text is formatted otherwise");
+  return true;
 }
 
 const std::vector<Target>& Targets() {

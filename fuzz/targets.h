@@ -12,7 +12,7 @@ namespace fuzz {
 
 struct Target {
   const char* name;
-  void (*run)(const std::string& text);
+  bool (*run)(const std::string& text);  // whether there was nothing wrong with the text
   std::vector<std::string> (*corpus)();
   std::vector<std::string> (*words)();
 };
@@ -21,13 +21,13 @@ struct Target {
 void Require(bool condition, const char* what);
 
 // There is a tree, or there are errors; each error can be shown.
-void Parse(const std::string& text);
+bool Parse(const std::string& text);
 // A task that is right can be emitted and evaluated.
-void Check(const std::string& text);
+bool Check(const std::string& text);
 // The file of a table, of each kind of type: as Check.
-void Table(const std::string& text);
+bool Table(const std::string& text);
 // A formatted text is in its layout already, and no less right than it was.
-void Format(const std::string& text);
+bool Format(const std::string& text);
 
 const std::vector<Target>& Targets();
 // Ends the program where there is no target of this name.
