@@ -19,7 +19,7 @@ bool IsInTemporaryFolder(const fs::path& file) {
   std::error_code error;
   const fs::path folder = fs::canonical(fs::temp_directory_path(error), error);
   const fs::path parent = fs::canonical(file.parent_path(), error);
-  return !error && parent.string().starts_with(folder.string());
+  return !error && (parent / "").string().starts_with((folder / "").string());
 }
 
 // `taskc build TASK -o PLUGIN [--robots DIR] [--text FILE]`: the plugin goes where this process may
