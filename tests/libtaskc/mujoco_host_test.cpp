@@ -29,7 +29,7 @@ class Twins {
  public:
   Twins() {
     const SolverSettings settings{.time_step = world_.physics_time_step(), .contacts = {}};
-    model_ = CompiledModel(Mjcf(Humanoid(), settings, world_.body()));
+    model_ = CompiledModel(MjcfOf(Humanoid(), world_.surroundings(), settings, world_.body()));
     data_.reset(mj_makeData(model_.get()));
     CopyState();
     sensors_.Refresh(world_, 0);
@@ -151,8 +151,8 @@ TEST(MujocoHost, AModelOfAnotherRobotIsRefusedByName) {
   const libtaskc::OpenedTask task("crawling");
   const libtaskc::Instance host(task);
   const World world(Hopper(), FindProfile("fast-tree"), Hopper().poses[0]);
-  const auto model =
-      CompiledModel(Mjcf(Hopper(), {.time_step = 0.002, .contacts = {}}, world.body()));
+  const auto model = CompiledModel(
+      MjcfOf(Hopper(), world.surroundings(), {.time_step = 0.002, .contacts = {}}, world.body()));
   taskc_mujoco robot;
   EXPECT_NE(taskc_mujoco_open(&robot, task.get(), host, model.get()), 0);
   EXPECT_THAT(robot.error, HasSubstr("the model has no body `"));
@@ -163,8 +163,8 @@ TEST(MujocoHost, ATaskWithoutARobotIsRefused) {
   const libtaskc::OpenedTask task("each");
   const libtaskc::Instance host(task);
   const World world(Hopper(), FindProfile("fast-tree"), Hopper().poses[0]);
-  const auto model =
-      CompiledModel(Mjcf(Hopper(), {.time_step = 0.002, .contacts = {}}, world.body()));
+  const auto model = CompiledModel(
+      MjcfOf(Hopper(), world.surroundings(), {.time_step = 0.002, .contacts = {}}, world.body()));
   taskc_mujoco robot;
   EXPECT_NE(taskc_mujoco_open(&robot, task.get(), host, model.get()), 0);
   EXPECT_STREQ(robot.error, "the task is for no robot");

@@ -1,120 +1,35 @@
 #include "runtime/training/simulation/mujoco_model.h"
 
-#include <fmt/format.h>
-
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
-#include <iterator>
 #include <map>
 #include <mutex>
-#include <numbers>
 #include <utility>
 
 #include "runtime/base/user_error.h"
-#include "runtime/training/simulation/link_motion.h"
+#include "runtime/training/simulation/mjcf_surroundings.h"
 
 namespace runtime {
 namespace {
 
-constexpr double kMostFriction = 100;            // where nothing slides
-constexpr const char* kGround = "ground plane";  // no link can be called so
-
-// Of all that touch at a time; a robot has a dozen as a rule.
-int MostContacts(const robot::RobotDescription& robot) {
-  return 64 + 4 * static_cast<int>(robot.links.size());
-}
-
-using Text = fmt::memory_buffer;
-
-template <class... Arguments>
-void Append(Text& text, fmt::format_string<Arguments...> format, Arguments&&... arguments) {
-  fmt::format_to(std::back_inserter(text), format, std::forward<Arguments>(arguments)...);
-}
-
-std::string Numbers(const robot::Vector3& v) { return fmt::format("{} {} {}", v[0], v[1], v[2]); }
-
-std::string Numbers(const Eigen::Quaterniond& q) {
-  return fmt::format("{} {} {} {}", q.w(), q.x(), q.y(), q.z());
+// Of all that touch at a time; a robot has a dozen as a rule. On hills there are more of them: with
+// each piece of the ground below.
+int MostContacts(const RobotBody& body, bool has_hills) {
+  return 64 + (has_hills ? 16 : 4) * body.body_count();
 }
 
 robot::Vector3 Difference(const robot::Vector3& to, const robot::Vector3& from) {
   return {to[0] - from[0], to[1] - from[1], to[2] - from[2]};
 }
 
-// MuJoCo refuses moments of which one is larger than the other two together, as no body has them;
-// those of a thin plate may be so by rounding.
-Vector3 PossibleMoments(const Vector3& moments, const robot::Link& link) {
-  constexpr double kRounding = 1e-9;
-  Vector3 possible = moments;
-  int largest = 0;
-  moments.maxCoeff(&largest);
-  const double others = moments[(largest + 1) % 3] + moments[(largest + 2) % 3];
-  if (moments[largest] > others * (1 + kRounding)) {
-    throw UserError(fmt::format(
-        "MuJoCo cannot simulate the link `{}`: no body has the moments of inertia {:.3g}, {:.3g} "
-        "and {:.3g} kg m^2, of which one is larger than the other two together; correct its "
-        "`inertia`, or choose another profile",
-        link.name, moments[0], moments[1], moments[2]));
-  }
-  possible[largest] = std::min(moments[largest], others);
-  return possible;
-}
-
-void AppendInertia(const robot::Link& link, dBodyID body, Text& text) {
-  const LinkInertia inertia = InertiaOf(body);
-  const Vector3 moments = PossibleMoments(inertia.principal, link);
-  Append(text, "<inertial pos='0 0 0' mass='{}' quat='{}' diaginertia='{} {} {}'/>", inertia.mass,
-         Numbers(Eigen::Quaterniond(inertia.axes)), moments[0], moments[1], moments[2]);
-}
-
-// MuJoCo's capsules and cylinders lie along z.
-Eigen::Quaterniond AlongAxis(int axis) {
-  constexpr double kQuarter = std::numbers::pi / 2;
-  if (axis == 0) return Eigen::Quaterniond(Eigen::AngleAxisd(kQuarter, Eigen::Vector3d::UnitY()));
-  if (axis == 1) return Eigen::Quaterniond(Eigen::AngleAxisd(kQuarter, Eigen::Vector3d::UnitX()));
-  return Eigen::Quaterniond::Identity();
-}
-
-std::string SizeAndType(const robot::Link& link) {
-  const robot::LinkShape& shape = link.shape;
-  switch (shape.kind) {
-    case robot::ShapeKind::kBox:
-      return fmt::format("type='box' size='{} {} {}'", shape.size[0] / 2, shape.size[1] / 2,
-                         shape.size[2] / 2);
-    case robot::ShapeKind::kCapsule:
-      return fmt::format("type='capsule' size='{} {}'", shape.radius,
-                         shape.length / 2 - shape.radius);
-    case robot::ShapeKind::kCylinder:
-      return fmt::format("type='cylinder' size='{} {}'", shape.radius, shape.length / 2);
-    case robot::ShapeKind::kSphere:
-      return fmt::format("type='sphere' size='{}'", shape.radius);
-    case robot::ShapeKind::kConvex:
-      break;
-  }
-  return fmt::format("type='mesh' mesh='{}'", link.name);
-}
-
 // The points of convex links; MuJoCo makes their hull.
-void AppendMeshes(const robot::RobotDescription& robot, Text& text) {
-  Append(text, "<asset>\n");
+void AppendMeshes(const robot::RobotDescription& robot, MjcfText& text) {
   for (const robot::Link& link : robot.links) {
     if (link.shape.kind != robot::ShapeKind::kConvex) continue;
     Append(text, "<mesh name='{}' vertex='", link.name);
     for (const robot::Vector3& point : link.shape.points) Append(text, "{} ", Numbers(point));
     Append(text, "'/>\n");
   }
-  Append(text, "</asset>\n");
-}
-
-void AppendShape(const robot::Link& link, Text& text) {
-  const auto& [w, x, y, z] = link.shape.orientation;
-  const bool has_axis = link.shape.kind == robot::ShapeKind::kCapsule ||
-                        link.shape.kind == robot::ShapeKind::kCylinder;
-  const Eigen::Quaterniond turn =
-      Eigen::Quaterniond(w, x, y, z) * AlongAxis(has_axis ? link.shape.axis : 2);
-  Append(text, "<geom name='{}' {} pos='{}' quat='{}'/>", link.name, SizeAndType(link),
-         Numbers(link.shape.position), Numbers(turn));
 }
 
 // What a joint feels as inertia while its motor holds (runtime/training/simulation/joint_motor.h),
@@ -130,7 +45,7 @@ double HeldInertia(const robot::RobotDescription& robot, const robot::Joint& joi
 }
 
 void AppendJoint(const robot::RobotDescription& robot, const robot::Joint& joint, double time_step,
-                 Text& text) {
+                 MjcfText& text) {
   const bool slides = joint.kind == robot::JointKind::kSlider;
   // A positive angle turns the child by minus the angle.
   const double sign = slides ? 1 : -1;
@@ -158,7 +73,7 @@ class Bodies {
     }
   }
 
-  void AppendBase(Text& text) const {
+  void AppendBase(MjcfText& text) const {
     const robot::Link& base = robot_.links[0];
     Append(text, "<body name='{}' pos='{}'{}>", base.name, Numbers(base.position),
            robot_.has_fixed_base ? " mocap='true'" : "");
@@ -167,7 +82,7 @@ class Bodies {
   }
 
  private:
-  void AppendChild(const robot::Branch& branch, Text& text) const {
+  void AppendChild(const robot::Branch& branch, MjcfText& text) const {
     const robot::Link& link = robot_.links[branch.child];
     const robot::Link& parent = robot_.links[branch.parent];
     Append(text, "<body name='{}' pos='{}'>", link.name,
@@ -181,9 +96,9 @@ class Bodies {
     AppendRest(branch.child, text);
   }
 
-  void AppendRest(int link, Text& text) const {
-    AppendInertia(robot_.links[link], body_.body(link), text);
-    AppendShape(robot_.links[link], text);
+  void AppendRest(int link, MjcfText& text) const {
+    AppendInertia(robot_.links[link].name, body_.body(link), text);
+    AppendShape(robot_.links[link].name, robot_.links[link].shape, text);
     for (const robot::Branch& branch : branches_[link]) AppendChild(branch, text);
     Append(text, "</body>\n");
   }
@@ -194,16 +109,7 @@ class Bodies {
   std::vector<std::vector<robot::Branch>> branches_;  // of each link as a parent
 };
 
-void AppendPair(const std::string& first, const std::string& second, double friction, Text& text) {
-  const double limited = std::min(friction, kMostFriction);
-  Append(text, "<pair geom1='{}' geom2='{}' condim='{}' friction='{} {} 0 0 0'/>\n", first, second,
-         friction > 0 ? 3 : 1, limited, limited);
-}
-
-void AppendPairs(const robot::RobotDescription& robot, Text& text) {
-  for (size_t i = robot.has_fixed_base ? 1 : 0; i < robot.links.size(); ++i) {
-    AppendPair(kGround, robot.links[i].name, robot.links[i].friction, text);
-  }
+void AppendPairsOfLinks(const robot::RobotDescription& robot, MjcfText& text) {
   for (const auto& [i, j] : CollidingLinks(robot)) {
     const robot::Link& first = robot.links[i];
     const robot::Link& second = robot.links[j];
@@ -211,11 +117,12 @@ void AppendPairs(const robot::RobotDescription& robot, Text& text) {
   }
 }
 
-MujocoModel Compile(const std::string& mjcf) {
+MujocoModel Compile(const Mjcf& mjcf) {
   constexpr const char* kName = "robot.xml";
   UseMujoco();
   MemoryFiles files;
-  files.Add(kName, mjcf);
+  files.Add(kName, mjcf.text);
+  if (!mjcf.hills.empty()) files.Add(kHillsFile, mjcf.hills);
   std::array<char, 1024> error{};
   MujocoModel model(mj_loadXML(kName, files.get(), error.data(), error.size()));
   if (!model) {
@@ -228,17 +135,18 @@ MujocoModel Compile(const std::string& mjcf) {
 
 }  // namespace
 
-std::string Mjcf(const robot::RobotDescription& robot, const SolverSettings& settings,
-                 const RobotBody& body) {
+Mjcf MjcfOf(const robot::RobotDescription& robot, const Surroundings& around,
+            const SolverSettings& settings, const RobotBody& body) {
+  std::string hills = HillsFile(around);
   const double h = settings.time_step;
-  Text text;
+  MjcfText text;
   Append(text, "<mujoco model='{}'>\n<compiler angle='radian'/>\n", robot.name);
   // The ratio makes friction harder than normals, so that what holds does not creep.
   Append(text,
          "<option timestep='{}' gravity='0 0 {}' cone='elliptic' impratio='10' "
          "collision='predefined'/>\n",
          h, -settings.gravity);
-  const int contacts = MostContacts(robot);
+  const int contacts = MostContacts(body, !hills.empty());
   Append(text, "<size nconmax='{}' njmax='{}'/>\n", contacts,
          3 * contacts + 2 * robot.joints.size());
   // Contacts and stops are as hard as MuJoCo lets a step have them.
@@ -246,18 +154,23 @@ std::string Mjcf(const robot::RobotDescription& robot, const SolverSettings& set
          "<default><geom contype='0' conaffinity='0'/><pair solref='{0} 1'/>"
          "<joint solreflimit='{0} 1'/></default>\n",
          2 * h);
+  Append(text, "<asset>\n");
   AppendMeshes(robot, text);
-  Append(text, "<worldbody>\n<geom name='{}' type='plane' size='1 1 1'/>\n", kGround);
+  AppendAssets(around, text);
+  Append(text, "</asset>\n<worldbody>\n");
+  AppendGround(around, text);
   Bodies(robot, h, body).AppendBase(text);
+  AppendThings(around, body, text);
   Append(text, "</worldbody>\n<contact>\n");
-  AppendPairs(robot, text);
+  AppendPairs(robot, around, text);
+  AppendPairsOfLinks(robot, text);
   Append(text, "</contact>\n</mujoco>\n");
-  return fmt::to_string(text);
+  return {fmt::to_string(text), std::move(hills)};
 }
 
-std::shared_ptr<const mjModel> CompiledModel(const std::string& mjcf) {
+std::shared_ptr<const mjModel> CompiledModel(const Mjcf& mjcf) {
   static std::mutex mutex;
-  static std::map<std::string, std::weak_ptr<const mjModel>> models;
+  static std::map<Mjcf, std::weak_ptr<const mjModel>> models;
   const std::lock_guard lock(mutex);
   if (const auto known = models.find(mjcf); known != models.end()) {
     if (std::shared_ptr<const mjModel> model = known->second.lock()) return model;

@@ -1,6 +1,7 @@
-// A robot's description as MuJoCo reads it: a text in MJCF.
+// A robot and what is around it as MuJoCo reads them: a text in MJCF.
 #pragma once
 
+#include <compare>
 #include <memory>
 #include <string>
 
@@ -10,16 +11,22 @@
 
 namespace runtime {
 
-// Bodies, joints and shapes have the names of the links, joints and links that they are; the ground
-// is a plane. Each body's frame is its link's
-// (runtime/training/simulation/link_frames.h). A hinge's coordinate is the joint's angle, a
-// slider's is radius * angle. A fixed base is a mocap body. Motors, springs and dampers are not in
-// it: MujocoSolver has them.
-std::string Mjcf(const robot::RobotDescription& robot, const SolverSettings& settings,
-                 const RobotBody& body);
+struct Mjcf {
+  std::string text;
+  std::string hills;  // the bytes of the file with their heights that the text names, or nothing
 
-// MuJoCo's model of such a text, which all who use it at the same time share, in any thread. Throws
+  auto operator<=>(const Mjcf&) const = default;
+};
+
+// Bodies, joints and shapes have the names of the links, joints and links that they are. Each
+// body's frame is its link's (runtime/training/simulation/link_frames.h). A hinge's coordinate is
+// the joint's angle, a slider's is radius * angle. A fixed base is a mocap body. Motors, springs
+// and dampers are not in it: MujocoSolver has them. What else there is: mjcf_surroundings.h.
+Mjcf MjcfOf(const robot::RobotDescription& robot, const Surroundings& around,
+            const SolverSettings& settings, const RobotBody& body);
+
+// MuJoCo's model of it, which all who use it at the same time share, in any thread. Throws
 // UserError with MuJoCo's message if it is none.
-std::shared_ptr<const mjModel> CompiledModel(const std::string& mjcf);
+std::shared_ptr<const mjModel> CompiledModel(const Mjcf& mjcf);
 
 }  // namespace runtime

@@ -6,6 +6,8 @@
 #include "runtime/base/user_error.h"
 #include "runtime/training/simulation/limit.h"
 #include "runtime/training/simulation/link_motion.h"
+#include "runtime/training/simulation/mjcf_surroundings.h"
+#include "runtime/training/simulation/mujoco_contacts.h"
 #include "runtime/training/simulation/mujoco_model.h"
 
 namespace runtime {
@@ -21,12 +23,15 @@ namespace {
 // the contacts.
 class MujocoSolver : public PhysicsSolver {
  public:
-  MujocoSolver(const robot::RobotDescription& robot, const SolverSettings& settings,
-               const JointController& controller, RobotBody& body);
+  MujocoSolver(const robot::RobotDescription& robot, const Surroundings& around,
+               const SolverSettings& settings, const JointController& controller, RobotBody& body);
 
   void Step(std::span<const Contact> contacts, const JointController& controller,
             std::span<Vector3> impulses) override;
-  std::span<const unsigned char> ground() const override { return ground_; }
+  std::span<const unsigned char> ground() const override { return contacts_.ground(); }
+  std::span<const unsigned char> touches(size_t thing) const override {
+    return contacts_.touches(thing);
+  }
 
  private:
   struct Joint {
@@ -35,6 +40,12 @@ class MujocoSolver : public PhysicsSolver {
     double radius;
     size_t pull_count;  // of the controller's; the rest, dry friction, is MuJoCo's
     std::vector<LimitedPull> pulls;
+  };
+  // A body that nothing holds: the base, or a thing.
+  struct Free {
+    int body;      // of the robot's, then the things'
+    int position;  // in qpos
+    int speed;     // in qvel
   };
   struct Ball {
     int parent;
@@ -47,14 +58,15 @@ class MujocoSolver : public PhysicsSolver {
   int IdOf(mjtObj kind, const std::string& name) const {
     return mj_name2id(model_.get(), kind, name.c_str());
   }
-  void ReadBase();
+  void AddBody(const std::string& name);
+  void AddThings(const Surroundings& around);
+  void ReadFixedBase();
+  void ReadFree(const Free& free);
   void ReadBall(const Ball& ball);
   void ReadJoints(const JointController& controller);
   void SolveForAccelerations();
   void ApplyPulls();
   bool CorrectStates();
-  void ReadGround();
-  void AddImpulses(std::span<Vector3> impulses) const;
   void MoveBodies();
 
   double time_step_;
@@ -62,28 +74,27 @@ class MujocoSolver : public PhysicsSolver {
   bool has_fixed_base_;
   std::shared_ptr<const mjModel> model_;
   MujocoData data_;
-  std::vector<int> bodies_;  // MuJoCo's of each link
-  std::vector<int> links_;   // the link of each of MuJoCo's bodies; of its world none
+  std::vector<int> bodies_;  // MuJoCo's of each link and thing that moves
+  std::vector<Free> frees_;
   std::vector<Joint> joints_;
   std::vector<Ball> balls_;
   std::vector<double> inertias_;  // the matrix of them without any pull
-  std::vector<unsigned char> ground_;
+  MujocoContacts contacts_;
 };
 
-MujocoSolver::MujocoSolver(const robot::RobotDescription& robot, const SolverSettings& settings,
-                           const JointController& controller, RobotBody& body)
+MujocoSolver::MujocoSolver(const robot::RobotDescription& robot, const Surroundings& around,
+                           const SolverSettings& settings, const JointController& controller,
+                           RobotBody& body)
     : time_step_(settings.time_step),
       body_(body),
       has_fixed_base_(robot.has_fixed_base),
-      model_(CompiledModel(Mjcf(robot, settings, body))),
+      model_(CompiledModel(MjcfOf(robot, around, settings, body))),
       data_(mj_makeData(model_.get())),
-      links_(model_->nbody, Contact::kGround),
       inertias_(model_->nM),
-      ground_(robot.links.size(), 0) {
-  for (const robot::Link& link : robot.links) {
-    bodies_.push_back(IdOf(mjOBJ_BODY, link.name));
-    links_[bodies_.back()] = static_cast<int>(bodies_.size()) - 1;
-  }
+      contacts_(*model_, robot.links.size(), around.things().size()) {
+  for (const robot::Link& link : robot.links) AddBody(link.name);
+  if (!has_fixed_base_) frees_.push_back({0, 0, 0});
+  AddThings(around);
   for (size_t j = 0; j < robot.joints.size(); ++j) {
     const robot::Joint& joint = robot.joints[j];
     const int id = IdOf(mjOBJ_JOINT, joint.name);
@@ -100,11 +111,28 @@ MujocoSolver::MujocoSolver(const robot::RobotDescription& robot, const SolverSet
   }
 }
 
+void MujocoSolver::AddBody(const std::string& name) {
+  bodies_.push_back(IdOf(mjOBJ_BODY, name));
+  contacts_.SetOwner(bodies_.back(), static_cast<int>(bodies_.size()) - 1);
+}
+
+void MujocoSolver::AddThings(const Surroundings& around) {
+  for (size_t i = 0; i < around.things().size(); ++i) {
+    const std::string name = MjcfNameOf(around.things()[i]);
+    contacts_.SetThing(IdOf(mjOBJ_GEOM, name), i);
+    if (around.BodyOf(i) < 0) continue;
+    AddBody(name);
+    const int joint = IdOf(mjOBJ_JOINT, name);
+    frees_.push_back({around.BodyOf(i), model_->jnt_qposadr[joint], model_->jnt_dofadr[joint]});
+  }
+}
+
 void MujocoSolver::Step(std::span<const Contact>, const JointController& controller,
                         std::span<Vector3> impulses) {
   const mjModel* model = model_.get();
   mjData* data = data_.get();
-  ReadBase();
+  if (has_fixed_base_) ReadFixedBase();
+  for (const Free& free : frees_) ReadFree(free);
   for (const Ball& ball : balls_) ReadBall(ball);
   ReadJoints(controller);
   try {
@@ -115,8 +143,8 @@ void MujocoSolver::Step(std::span<const Contact>, const JointController& control
     mj_makeConstraint(model, data);
     mj_fwdVelocity(model, data);
     SolveForAccelerations();
-    ReadGround();
-    if (!impulses.empty()) AddImpulses(impulses);
+    contacts_.Read(*data);
+    if (!impulses.empty()) contacts_.AddImpulses(*data, time_step_, impulses);
     mj_Euler(model, data);
     mj_kinematics(model, data);
     mj_comPos(model, data);
@@ -130,17 +158,19 @@ void MujocoSolver::Step(std::span<const Contact>, const JointController& control
   MoveBodies();
 }
 
-void MujocoSolver::ReadBase() {
-  const dBodyID base = body_.body(0);
-  mjtNum* position = has_fixed_base_ ? data_->mocap_pos : data_->qpos;
-  mjtNum* orientation = has_fixed_base_ ? data_->mocap_quat : data_->qpos + 3;
-  std::copy_n(dBodyGetPosition(base), 3, position);
-  std::copy_n(dBodyGetQuaternion(base), 4, orientation);
-  if (has_fixed_base_) return;
+void MujocoSolver::ReadFixedBase() {
+  std::copy_n(dBodyGetPosition(body_.body(0)), 3, data_->mocap_pos);
+  std::copy_n(dBodyGetQuaternion(body_.body(0)), 4, data_->mocap_quat);
+}
+
+void MujocoSolver::ReadFree(const Free& free) {
+  const dBodyID body = body_.body(free.body);
+  std::copy_n(dBodyGetPosition(body), 3, data_->qpos + free.position);
+  std::copy_n(dBodyGetQuaternion(body), 4, data_->qpos + free.position + 3);
+  std::copy_n(dBodyGetLinearVel(body), 3, data_->qvel + free.speed);
   // A free joint's turning is told in the frame of its body.
-  std::copy_n(dBodyGetLinearVel(base), 3, data_->qvel);
-  const Vector3 turning = ToEigen(dBodyGetAngularVel(base));
-  Vector3::Map(data_->qvel + 3) = RotationOf(base).transpose() * turning;
+  const Vector3 turning = ToEigen(dBodyGetAngularVel(body));
+  Vector3::Map(data_->qvel + free.speed + 3) = RotationOf(body).transpose() * turning;
 }
 
 void MujocoSolver::ReadBall(const Ball& ball) {
@@ -219,34 +249,10 @@ bool MujocoSolver::CorrectStates() {
   return right;
 }
 
-void MujocoSolver::ReadGround() {
-  std::ranges::fill(ground_, 0);
-  for (int i = 0; i < data_->ncon; ++i) {
-    const int first = links_[model_->geom_bodyid[data_->contact[i].geom1]];
-    const int second = links_[model_->geom_bodyid[data_->contact[i].geom2]];
-    if (first == Contact::kGround) ground_[second] = 1;
-    if (second == Contact::kGround) ground_[first] = 1;
-  }
-}
-
-// A contact's force is told in its own frame, and acts on the second of the two shapes.
-void MujocoSolver::AddImpulses(std::span<Vector3> impulses) const {
-  for (int i = 0; i < data_->ncon; ++i) {
-    const mjContact& contact = data_->contact[i];
-    mjtNum force[6];
-    mj_contactForce(model_.get(), data_.get(), i, force);
-    const Vector3 impulse = time_step_ * Matrix3::Map(contact.frame).transpose() * ToEigen(force);
-    const int first = links_[model_->geom_bodyid[contact.geom1]];
-    const int second = links_[model_->geom_bodyid[contact.geom2]];
-    if (first != Contact::kGround) impulses[first] -= impulse;
-    if (second != Contact::kGround) impulses[second] += impulse;
-  }
-}
-
 void MujocoSolver::MoveBodies() {
-  for (int link = has_fixed_base_ ? 1 : 0; link < body_.link_count(); ++link) {
-    const int id = bodies_[link];
-    const dBodyID body = body_.body(link);
+  for (int i = has_fixed_base_ ? 1 : 0; i < body_.body_count(); ++i) {
+    const int id = bodies_[i];
+    const dBodyID body = body_.body(i);
     const mjtNum* position = data_->xpos + 3 * id;
     const mjtNum* orientation = data_->xquat + 4 * id;
     dBodySetPosition(body, position[0], position[1], position[2]);
@@ -264,10 +270,11 @@ void MujocoSolver::MoveBodies() {
 bool HasMujoco() { return true; }
 
 std::unique_ptr<PhysicsSolver> MakeMujocoSolver(const robot::RobotDescription& robot,
+                                                const Surroundings& around,
                                                 const SolverSettings& settings,
                                                 const JointController& controller,
                                                 RobotBody& body) {
-  return std::make_unique<MujocoSolver>(robot, settings, controller, body);
+  return std::make_unique<MujocoSolver>(robot, around, settings, controller, body);
 }
 
 }  // namespace runtime

@@ -7,9 +7,10 @@
 
 namespace runtime {
 
-// `body` outlives the solver. Throws UserError where MuJoCo cannot simulate the robot, and in a
-// build without MuJoCo.
+// `around` and `body` outlive the solver. Throws UserError where MuJoCo cannot simulate the robot,
+// and in a build without MuJoCo.
 std::unique_ptr<PhysicsSolver> MakeMujocoSolver(const robot::RobotDescription& robot,
+                                                const Surroundings& around,
                                                 const SolverSettings& settings,
                                                 const JointController& controller, RobotBody& body);
 

@@ -9,7 +9,8 @@
 namespace runtime {
 
 std::unique_ptr<PhysicsSolver> MakeSolver(const robot::RobotDescription& robot,
-                                          const Profile& profile, const SolverSettings& settings,
+                                          const Surroundings& around, const Profile& profile,
+                                          const SolverSettings& settings,
                                           const JointController& controller, RobotBody& body,
                                           dWorldID world) {
   switch (profile.solver) {
@@ -18,7 +19,7 @@ std::unique_ptr<PhysicsSolver> MakeSolver(const robot::RobotDescription& robot,
     case SolverKind::kTree:
       return std::make_unique<TreeSolver>(robot, settings, controller, body);
     case SolverKind::kMujoco:
-      return MakeMujocoSolver(robot, settings, controller, body);
+      return MakeMujocoSolver(robot, around, settings, controller, body);
   }
   assert(!"a solver");
   return nullptr;

@@ -11,6 +11,7 @@
 #include "runtime/training/simulation/profile.h"
 #include "runtime/training/simulation/robot_body.h"
 #include "runtime/training/simulation/spatial.h"
+#include "runtime/training/simulation/surroundings.h"
 
 namespace runtime {
 
@@ -27,6 +28,8 @@ class PhysicsSolver {
   // For each link 1 if it touched the ground in the last step, where the solver looks for contacts
   // by itself; else nothing, and the contacts that it was given say so.
   virtual std::span<const unsigned char> ground() const { return {}; }
+  // The same of contacts with a thing.
+  virtual std::span<const unsigned char> touches(size_t /*thing*/) const { return {}; }
 };
 
 // The constants of the equations that every solver solves.
@@ -42,7 +45,8 @@ struct SolverSettings {
 
 // All objects outlive the solver; `controller` is the one of all its steps.
 std::unique_ptr<PhysicsSolver> MakeSolver(const robot::RobotDescription& robot,
-                                          const Profile& profile, const SolverSettings& settings,
+                                          const Surroundings& around, const Profile& profile,
+                                          const SolverSettings& settings,
                                           const JointController& controller, RobotBody& body,
                                           dWorldID world);
 

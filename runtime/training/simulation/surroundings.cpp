@@ -9,8 +9,6 @@
 namespace runtime {
 namespace {
 
-constexpr double kBelow = 1;  // how far blocks and hills go on below the plane [m]
-
 OdeGeom MakePlane(const Vector3& normal) {
   return OdeGeom(dCreatePlane(nullptr, normal[0], normal[1], normal[2], 0));
 }
@@ -54,7 +52,7 @@ void Surroundings::AddGround() {
 void Surroundings::AddSteps() {
   for (const world::Block& block : world::BlocksOf(world_->ground)) {
     GroundPart& part = ground_.emplace_back();
-    const double height = block.height + kBelow;
+    const double height = block.height + kGroundDepth;
     part.geom.reset(dCreateBox(nullptr, block.high_x - block.low_x, world::kWidth, height));
     dGeomSetPosition(part.geom.get(), (block.low_x + block.high_x) / 2, 0,
                      block.height - height / 2);
@@ -73,7 +71,7 @@ void Surroundings::AddHills(const world::HeightMap& map) {
   hills_.reset(dGeomHeightfieldDataCreate());
   constexpr int kCopy = 1, kOnce = 0;
   dGeomHeightfieldDataBuildDouble(hills_.get(), heights.data(), kCopy, map.size_x, map.size_y,
-                                  map.columns, map.rows, 1, 0, kBelow, kOnce);
+                                  map.columns, map.rows, 1, 0, kGroundDepth, kOnce);
   GroundPart& part = ground_.emplace_back();
   part.geom.reset(dCreateHeightfield(nullptr, hills_.get(), 1));
   dMatrix3 rotation;

@@ -21,12 +21,16 @@ struct GroundPart {
   double high_x = robot::kUnlimited;
 };
 
+// How far steps and hills go on below the plane [m].
+inline constexpr double kGroundDepth = 1;
+
 class Surroundings {
  public:
   // Makes all of it as `world` says, or flat ground where that is null. What can move becomes one
   // of the bodies of `body`. `world` and `ode` outlive the object.
   Surroundings(const world::WorldDescription* world, dWorldID ode, RobotBody& body);
 
+  const world::WorldDescription* description() const { return world_; }  // as it was given
   const std::vector<GroundPart>& ground() const { return ground_; }
   double friction() const {
     return world_ == nullptr ? robot::kUnlimited : world_->ground.friction;

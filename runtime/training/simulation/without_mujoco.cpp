@@ -6,7 +6,7 @@ namespace runtime {
 
 bool HasMujoco() { return false; }
 
-std::unique_ptr<PhysicsSolver> MakeMujocoSolver(const robot::RobotDescription&,
+std::unique_ptr<PhysicsSolver> MakeMujocoSolver(const robot::RobotDescription&, const Surroundings&,
                                                 const SolverSettings&, const JointController&,
                                                 RobotBody&) {
   throw UserError(

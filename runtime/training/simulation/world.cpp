@@ -1,11 +1,8 @@
 #include "runtime/training/simulation/world.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
-#include "runtime/base/user_error.h"
 #include "runtime/training/simulation/ground_height.h"
 
 namespace runtime {
@@ -46,12 +43,8 @@ World::World(const robot::RobotDescription& robot, const Profile& profile,
       soundness_(robot, body_, settings_.gravity, physics_time_step()),
       contact_filter_(body_.link_count(), physics_time_step()),
       means_(body_),
-      solver_(MakeSolver(robot, profile, settings_, controller_, body_, world_.get())) {
-  if (around != nullptr && profile.solver == SolverKind::kMujoco) {
-    throw UserError(fmt::format(
-        "the profile `{}` knows no worlds: it simulates robots on flat ground; choose another",
-        profile.name));
-  }
+      solver_(
+          MakeSolver(robot, surroundings_, profile, settings_, controller_, body_, world_.get())) {
   if (!surroundings_.IsFlat() && !robot.has_fixed_base) PutOnGround(robot, start);
   collision_.Update();
   contact_filter_.Start(collision_.ground());
@@ -113,7 +106,8 @@ void World::Step(std::span<const double> targets) {
   const std::span<const unsigned char> found = solver_->ground();
   contact_filter_.Update(found.empty() ? collision_.ground() : found);
   for (size_t i = 0; i < thing_contacts_.size(); ++i) {
-    thing_contacts_[i].Update(collision_.touches(i));
+    const std::span<const unsigned char> touching = solver_->touches(i);
+    thing_contacts_[i].Update(touching.empty() ? collision_.touches(i) : touching);
   }
   means_.Add(physics_time_step());
   if (!body_.IsPlausible()) throw OdeFailure("a link moves faster than anything can");

@@ -17,13 +17,13 @@ using testing::Property;
 
 const Profile& Mujoco() { return FindProfile("mujoco"); }
 
-std::string MjcfOf(const robot::RobotDescription& robot) {
-  const World world(robot, FindProfile("fast-tree"), robot.poses[0]);
-  return Mjcf(robot, {.time_step = 0.0025, .contacts = {}}, world.body());
+Mjcf TextOf(const robot::RobotDescription& robot, const world::WorldDescription* around = nullptr) {
+  const World world(robot, FindProfile("fast-tree"), robot.poses[0], around);
+  return MjcfOf(robot, world.surroundings(), {.time_step = 0.0025, .contacts = {}}, world.body());
 }
 
 TEST(Mujoco, TheModelHasTheNamesOfTheRobot) {
-  const auto model = CompiledModel(MjcfOf(Humanoid()));
+  const auto model = CompiledModel(TextOf(Humanoid()));
   EXPECT_EQ(model->nv, 6 + 17);
   EXPECT_EQ(model->nu, 0);
   EXPECT_EQ(mj_name2id(model.get(), mjOBJ_JOINT, "left_knee_pitch"), 1 + 9);
@@ -38,9 +38,9 @@ TEST(Mujoco, TheModelHasTheNamesOfTheRobot) {
 }
 
 TEST(Mujoco, TheSameModelIsMadeOnce) {
-  const auto model = CompiledModel(MjcfOf(Humanoid()));
-  EXPECT_EQ(CompiledModel(MjcfOf(Humanoid())), model);
-  EXPECT_NE(CompiledModel(MjcfOf(Hopper())), model);
+  const auto model = CompiledModel(TextOf(Humanoid()));
+  EXPECT_EQ(CompiledModel(TextOf(Humanoid())), model);
+  EXPECT_NE(CompiledModel(TextOf(Hopper())), model);
 }
 
 TEST(Mujoco, AnImpossibleInertiaIsNamedAndAThinPlateIsNone) {
@@ -63,11 +63,45 @@ TEST(Mujoco, WhatItRefusesIsSaidInItsWords) {
                   AllOf(HasSubstr("MuJoCo cannot simulate this robot"), HasSubstr("world")))));
 }
 
-TEST(Mujoco, RefusesAWorldByName) {
-  const world::WorldDescription around;
-  EXPECT_THAT([&] { World(Humanoid(), Mujoco(), Humanoid().poses[0], &around); },
-              testing::Throws<UserError>(
-                  Property(&UserError::what, HasSubstr("the profile `mujoco` knows no worlds"))));
+// The heights of hills are in the model as the world has them, whatever its lowest and highest are.
+TEST(Mujoco, TheModelHasTheHillsOfTheWorld) {
+  world::HeightMap map{.columns = 3, .rows = 2, .size_x = 4, .size_y = 2, .center_x = 5};
+  map.heights = {0.5, 0.25, 0.75, 1.25, 0.5, 0.5};
+  const world::WorldDescription around{.ground = {map}};
+  const auto model = CompiledModel(TextOf(Humanoid(), &around));
+  ASSERT_EQ(model->nhfield, 1);
+  ASSERT_EQ(model->hfield_nrow[0], 2);
+  ASSERT_EQ(model->hfield_ncol[0], 3);
+  const int geom = mj_name2id(model.get(), mjOBJ_GEOM, "ground hills");
+  ASSERT_GE(geom, 0);
+  EXPECT_EQ(model->geom_pos[3 * geom], 5);
+  for (size_t i = 0; i < map.heights.size(); ++i) {
+    EXPECT_NEAR(model->geom_pos[3 * geom + 2] + model->hfield_size[2] * model->hfield_data[i],
+                map.heights[i], 1e-6);
+  }
+}
+
+TEST(Mujoco, HillsThatAreLevelAreHighAsTheyAre) {
+  world::HeightMap map{.columns = 2, .rows = 2, .size_x = 4, .size_y = 4};
+  map.heights = {0.5, 0.5, 0.5, 0.5};
+  const world::WorldDescription around{.ground = {map}};
+  World world(Humanoid(), Mujoco(), Humanoid().poses[0], &around);
+  StepFor(world, 0.5, Zeros(Humanoid()));
+  EXPECT_NEAR(dBodyGetPosition(world.body().body(0))[2], 0.5 + Humanoid().poses[0].position[2],
+              0.005);
+}
+
+// Names of things are no names of the robot's, whatever they are called.
+TEST(Mujoco, AThingMayBeCalledAsALinkIs) {
+  world::Thing thing;
+  thing.name = Humanoid().links[0].name;
+  thing.shape = {.kind = robot::ShapeKind::kSphere, .radius = 0.1};
+  thing.mass = 1;
+  thing.position = {3, 0, 0.1};
+  const world::WorldDescription around{.things = {thing}};
+  World world(Humanoid(), Mujoco(), Humanoid().poses[0], &around);
+  StepFor(world, 0.1, Zeros(Humanoid()));
+  EXPECT_FALSE(world.contacts_with(0).flag(0));
 }
 
 // The joints' angles of a robot in the air that follows its targets.

@@ -52,9 +52,7 @@ class SurroundingsTest : public testing::TestWithParam<const char*> {
   }
 };
 
-INSTANTIATE_TEST_SUITE_P(, SurroundingsTest,
-                         testing::Values("paper", "fast", "paper-tree", "fast-tree"),
-                         ProfileInName);
+INSTANTIATE_TEST_SUITE_P(, SurroundingsTest, testing::ValuesIn(BuiltProfiles()), ProfileInName);
 
 TEST_P(SurroundingsTest, AThingFallsAsGravitySays) {
   const robot::RobotDescription robot = Marble();
