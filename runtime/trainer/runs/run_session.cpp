@@ -140,7 +140,6 @@ int RunSession(const RunParts& run, const SessionOptions& options, Descriptor lo
   const std::unique_ptr<Server> server =
       StartServer(run, options, std::move(loopback), live, progress);
   live.PublishTo(server.get());
-  if (server != nullptr) progress.SetAddress(server->page_address());
   live.RescoreBy([folder = run.folder](const std::filesystem::path& plugin, int64_t episode) {
     const std::string program = std::filesystem::read_symlink("/proc/self/exe").string();
     return std::vector<std::string>{
@@ -152,6 +151,8 @@ int RunSession(const RunParts& run, const SessionOptions& options, Descriptor lo
                             training.episodes_done() + 1, run.record.episodes_planned));
   if (options.when_done == LiveRun::WhenDone::kWait) {
     progress.Note(fmt::format("{} (`trainer ctl --run {} status`)", server->page_address(), name));
+  } else if (server != nullptr && progress.is_live()) {
+    progress.Note(server->page_address());
   }
   try {
     const bool is_finished = training.Run(stop);

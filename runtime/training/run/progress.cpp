@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "base/text/print.h"
-#include "runtime/training/run/run_settings.h"
 
 namespace runtime {
 namespace {
@@ -130,7 +129,6 @@ void Progress::Show() {
     return;
   }
   const TaskRecord& task = TaskWithId(run_, task_);
-  picture_.title = fmt::format("{}, {}, seed {}", task.task, RobotText(run_), run_.seed);
   picture_.terms.clear();
   for (size_t i = 0; i < task.terms.size(); ++i) {
     double sum = 0;

@@ -43,8 +43,8 @@ class Progress {
 
   // An episode that was over before this process began.
   void Recall(const EpisodeRecord& episode);
-  // Of the run's page, for a browser.
-  void SetAddress(const std::string& address) { picture_.address = address; }
+  // Whether what is shown is kept up to date.
+  bool is_live() const { return live_.is_on_terminal(); }
 
   // Call after `episode` was counted by `statistics`, which cover all episodes of the run up to
   // now.

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <iterator>
 #include <numeric>
 #include <string_view>
 
@@ -17,7 +19,6 @@ namespace {
 constexpr std::string_view kBetween = "  ";
 constexpr size_t kLeastBar = 8;  // shorter ones say nothing
 constexpr size_t kLongestBar = 40;
-constexpr size_t kWidestHead = 100;
 constexpr size_t kMostTerms = 8;
 constexpr size_t kLongestName = 24;
 
@@ -66,16 +67,6 @@ std::string SparkLine(const std::vector<double>& values) {
   return line;
 }
 
-// The address stands at the end of the line.
-std::string HeadLine(const ProgressPicture& picture, size_t columns) {
-  const std::string line = FittingLine({{picture.title, 0}, {picture.address, 1}}, columns);
-  const size_t width = text::DisplayWidth(line);
-  const size_t end = std::min(columns, kWidestHead);
-  if (picture.address.empty() || !line.ends_with(picture.address) || width >= end) return line;
-  const size_t at = line.size() - picture.address.size();
-  return line.substr(0, at) + std::string(end - width, ' ') + picture.address;
-}
-
 std::string EpisodesLine(const ProgressValues& values, size_t columns) {
   const double part =
       static_cast<double>(values.episode) / static_cast<double>(values.episodes_planned);
@@ -114,8 +105,9 @@ std::string SpeedLine(const ProgressValues& values, size_t columns) {
 std::vector<TermMean> Largest(const std::vector<TermMean>& terms, size_t count) {
   std::vector<size_t> order(terms.size());
   std::iota(order.begin(), order.end(), 0);
-  std::ranges::stable_sort(order, std::greater{},
-                           [&](size_t i) { return std::abs(terms[i].mean); });
+  std::ranges::stable_sort(order, std::greater{}, [&](size_t i) {
+    return std::isfinite(terms[i].mean) ? std::abs(terms[i].mean) : -1;
+  });
   order.resize(std::min(count, order.size()));
   std::ranges::sort(order);
   std::vector<TermMean> largest;
@@ -147,8 +139,8 @@ std::vector<std::string> TermLines(const std::vector<TermMean>& terms, size_t co
     if (const size_t room = RoomBehind(line, columns); room > 0 && most > 0) {
       const double part = std::abs(term.mean) / most;
       const auto full = static_cast<size_t>(std::lround(part * static_cast<double>(room)));
-      line += kBetween;
-      line += term.mean < 0 ? Repeated("▒", full) : FilledBar(part, room);
+      const std::string bar = term.mean < 0 ? Repeated("▒", full) : FilledBar(part, room);
+      if (!bar.empty()) line.append(kBetween).append(bar);
     }
     lines.push_back(line);
   }
@@ -178,24 +170,16 @@ std::string ProgressLine(const ProgressValues& values, size_t columns) {
 }
 
 std::string ProgressScreen(const ProgressPicture& picture, size_t columns, size_t rows) {
-  struct Line {
-    std::string text;
-    size_t rank;  // the smaller, the sooner it gets a row
-  };
-  std::vector<Line> lines = {{HeadLine(picture, columns), 2},
-                             {EpisodesLine(picture.values, columns), 0},
-                             {ReturnsLine(picture, columns), 1}};
-  size_t rank = 4;
-  for (std::string& line : TermLines(Largest(picture.terms, kMostTerms), columns)) {
-    lines.push_back({std::move(line), rank++});
-  }
-  lines.push_back({SpeedLine(picture.values, columns), 3});
-  std::erase_if(lines, [](const Line& line) { return line.text.empty(); });
+  // In the order in which they get rows; terms get what is left.
+  const std::string returns = rows > 1 ? ReturnsLine(picture, columns) : "";
+  const std::string speed = rows > 2 ? SpeedLine(picture.values, columns) : "";
+  const size_t room = std::min(rows > 3 ? rows - 3 : 0, kMostTerms);
+  std::vector<std::string> lines = {EpisodesLine(picture.values, columns), returns};
+  std::ranges::move(TermLines(Largest(picture.terms, room), columns), std::back_inserter(lines));
+  lines.push_back(speed);
   std::string screen;
-  for (const Line& line : lines) {
-    const auto before =
-        std::ranges::count_if(lines, [&](const Line& other) { return other.rank < line.rank; });
-    if (static_cast<size_t>(before) < rows) screen += line.text + "\n";
+  for (const std::string& line : lines) {
+    if (!line.empty()) screen += line + "\n";
   }
   return screen;
 }

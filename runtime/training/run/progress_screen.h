@@ -28,8 +28,6 @@ struct TermMean {
 };
 
 struct ProgressPicture {
-  std::string title;    // "crawling, humanoid (fast), seed 1"
-  std::string address;  // of the run's page; "": it has none
   ProgressValues values;
   ReturnHistory history;
   std::vector<TermMean> terms;
@@ -42,7 +40,6 @@ std::string ProgressLine(const ProgressValues& values, size_t columns = kAnyWidt
 
 // The picture in lines of at most `columns`, at most `rows` of them, each with its '\n':
 //
-//   crawling, humanoid (fast), seed 1          http://127.0.0.1:8080/
 //   episode 340/1000  ███████████▌░░░░░░░░░░░░░░░░░░░░░  34 %  1:47 left
 //   return 12.25  mean of 20 11.4  best 27.61  ▁▁▂▂▃▃▄▅▅▆▇▇█
 //     forward  12.9  ██████████████

@@ -58,6 +58,7 @@ TEST_F(OnTerminalTest, OnePictureFitsTheWindowAndItsLastStateStays) {
         << Joined(lines);
     EXPECT_THAT(lines, Contains(StartsWith("mean of 20 ")).Times(columns == 40 ? 1 : 0));
     EXPECT_THAT(Joined(lines), HasSubstr(" real time"));
+    EXPECT_THAT(trainer.printed(), HasSubstr("http://127.0.0.1:"));
   }
 }
 

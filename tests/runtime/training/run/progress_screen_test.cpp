@@ -18,8 +18,6 @@ using testing::Not;
 // 340 of 1000 episodes, whose returns have grown from 0 to 12.25.
 ProgressPicture Picture() {
   ProgressPicture picture;
-  picture.title = "crawling, humanoid (fast), seed 1";
-  picture.address = "http://127.0.0.1:8080/";
   picture.values = {.episode = 340,
                     .episodes_planned = 1000,
                     .last_return = 12.25,
@@ -87,18 +85,16 @@ TEST(DurationText, ShowsHoursOnlyWhereThereAreSome) {
 
 TEST(ProgressScreen, ShowsHowTheRunGoes) {
   const std::vector<std::string> lines = Lines(ProgressScreen(Picture(), 79, 20));
-  ASSERT_EQ(lines.size(), 7u);
-  EXPECT_EQ(lines[0],
-            "crawling, humanoid (fast), seed 1                        http://127.0.0.1:8080/");
+  ASSERT_EQ(lines.size(), 6u);
   // 34 % of 40 characters are 13.6.
-  EXPECT_EQ(lines[1],
+  EXPECT_EQ(lines[0],
             "episode 340/1000  █████████████▋░░░░░░░░░░░░░░░░░░░░░░░░░░  34 %  1:47 left");
-  EXPECT_THAT(lines[2], testing::MatchesRegex(
+  EXPECT_THAT(lines[1], testing::MatchesRegex(
                             "return 12.25  mean of 20 11.4  best 27.61  ▁(▁|▂|▃|▄|▅|▆|▇|█)+█"));
-  EXPECT_EQ(lines[3], "  forward   12.9  ████████████████████████████████████████");
-  EXPECT_EQ(lines[4], "  turning   -1.5  ▒▒▒▒▒");
-  EXPECT_EQ(lines[5], "  fall         0  ");
-  EXPECT_EQ(lines[6], "98.1x real time  0:55 elapsed");
+  EXPECT_EQ(lines[2], "  forward   12.9  ████████████████████████████████████████");
+  EXPECT_EQ(lines[3], "  turning   -1.5  ▒▒▒▒▒");
+  EXPECT_EQ(lines[4], "  fall         0");
+  EXPECT_EQ(lines[5], "98.1x real time  0:55 elapsed");
 }
 
 TEST(ProgressScreen, FitsEveryWindow) {
@@ -116,16 +112,10 @@ TEST(ProgressScreen, FitsEveryWindow) {
 TEST(ProgressScreen, ShowsTheTermsThatAreWorthMost) {
   ProgressPicture picture = Picture();
   picture.terms = {{"small", 0.1}, {"large", 5}, {"taken", -3}, {"none", NAN}};
-  const std::string screen = ProgressScreen(picture, 79, 6);
+  const std::string screen = ProgressScreen(picture, 79, 5);
   EXPECT_THAT(screen, AllOf(HasSubstr("  large"), HasSubstr("  taken"), Not(HasSubstr("small"))));
   for (int i = 0; i < 20; ++i) picture.terms.push_back({"term" + std::to_string(i), 10.});
-  EXPECT_EQ(Lines(ProgressScreen(picture, 79, 50)).size(), 4u + 8u);
-}
-
-TEST(ProgressScreen, HasNoAddressWithoutAServer) {
-  ProgressPicture picture = Picture();
-  picture.address = "";
-  EXPECT_EQ(Lines(ProgressScreen(picture, 79, 20))[0], "crawling, humanoid (fast), seed 1");
+  EXPECT_EQ(Lines(ProgressScreen(picture, 79, 50)).size(), 3u + 8u);
 }
 
 }  // namespace
