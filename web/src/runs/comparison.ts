@@ -13,6 +13,7 @@ import { byId, element, onThemeChange } from "../page/dom.ts";
 import { kindOf, type Run } from "./run.ts";
 
 const kHint = "Point at the curves for their values; drag to zoom, double-click to see all.";
+const kMostNamed = 4; // runs, in the words below the chart
 const kNothing: MeanCurve = {
   mean: new Float32Array(),
   low: new Float32Array(),
@@ -127,6 +128,17 @@ export class Comparison {
     byId("window-words", HTMLElement).textContent = window === 1 ? "episode" : "episodes";
   }
 
+  /** Each value of a few runs; of many, where they lie. */
+  private runsInWords(index: number): string[] {
+    const named = this.chosen.flatMap(({ name }, i) => {
+      const value = this.curves[i]?.mean[index];
+      return value !== undefined && Number.isFinite(value) ? [{ name, value }] : [];
+    });
+    if (named.length <= kMostNamed) return named.map(({ name, value }) => `${name} ${formatNumber(value)}`);
+    const values = named.map(({ value }) => value);
+    return [`${named.length} runs ${formatNumber(Math.min(...values))} … ${formatNumber(Math.max(...values))}`];
+  }
+
   private showValues(index: number | null): void {
     if (index === null) {
       this.readout.textContent = kHint;
@@ -140,10 +152,7 @@ export class Comparison {
         words.push(`95 %: ${formatNumber(low[index])} … ${formatNumber(high[index])}`);
       }
     }
-    this.chosen.forEach(({ name }, i) => {
-      const value = this.curves[i]?.mean[index];
-      if (value !== undefined) words.push(`${name} ${formatNumber(value)}`);
-    });
+    words.push(...this.runsInWords(index));
     this.readout.textContent = words.join("  ·  ");
   }
 }
