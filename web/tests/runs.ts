@@ -89,8 +89,8 @@ async function opensARun(page: Page, browser: Browser): Promise<void> {
 async function stopsARun(page: Page): Promise<void> {
   await rowOf(page).getByRole("button", { name: "Stop" }).click();
   await waitForState(page, "stopped");
-  const report = rowOf(page).getByRole("link", { name: "Report" });
-  const response = await page.request.get((await report.getAttribute("href")) ?? "");
+  const report = (await rowOf(page).getByRole("link", { name: "Report" }).getAttribute("href")) ?? "";
+  const response = await page.request.get(new URL(report, page.url()).href);
   assert.match(await response.text(), /learning run/);
 }
 

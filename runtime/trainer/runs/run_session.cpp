@@ -133,6 +133,12 @@ int RunSession(const RunParts& run, const SessionOptions& options, Descriptor lo
   const StopRequest stop;
   Progress progress(options.output.style(), run.record, stdout, stderr);
   LiveRun live(run, progress, options.when_done, stop);
+  live.RescoreBy([folder = run.folder](const std::filesystem::path& plugin, int64_t episode) {
+    const std::string program = std::filesystem::read_symlink("/proc/self/exe").string();
+    return std::vector<std::string>{
+        program,         "rescore",   folder.string(),         "--task",
+        plugin.string(), "--episode", std::to_string(episode), "--json"};
+  });
   Training training(run.graph, run.record, run.database, progress, live);
   training.Restore();
   NoteMachine(run, training.episodes_done() + 1, progress);
@@ -140,12 +146,6 @@ int RunSession(const RunParts& run, const SessionOptions& options, Descriptor lo
   const std::unique_ptr<Server> server =
       StartServer(run, options, std::move(loopback), live, progress);
   live.PublishTo(server.get());
-  live.RescoreBy([folder = run.folder](const std::filesystem::path& plugin, int64_t episode) {
-    const std::string program = std::filesystem::read_symlink("/proc/self/exe").string();
-    return std::vector<std::string>{
-        program,         "rescore",   folder.string(),         "--task",
-        plugin.string(), "--episode", std::to_string(episode), "--json"};
-  });
   progress.Note(fmt::format("{}: task {}, {}, seed {}, episodes {} to {}", name,
                             run.record.tasks.front().task, RobotText(run.record), run.record.seed,
                             training.episodes_done() + 1, run.record.episodes_planned));

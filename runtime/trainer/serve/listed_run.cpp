@@ -79,7 +79,7 @@ void ListedRun::Refresh() {
   try {
     Read();
     failure_.clear();
-  } catch (const UserError& error) {
+  } catch (const std::exception& error) {
     failure_ = error.what();
   }
 }
