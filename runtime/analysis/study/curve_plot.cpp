@@ -16,9 +16,9 @@ namespace {
 
 // Of the groups of behaviors, in the order of the groups; then they begin again. As --series-1 to
 // --series-8 of the pages (web/src/style/theme.css).
-constexpr std::array kGroupColors = {"#1f5fa8", "#c2561a", "#2f8a57", "#8a4fae",
-                                     "#a8801a", "#16808c", "#b03a63", "#5a636d"};
-constexpr const char* kColorWithoutGroup = "#86909a";
+constexpr std::array kGroupColors = {"#1f5fa8", "#b14d15", "#2f8a57", "#8a4fae",
+                                     "#8a6910", "#16808c", "#b03a63", "#5a636d"};
+constexpr const char* kColorWithoutGroup = "#666f78";
 constexpr int kFirstRunColumn = 5;  // after the episode, the mean and its interval
 
 std::string ColorOf(const RunResult& run) {
@@ -34,7 +34,7 @@ std::string Style(int64_t window) {
   return fmt::format(
       "set terminal svg size 860,360 font 'DejaVu Sans,Helvetica,Arial,sans-serif,13' "
       "background rgb '#ffffff'\n"
-      "set border 3 linecolor rgb '#86909a'\n"
+      "set border 3 linecolor rgb '#666f78'\n"
       "set tics nomirror textcolor rgb '#5a636d' scale 0.5\n"
       "set grid linecolor rgb '#eceff1' linetype 1\n"
       "set xzeroaxis linecolor rgb '#aab2b9' linetype 1\n"

@@ -134,6 +134,7 @@ TEST_F(CtlTest, FindsTheRunByItself) {
   std::filesystem::current_path(folder());
   const ProgramResult none = Trainer({"ctl", "status"});
   std::filesystem::create_directories("runs/one");
+  std::ofstream("runs/one/run.db") << "a run";
   const Server other({.folder = "runs/one"}, handler_, nullptr);
   const ProgramResult one = Trainer({"ctl", "status", "--json"});
   std::filesystem::current_path(here);

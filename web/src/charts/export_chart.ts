@@ -2,13 +2,14 @@
 
 import { formatTick } from "../data/words.ts";
 import { themeColor } from "../page/dom.ts";
+import type { Band } from "./episode_chart.ts";
 import type { ChartSeries } from "./series.ts";
 
 /** What a chart shows now. */
 export interface ChartPicture {
   episode: Float32Array;
   series: ChartSeries[];
-  band?: { upper: number; lower: number; color: string }; // between two of the series
+  bands?: Band[]; // each between two of the series
   isVisible: boolean[]; // each of the series
   x: [number, number]; // the range of the view
   y: [number, number];
@@ -90,7 +91,7 @@ export function chartToSvg(
     );
   }
   parts.push(`<text x="${right}" y="${bottom + 36}" text-anchor="end" fill="${ink}">episode</text>`, `<g clip-path="url(#view)">`);
-  parts.push(bandOf(picture, x, y, colorOf));
+  for (const band of picture.bands ?? []) parts.push(bandOf(picture, band, x, y, colorOf));
   picture.series.forEach((series, i) => {
     if (!picture.isVisible[i] || series.width === 0) return;
     parts.push(`<g><title>${escaped(names[i] ?? "")}</title>${seriesOf(picture.episode, series, x, y, colorOf)}</g>`);
@@ -135,17 +136,18 @@ function seriesOf(
 }
 
 function bandOf(
-  { episode, series, band }: Omit<ChartPicture, "canvas">,
+  { episode, series }: Omit<ChartPicture, "canvas">,
+  band: Band,
   x: Place,
   y: Place,
   colorOf: (name: string) => string,
 ): string {
-  const [upper, lower] = [series[band?.upper ?? -1]?.values, series[band?.lower ?? -1]?.values];
-  if (!band || !upper || !lower) return "";
+  const [upper, lower] = [series[band.upper]?.values, series[band.lower]?.values];
+  if (!upper || !lower) return "";
   const point = (values: Float32Array) => (i: number): string =>
     `${x(episode[i] ?? 0).toFixed(2)} ${y(values[i] ?? 0).toFixed(2)}`;
   const areas = stretchesOf(upper, lower).map(
     (all) => `M${all.map(point(upper)).join("L")}L${[...all].reverse().map(point(lower)).join("L")}Z`,
   );
-  return `<path d="${areas.join("")}" fill="${colorOf(band.color)}"/>`;
+  return `<path d="${areas.join("")}" fill="${colorOf(band.color)}" fill-opacity="${band.opacity ?? 1}"/>`;
 }

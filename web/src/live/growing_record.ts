@@ -100,7 +100,7 @@ export class GrowingRecord {
       if (change.difference !== undefined) continue;
       const same = changes.find(({ episode, step, text, difference }) =>
         difference !== undefined && episode === change.episode && step === change.step && text === change.text);
-      if (!same) continue;
+      if (same?.difference === undefined) continue;
       change.difference = same.difference;
       isNews = true;
     }
