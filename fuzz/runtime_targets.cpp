@@ -48,8 +48,10 @@ Texts AgentTexts() { return TextsIn({"/plugins", "/tests/runtime"}, "agent.toml"
 Texts StudyTexts() { return TextsIn({"/examples"}, ".toml"); }
 Texts WorldTexts() { return TextsIn({"/examples/tasks", "/tests/plugins/world"}, ".toml"); }
 Texts GreetingTexts() {
-  return {R"({"time_step":0.01,"actions":4,"sensors":[{"name":"x","type":"real","unit":"m"}]})",
-          R"({"time_step":0.01,"low":[-1],"high":[1],"sensors":[],"format":"binary"})"};
+  return {R"({"taskc_environment":1,"time_step":0.01,"action":{"low":[-1],"high":[1]},)"
+          R"("sensors":[{"name":"x","type":"real","unit":"m"}]})",
+          R"({"taskc_environment":1,"time_step":0.5,"action":{"low":[],"high":[]},)"
+          R"("sensors":[],"formats":["binary"]})"};
 }
 
 // All words of some texts, and what TOML, JSON and CSV are made of.

@@ -18,7 +18,7 @@ using testing::SizeIs;
 // In a process of its own, so that a task that crashes takes nothing with it; the run learns on as
 // if nothing had been asked.
 TEST_F(LiveTest, ARecordedEpisodeIsJudgedByAnotherTask) {
-  Serve(3);
+  Serve(100);
   RunEpisodes(1);
   const json judged = Ask({"rescore", TaskFile("upright")});
   EXPECT_EQ(judged["recorded"].front(), 1);
