@@ -10,14 +10,13 @@ import type { Browser, BrowserContextOptions, Page } from "playwright-core";
 
 import {
   fitsItsWidth,
+  hasNoSeriousFault,
   inBrowser,
   onPage as onPageAt,
   screenshotsIn,
   textOf,
   type Check,
 } from "./in_browser.ts";
-
-import { hasNoSeriousFault } from "./accessibility.ts";
 import {
   drawsWhatIsSwitchedOn,
   picksALinkByAClick,

@@ -22,12 +22,12 @@ test("a table has a row for each episode, with nothing where there is no value",
 
 test("a drawing has what is visible, broken where there are no values", () => {
   const picture = { episode, series: [points, line], isVisible: [true, true], x: [1, 4], y: [0, 4] } as const;
-  const svg = chartToSvg({ ...picture, isVisible: [...picture.isVisible], series: [...picture.series], x: [1, 4], y: [0, 4] }, ["a<b", "mean"], (name) => name);
+  const svg = chartToSvg({ ...picture, bands: [], isVisible: [...picture.isVisible], series: [...picture.series], x: [1, 4], y: [0, 4] }, ["a<b", "mean"], (name) => name);
   assert.match(svg, /<title>a&#60;b<\/title>/);
   const [, path = ""] = /d="(M[^"]*)" stroke="--accent"/.exec(svg) ?? [];
   assert.equal(path.split("M").length - 1, 2);
   assert.ok(!/NaN/.test(svg));
-  const hidden = chartToSvg({ episode, series: [line], isVisible: [false], x: [1, 4], y: [0, 4] }, ["mean"], (name) => name);
+  const hidden = chartToSvg({ episode, series: [line], bands: [], isVisible: [false], x: [1, 4], y: [0, 4] }, ["mean"], (name) => name);
   assert.ok(!hidden.includes("--accent"));
 });
 

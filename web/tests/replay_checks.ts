@@ -5,8 +5,7 @@ import { readFileSync } from "node:fs";
 
 import type { Page } from "playwright-core";
 
-const textOf = async (page: Page, selector: string): Promise<string> =>
-  (await page.locator(selector).textContent()) ?? "";
+import { textOf } from "./in_browser.ts";
 
 /** How many pixels of the stage are about of the color that the style sheet calls `name`. */
 async function pixelsOf(page: Page, name: string): Promise<number> {

@@ -174,11 +174,11 @@ export class EpisodeChart {
       const { min = 0, max = 1 } = this.plot.scales[axis] as uPlot.Scale;
       return [min, max];
     };
-    const { series, bands } = this.options;
+    const { series, bands = [] } = this.options;
     return {
       episode,
       series: series.map((each, i) => ({ ...each, values: values[i] ?? each.values })),
-      ...(bands ? { bands } : {}),
+      bands,
       isVisible: this.plot.series.slice(1).map(({ show }) => show !== false),
       x: range("x"),
       y: range("y"),

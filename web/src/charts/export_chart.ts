@@ -9,7 +9,7 @@ import type { ChartSeries } from "./series.ts";
 export interface ChartPicture {
   episode: Float32Array;
   series: ChartSeries[];
-  bands?: Band[]; // each between two of the series
+  bands: Band[];
   isVisible: boolean[]; // each of the series
   x: [number, number]; // the range of the view
   y: [number, number];
@@ -91,7 +91,7 @@ export function chartToSvg(
     );
   }
   parts.push(`<text x="${right}" y="${bottom + 36}" text-anchor="end" fill="${ink}">episode</text>`, `<g clip-path="url(#view)">`);
-  for (const band of picture.bands ?? []) parts.push(bandOf(picture, band, x, y, colorOf));
+  parts.push(...picture.bands.map((band) => bandOf(picture, band, x, y, colorOf)));
   picture.series.forEach((series, i) => {
     if (!picture.isVisible[i] || series.width === 0) return;
     parts.push(`<g><title>${escaped(names[i] ?? "")}</title>${seriesOf(picture.episode, series, x, y, colorOf)}</g>`);
@@ -136,18 +136,18 @@ function seriesOf(
 }
 
 function bandOf(
-  { episode, series }: Omit<ChartPicture, "canvas">,
-  band: Band,
+  { episode, series }: Pick<ChartPicture, "episode" | "series">,
+  { upper: above, lower: below, color, opacity = 1 }: Band,
   x: Place,
   y: Place,
   colorOf: (name: string) => string,
 ): string {
-  const [upper, lower] = [series[band.upper]?.values, series[band.lower]?.values];
+  const [upper, lower] = [series[above]?.values, series[below]?.values];
   if (!upper || !lower) return "";
   const point = (values: Float32Array) => (i: number): string =>
     `${x(episode[i] ?? 0).toFixed(2)} ${y(values[i] ?? 0).toFixed(2)}`;
   const areas = stretchesOf(upper, lower).map(
     (all) => `M${all.map(point(upper)).join("L")}L${[...all].reverse().map(point(lower)).join("L")}Z`,
   );
-  return `<path d="${areas.join("")}" fill="${colorOf(band.color)}" fill-opacity="${band.opacity ?? 1}"/>`;
+  return `<path d="${areas.join("")}" fill="${colorOf(color)}" fill-opacity="${opacity}"/>`;
 }
