@@ -101,13 +101,11 @@ class LivePage {
 
   /** Does what the user asks for; what the trainer refuses is said on top of the page. */
   private async attempt(action: () => Promise<unknown>): Promise<void> {
-    const notice = byId("notice", HTMLElement);
-    notice.hidden = true;
+    showNotice("");
     try {
       await action();
     } catch (error) {
-      notice.textContent = (error as Error).message;
-      notice.hidden = false;
+      showNotice((error as Error).message);
     }
   }
 
@@ -274,6 +272,13 @@ class LivePage {
   }
 }
 
+/** On top of the page; "" takes it away. */
+function showNotice(words: string): void {
+  const notice = byId("notice", HTMLElement);
+  notice.textContent = words;
+  notice.hidden = words === "";
+}
+
 const readRecord = async (): Promise<Report> => decodeParsed(await ask<EncodedReport>("record"));
 
 /** What happens is heard before the record is read, so that nothing falls in between. */
@@ -281,8 +286,18 @@ function main(): void {
   byId("report-link", HTMLAnchorElement).href = addressOf("/report");
   let page: LivePage | undefined;
   const heard: TrainerEvent[] = [];
+  let isReading = false; // the connection may be lost and opened again meanwhile
   const begin = async (): Promise<void> => {
-    const begun = new LivePage(await readRecord());
+    if (isReading) return;
+    isReading = true;
+    const report = await readRecord().catch((error: Error) => showNotice(error.message));
+    isReading = false;
+    if (!report) {
+      window.setTimeout(() => void begin(), kStatusEvery);
+      return;
+    }
+    showNotice("");
+    const begun = new LivePage(report);
     for (const event of heard.splice(0)) begun.hear(event);
     page = begun;
     await begun.begin();
