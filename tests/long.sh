@@ -335,7 +335,7 @@ part_disk() {
     for ((at = 1; at <= last; at += ${STEP:-1})); do
       rm -rf "$run"
       DISK_FOLDER=$folder/disk/disk DISK_FAULT=$kind DISK_AT=$at LD_PRELOAD=$folder/disk/disk.so \
-        timeout 60 "$root/tests/long.sh" --in-part train_or_resume "$run" >/dev/null 2>"$folder/disk/errors" && status=0 || status=$?
+        timeout 300 "$root/tests/long.sh" --in-part train_or_resume "$run" >/dev/null 2>"$folder/disk/errors" && status=0 || status=$?
       [ "$status" -le 2 ] || fail "$kind at change $at: exit status $status: $(cat "$folder/disk/errors")"
       if [ "$status" -ne 0 ]; then
         [ -s "$folder/disk/errors" ] || fail "$kind at change $at: ended without a word"
