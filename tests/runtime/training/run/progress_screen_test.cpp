@@ -91,9 +91,9 @@ TEST(ProgressScreen, ShowsHowTheRunGoes) {
             "episode 340/1000  █████████████▋░░░░░░░░░░░░░░░░░░░░░░░░░░  34 %  1:47 left");
   EXPECT_THAT(lines[1], testing::MatchesRegex(
                             "return 12.25  mean of 20 11.4  best 27.61  ▁(▁|▂|▃|▄|▅|▆|▇|█)+█"));
-  EXPECT_EQ(lines[2], "  forward   12.9  ████████████████████████████████████████");
-  EXPECT_EQ(lines[3], "  turning   -1.5  ▒▒▒▒▒");
-  EXPECT_EQ(lines[4], "  fall         0");
+  EXPECT_EQ(lines[2], "  forward  12.9  ████████████████████████████████████████");
+  EXPECT_EQ(lines[3], "  turning  -1.5  ▒▒▒▒▒");
+  EXPECT_EQ(lines[4], "  fall        0");
   EXPECT_EQ(lines[5], "98.1x real time  0:55 elapsed");
 }
 
