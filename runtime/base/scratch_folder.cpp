@@ -72,6 +72,8 @@ ScratchFolder::ScratchFolder() {
 ScratchFolder::~ScratchFolder() {
   std::error_code ignored;
   fs::remove_all(path_, ignored);
+  // The C library tries to unlink the folder as if it were a file, which the sandbox refuses.
+  rmdir(path_.c_str());
 }
 
 }  // namespace runtime
