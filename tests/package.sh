@@ -34,6 +34,7 @@ mount --rbind /dev "$root/dev"
 cp -L /etc/resolv.conf "$root/etc/"
 cp -r /etc/apt/apt.conf.d/. "$root/etc/apt/apt.conf.d/"
 cp "$package" "$root/root/taskc.deb"
+echo force-unsafe-io >"$root/etc/dpkg/dpkg.cfg.d/unsafe"  # nobody needs it after a power cut
 
 as_root() { chroot "$root" /usr/bin/env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin LC_ALL=C.UTF-8 \
   DEBIAN_FRONTEND=noninteractive http_proxy="${http_proxy:-}" https_proxy="${https_proxy:-}" "$@"; }
@@ -49,7 +50,9 @@ as_root apt-get update -qq
 as_root apt-get install -qq --no-install-recommends /root/taskc.deb man-db bash-completion pkg-config \
   python3-numpy >"$folder/log" 2>&1 || { tail -n 20 "$folder/log"; exit 1; }
 as_root dpkg --verify taskc
-as_root id robot >/dev/null 2>&1 || as_root useradd --create-home robot
+as_root id robot >/dev/null 2>&1 || as_root useradd robot
+as_root rm -rf /home/robot
+as_root install -d -o robot -g robot /home/robot
 
 echo "== Uses it"
 user 'taskc --version; trainer --version'
@@ -61,7 +64,7 @@ user 'cd examples/embed_c && cc -std=c11 balance.c -o balance $(pkg-config --cfl
   taskc build balance.task -o balance.so && ./balance balance.so'
 user 'python3 -c "import taskc; print(taskc.load(\"examples/embed_c/balance.task\").name)"'
 user 'man taskc build | head -n 12'
-user 'man trainer ctl swap | grep -A 1 SYNOPSIS'
+user 'man trainer-ctl-swap | grep -A 1 SYNOPSIS'
 # As bash does it when the tab key is pressed for the first time.
 user 'set +eu; source /usr/share/bash-completion/bash_completion; _completion_loader trainer
   COMP_WORDS=(trainer train --robot qua) COMP_CWORD=3; _trainer; echo "${COMPREPLY[@]}"'
