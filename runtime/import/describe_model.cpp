@@ -275,6 +275,7 @@ class Builder {
     // Angles count the other way around here.
     joint.axis = ToArray((type == mjJNT_SLIDE ? 1 : -1) * Vector(data_->xaxis + 3 * index));
     const double reference = model_.qpos0[model_.jnt_qposadr[index]];
+    WarnOfManyTurns(index, name);
     if (!ReadStops(model_, index, joint)) {
       Warn(fmt::format("the stops of `{}` leave it nothing to move by: it is fixed", name));
       AddMount(name, robot::MountKind::kFixed, parent, child);
@@ -286,6 +287,19 @@ class Builder {
     robot().joints.push_back(std::move(joint));
     described_.qpos.push_back(model_.jnt_qposadr[index]);
     described_.references.push_back(reference);
+  }
+
+  // A URDF file was looked at before, line by line.
+  void WarnOfManyTurns(int index, const std::string& name) {
+    constexpr double kMost = 4 * std::numbers::pi;
+    const mjtNum* range = model_.jnt_range + 2 * index;
+    const bool turns = model_.jnt_type[index] == mjJNT_HINGE && model_.jnt_limited[index] != 0;
+    if (file_.is_urdf() || !turns || std::max(std::abs(range[0]), std::abs(range[1])) < kMost)
+      return;
+    Warn(
+        fmt::format("joint `{}` turns from {:.4g} to {:.4g} rad: are these degrees? write rad, or "
+                    "`<compiler angle=\"degree\"/>`",
+                    name, range[0], range[1]));
   }
 
   bool MayTouch(size_t a, size_t b) const {
@@ -312,6 +326,8 @@ class Builder {
   }
 
   void WarnOfRest() {
+    WarnOfNames(link_names_, "links");
+    WarnOfNames(joint_names_, "joints");
     WarnOf(parts_, "without a shape, and so part of the link they are fixed to");
     WarnOf(massless_, fmt::format("without a mass, and so given {} g", 1000 * kLeastMass));
     WarnOf(shapeless_, fmt::format("without a shape that touches anything, and so given a ball of "
@@ -330,6 +346,12 @@ class Builder {
         break;
       }
     }
+  }
+
+  void WarnOfNames(const Names& names, std::string_view kind) {
+    if (names.renamed().empty()) return;
+    Warn(fmt::format("{} whose names tasks cannot write have others: {}", kind,
+                     fmt::join(names.renamed(), ", ")));
   }
 
   // Places are relative to the first link's center.

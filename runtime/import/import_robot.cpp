@@ -26,8 +26,13 @@ void CheckWritten(const std::filesystem::path& robot, const std::filesystem::pat
     robot::ReadRobot(robot);
   } catch (const robot::DescriptionError& error) {
     std::filesystem::remove(robot);
-    throw UserError(
-        fmt::format("{}: what it describes is no robot: {}", model.string(), error.what()));
+    std::error_code ignored;  // there may be other files
+    std::filesystem::remove(robot.parent_path(), ignored);
+    const std::string_view what = error.what();  // in the file that is gone
+    constexpr std::string_view kBegin = "error: ";
+    const size_t begin = what.find(kBegin);
+    throw UserError(fmt::format("{}: what it describes is no robot: {}", model.string(),
+                                begin == what.npos ? what : what.substr(begin + kBegin.size())));
   }
 }
 

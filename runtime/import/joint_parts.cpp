@@ -1,5 +1,6 @@
 #include "runtime/import/joint_parts.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace runtime {
@@ -57,7 +58,8 @@ robot::OwnGains MotorOf(const ModelFile& file, const mjModel& model, int index,
       gains.max_torque = model.actuator_forcerange[2 * a + 1] * gear;
   }
   if (const auto limits = file.limits().find(name); limits != file.limits().end()) {
-    if (limits->second.effort > 0) gains.max_torque = limits->second.effort;
+    const double effort = limits->second.effort;
+    if (effort > 0) gains.max_torque = std::min(gains.max_torque.value_or(effort), effort);
     if (limits->second.velocity > 0) gains.max_speed = limits->second.velocity;
   }
   if (gains.max_torque && !(*gains.max_torque > 0)) gains.max_torque.reset();

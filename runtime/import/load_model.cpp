@@ -1,74 +1,62 @@
 #include "runtime/import/load_model.h"
 
 #include <fmt/format.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
 #include <cerrno>
+#include <csignal>
+#include <new>
+#include <string_view>
 
-#include "base/file/read.h"
 #include "runtime/base/user_error.h"
+#include "runtime/import/mesh_file.h"
 
 namespace runtime {
 namespace {
 
-// A cube of 5 cm as binary STL, for a mesh that is not there.
-std::string CubeOf5Centimeters() {
-  constexpr float kHalf = 0.025F;
-  constexpr std::array<std::array<int, 3>, 12> kTriangles = {{{0, 1, 3},
-                                                              {0, 3, 2},
-                                                              {4, 6, 7},
-                                                              {4, 7, 5},
-                                                              {0, 4, 5},
-                                                              {0, 5, 1},
-                                                              {2, 3, 7},
-                                                              {2, 7, 6},
-                                                              {0, 2, 6},
-                                                              {0, 6, 4},
-                                                              {1, 5, 7},
-                                                              {1, 7, 3}}};
-  std::string bytes(80, '\0');
-  const auto append = [&](const auto& value) {
-    bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
-  };
-  append(static_cast<uint32_t>(kTriangles.size()));
-  for (const auto& triangle : kTriangles) {
-    for (int i = 0; i < 3; ++i) append(0.0F);  // its normal
-    for (const int corner : triangle) {
-      for (const int axis : {4, 2, 1}) append((corner & axis) != 0 ? kHalf : -kHalf);
-    }
-    append(uint16_t{0});
-  }
-  return bytes;
+enum class Trial { kDone, kCrash, kTooMuch };
+
+constexpr rlim_t kMostSeconds = 30;
+constexpr rlim_t kMostMemory = 2'000'000'000;  // [bytes]
+
+void LimitResources() {
+  const rlimit time{kMostSeconds, kMostSeconds};
+  setrlimit(RLIMIT_CPU, &time);
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // these map all of the memory
+  const rlimit memory{kMostMemory, kMostMemory};
+  setrlimit(RLIMIT_AS, &memory);
+#endif
 }
 
-std::string BytesOf(const std::filesystem::path& mesh) {
-  if (mesh.empty()) return CubeOf5Centimeters();
-  file::Reading reading = file::Read(mesh.string());
-  if (!reading.problem.empty()) {
-    throw UserError(fmt::format("{}: cannot read the mesh: {}", mesh.string(), reading.problem));
+Trial LoadInChild(const char* name, const mjVFS* files) {
+  LimitResources();
+  try {
+    std::array<char, 1024> error{};
+    mj_loadXML(name, files, error.data(), error.size());
+  } catch (const UserError& error) {  // most are told again to the parent
+    const bool is_memory = std::string_view(error.what()).find("allocate") != std::string::npos;
+    return is_memory ? Trial::kTooMuch : Trial::kDone;
+  } catch (const std::bad_alloc&) {
+    return Trial::kTooMuch;
   }
-  return std::move(reading.bytes);
+  return Trial::kDone;
 }
 
-// Files can be so wrong that MuJoCo crashes. Whether it does on this one is found out in a process
-// of its own.
-bool CrashesOn(const char* name, const mjVFS* files) {
+// Files can be so wrong that MuJoCo crashes, or so large that it does not come to an end. What it
+// does on this one is found out in a process of its own.
+Trial TryInChild(const char* name, const mjVFS* files) {
   const pid_t child = fork();
-  if (child < 0) return false;  // too many processes: what follows will tell
-  if (child == 0) {
-    try {
-      std::array<char, 1024> error{};
-      mj_loadXML(name, files, error.data(), error.size());
-    } catch (const UserError&) {  // told again to the parent
-    }
-    _exit(0);
-  }
+  if (child < 0) return Trial::kDone;  // too many processes: what follows will tell
+  if (child == 0) _exit(static_cast<int>(LoadInChild(name, files)));
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
-  return WIFSIGNALED(status);
+  if (!WIFSIGNALED(status)) return static_cast<Trial>(WEXITSTATUS(status));
+  const int signal = WTERMSIG(status);
+  return signal == SIGXCPU || signal == SIGKILL ? Trial::kTooMuch : Trial::kCrash;
 }
 
 // In one line.
@@ -89,17 +77,35 @@ std::string Remedy(const std::string& message) {
   return "";
 }
 
-// Null, with MuJoCo's message, where it cannot make a model. Throws UserError where it crashes.
+// Null, with MuJoCo's message, where it cannot make a model. Throws UserError where it crashes or
+// does not come to an end.
 MujocoModel TryLoad(const std::filesystem::path& file, const char* name, const MemoryFiles& files,
                     std::string& message) {
-  if (CrashesOn(name, files.get())) {
-    throw UserError(fmt::format(
-        "{}: MuJoCo crashes on it: see whether it is well-formed and complete", file.string()));
+  switch (TryInChild(name, files.get())) {
+    case Trial::kDone:
+      break;
+    case Trial::kCrash:
+      throw UserError(fmt::format(
+          "{}: MuJoCo crashes on it: see whether it is well-formed and complete", file.string()));
+    case Trial::kTooMuch:
+      throw UserError(fmt::format(
+          "{}: MuJoCo needs more than {} s or {} GB for it: see whether a count or a size in it is "
+          "too large",
+          file.string(), kMostSeconds, kMostMemory / 1'000'000'000));
   }
   std::array<char, 1024> error{};
   MujocoModel model(mj_loadXML(name, files.get(), error.data(), error.size()));
   message = error.data();
   return model;
+}
+
+// With the meshes' places, where MuJoCo says what we have called them for it.
+std::string WithMeshesOf(const ModelFile& file, std::string message) {
+  for (const auto& [name, place] : file.meshes()) {
+    const size_t found = message.find(name);
+    if (found != message.npos) message.replace(found, name.size(), place.string());
+  }
+  return message;
 }
 
 UserError NoModel(const std::filesystem::path& file, const std::string& message) {
@@ -114,13 +120,15 @@ MujocoModel LoadModel(ModelFile& file) {
   constexpr const char* kName = "model.xml";
   UseMujoco();
   MemoryFiles files;
-  for (const auto& [name, place] : file.meshes()) files.Add(name, BytesOf(place));
+  for (const auto& [name, place] : file.meshes()) files.Add(name, MeshBytes(place));
   for (int attempt = 0;; ++attempt) {
     files.Add(kName, file.text());
     std::string message;
     MujocoModel model = TryLoad(file.file(), kName, files, message);
     if (model) return model;
-    if (attempt == kMostAttempts || !file.LeaveOut(message)) throw NoModel(file.file(), message);
+    if (attempt == kMostAttempts || !file.LeaveOut(message)) {
+      throw NoModel(file.file(), WithMeshesOf(file, std::move(message)));
+    }
     files.Remove(kName);
   }
 }
@@ -133,7 +141,7 @@ MujocoModel LoadMesh(const std::filesystem::path& file, double scale) {
     throw UserError(fmt::format("{}: neither STL nor OBJ: convert it", file.string()));
   }
   MemoryFiles files;
-  files.Add("mesh" + extension, BytesOf(file));
+  files.Add("mesh" + extension, MeshBytes(file));
   files.Add(kName,
             fmt::format("<mujoco><asset><mesh name=\"mesh\" file=\"mesh{}\" scale=\"{} {} {}\"/>"
                         "</asset><worldbody><body><freejoint/><geom type=\"mesh\" mesh=\"mesh\"/>"

@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdlib>
 #include <regex>
 
 #include "base/file/read.h"
 #include "runtime/base/user_error.h"
+#include "runtime/import/urdf_check.h"
 
 namespace runtime {
 namespace {
@@ -43,7 +45,13 @@ ModelFile::ModelFile(const std::filesystem::path& file) : file_(file), text_(Rea
         ExtensionOf(file.string()) == ".xacro" ? "; write it as URDF first, with `xacro`" : ""));
   }
   if (!is_urdf_) PutIncludes();
-  if (is_urdf_) FindLimitsAndWorld();
+  if (is_urdf_) {
+    CheckUrdf();
+    TakeVisualShapes();
+    FindLimitsAndWorld();
+  } else {
+    FindForceLimits();
+  }
   FindMeshes();
   if (!is_urdf_) LeaveOutPictures();
   SetCompiler();
@@ -54,11 +62,43 @@ XmlTag ModelFile::Root() const {
   return tags.empty() ? XmlTag{} : tags.front();
 }
 
+// "FILE:LINE"; without the line where the text of other files is in it, and lines have other
+// numbers.
+std::string ModelFile::PlaceOf(size_t place) const {
+  return has_includes_ ? file_.string() : fmt::format("{}:{}", file_.string(), text_.LineOf(place));
+}
+
 void ModelFile::Warn(size_t place, const std::string& text) {
-  // With the text of other files in it, lines have other numbers.
-  warnings_.push_back(has_includes_
-                          ? fmt::format("{}: {}", file_.string(), text)
-                          : fmt::format("{}:{}: {}", file_.string(), text_.LineOf(place), text));
+  const int line = has_includes_ ? 0 : text_.LineOf(place);
+  const auto known = std::ranges::find(warnings_, text, &Warning::text);
+  if (known == warnings_.end()) {
+    warnings_.push_back({line, text});
+  } else {
+    known->line = std::min(known->line, line);
+    ++known->count;
+  }
+}
+
+std::vector<std::string> ModelFile::warnings() const {
+  std::vector<Warning> sorted = warnings_;
+  std::ranges::stable_sort(sorted, {}, &Warning::line);
+  std::vector<std::string> texts;
+  for (const auto& [line, text, count] : sorted) {
+    std::string place = file_.string();
+    if (line > 0) place += fmt::format(":{}", line);
+    texts.push_back(fmt::format("{}: {}", place, text));
+    if (count > 1) texts.back() += fmt::format(" (in {} places)", count);
+  }
+  return texts;
+}
+
+void ModelFile::CheckUrdf() {
+  for (const UrdfProblem& problem : ProblemsOfUrdf(text_)) {
+    if (problem.is_error) {
+      throw UserError(fmt::format("{}: {}", PlaceOf(problem.place), problem.text));
+    }
+    Warn(problem.place, problem.text);
+  }
 }
 
 // Each in place of the tag that includes it.
@@ -74,7 +114,12 @@ void ModelFile::PutIncludes() {
       throw UserError(fmt::format("{}: it includes more than {} files: does one include itself?",
                                   file_.string(), kMostIncludes));
     }
-    const XmlText inner(ReadWhole(other));
+    file::Reading reading = file::Read(other);
+    if (!reading.problem.empty()) {
+      throw UserError(fmt::format("{}: cannot read {}, which it includes: {}",
+                                  PlaceOf(include->begin), other.string(), reading.problem));
+    }
+    const XmlText inner(std::move(reading.bytes));
     const std::vector<XmlTag> inner_tags = inner.Tags();
     const size_t begin = include->begin;
     text_.Blank(begin, text_.EndOfElement(tags, index));
@@ -94,6 +139,35 @@ void ModelFile::FindLimitsAndWorld() {
       limits_[joint] = {NumberIn(text_.Attribute(tag, "effort")),
                         NumberIn(text_.Attribute(tag, "velocity"))};
     }
+  }
+}
+
+// In a file that has no shapes for collisions: those for the eye.
+void ModelFile::TakeVisualShapes() {
+  const std::vector<XmlTag> tags = text_.Tags();
+  if (std::ranges::find(tags, "collision", &XmlTag::name) != tags.end()) return;
+  bool is_any = false;
+  for (size_t i = tags.size(); i-- > 0;) {  // what is in front stays where it is
+    if (tags[i].name != "visual") continue;
+    is_any = true;
+    const std::string_view before = tags[i].is_end ? "</visual" : "<visual";
+    text_.Blank(tags[i].begin, tags[i].begin + before.size());
+    text_.Insert(tags[i].begin, tags[i].is_end ? "</collision" : "<collision");
+  }
+  if (is_any) {
+    Warn(Root().begin, "no link has a shape for collisions: those for the eye are taken for it");
+  }
+}
+
+// Those of all actuators of a joint together, of which later versions of MuJoCo know.
+void ModelFile::FindForceLimits() {
+  for (const XmlTag& tag : text_.Tags()) {
+    const std::string name = tag.name == "joint" ? text_.Attribute(tag, "name") : "";
+    const std::string range = text_.Attribute(tag, "actuatorfrcrange");
+    if (name.empty() || range.empty()) continue;
+    char* rest = nullptr;
+    const double low = std::strtod(range.c_str(), &rest);
+    limits_[name].effort = std::max(std::abs(low), std::abs(NumberIn(rest)));
   }
 }
 
@@ -149,7 +223,6 @@ void ModelFile::FindMeshes() {
     if (!is_urdf_ && own.empty())
       text_.Insert(tag->begin + kTag, fmt::format(" name=\"{}\"", called));
   }
-  std::ranges::reverse(warnings_);
 }
 
 std::filesystem::path ModelFile::FindMesh(const std::string& name, const std::string& folder,
@@ -184,15 +257,17 @@ void ModelFile::LeaveOutPictures() {
   }
 }
 
-// How MuJoCo is to read the model: links that cannot move stay links, and what would be refused
-// because it has no mass or inertia gets little, which is then seen and told.
+// How MuJoCo is to read the model: links that cannot move stay links, shapes of a URDF file weigh
+// nothing, and what would be refused because it has no mass or inertia gets little, which is then
+// seen and told.
 void ModelFile::SetCompiler() {
   constexpr const char* kSmall =
       "boundmass=\"1e-9\" boundinertia=\"1e-12\" balanceinertia=\"true\"";
   std::string wanted;
   if (is_urdf_) {
     wanted = fmt::format(
-        "<mujoco><compiler fusestatic=\"false\" discardvisual=\"true\" {}/>"
+        "<mujoco><compiler fusestatic=\"false\" discardvisual=\"true\" inertiafromgeom=\"false\" "
+        "{}/>"
         "</mujoco>",
         kSmall);
   } else {

@@ -11,7 +11,7 @@
 
 namespace runtime {
 
-// What URDF says of a joint and MuJoCo does not read.
+// What a file says of a joint and MuJoCo 2.2 does not read.
 struct JointLimits {
   double effort = 0;    // 0: not said
   double velocity = 0;  // 0: not said
@@ -33,7 +33,8 @@ class ModelFile {
   const std::map<std::string, JointLimits>& limits() const { return limits_; }
   // Whether a URDF file has a link `world`, which MuJoCo takes for the world itself.
   bool has_world() const { return has_world_; }
-  const std::vector<std::string>& warnings() const { return warnings_; }
+  // In the order of their lines; what is the same in many places is said once.
+  std::vector<std::string> warnings() const;
 
   // Leaves out what MuJoCo's message is about, with a warning; false where the message names
   // nothing that can be left out.
@@ -42,12 +43,16 @@ class ModelFile {
  private:
   void PutIncludes();
   void SetCompiler();
+  void CheckUrdf();
+  void TakeVisualShapes();
   void FindLimitsAndWorld();
+  void FindForceLimits();
   void FindMeshes();
   void LeaveOutPictures();
   std::filesystem::path Find(const std::string& name, const std::string& folder) const;
   std::filesystem::path FindMesh(const std::string& name, const std::string& folder,
                                  const XmlTag& tag);
+  std::string PlaceOf(size_t place) const;
   void Warn(size_t place, const std::string& text);
   XmlTag Root() const;
 
@@ -59,7 +64,12 @@ class ModelFile {
   std::map<std::string, std::filesystem::path> meshes_;
   std::set<std::string> missing_;
   std::map<std::string, JointLimits> limits_;
-  std::vector<std::string> warnings_;
+  struct Warning {
+    int line = 0;  // 0 where the text of other files is in it, and lines have other numbers
+    std::string text;
+    int count = 1;  // in how many places; the line is the first one's
+  };
+  std::vector<Warning> warnings_;
 };
 
 // In lower case, with its dot.

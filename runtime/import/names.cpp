@@ -48,6 +48,8 @@ std::string Names::Take(std::string_view wanted, std::string_view fallback) {
   std::string name = Written(wanted);
   if (name.empty()) name = fallback;
   if (robot::IsReservedWord(name)) name += "_";
+  if (!wanted.empty() && name != wanted)
+    renamed_.push_back(fmt::format("`{}` as `{}`", wanted, name));
   std::string free = name;
   for (int i = 2; !taken_.insert(free).second; ++i) free = fmt::format("{}_{}", name, i);
   return free;

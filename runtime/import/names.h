@@ -4,6 +4,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace runtime {
 
@@ -14,7 +15,11 @@ class Names {
   // the task language, and a number behind what is taken. `fallback`: for what has no name.
   std::string Take(std::string_view wanted, std::string_view fallback);
 
+  // "`left foot` as `left_foot`", for each that tasks cannot write as it was.
+  const std::vector<std::string>& renamed() const { return renamed_; }
+
  private:
+  std::vector<std::string> renamed_;
   std::set<std::string> taken_;
 };
 

@@ -11,7 +11,7 @@
 #include "runtime/base/user_error.h"
 #include "runtime/core/shape/convex_hull.h"
 #include "runtime/import/mesh_hull.h"
-#include "tests/runtime/training/run/temporary_folder.h"
+#include "tests/runtime/import/import_test.h"
 
 namespace runtime {
 namespace {
@@ -21,50 +21,6 @@ using testing::Contains;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
-
-class ImportRobotTest : public testing::Test {
- protected:
-  ImportedRobot Import(const std::string& text, const std::string& name = "model.urdf",
-                       std::optional<bool> fixed = std::nullopt) {
-    std::ofstream(folder_.path() / name) << text;
-    return ImportRobot({.file = folder_.path() / name,
-                        .name = "robot" + std::to_string(++count_),
-                        .folder = folder_.path() / "robots",
-                        .fixed_base = fixed});
-  }
-  robot::RobotDescription Read(const std::string& text, const std::string& name = "model.urdf") {
-    return robot::ReadRobot(Import(text, name).file);
-  }
-  std::string ErrorOf(const std::string& text, const std::string& name = "model.urdf") {
-    try {
-      Import(text, name);
-    } catch (const UserError& error) {
-      return error.what();
-    }
-    return "";
-  }
-
-  TemporaryFolder folder_;
-  int count_ = 0;
-};
-
-// A URDF link of 1 kg with this shape.
-std::string Link(const std::string& name, const std::string& shape, double mass = 1) {
-  return "<link name=\"" + name + "\"><inertial><mass value=\"" + std::to_string(mass) +
-         "\"/><inertia ixx=\"0.01\" iyy=\"0.012\" izz=\"0.014\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/>"
-         "</inertial><collision><geometry>" +
-         shape + "</geometry></collision></link>\n";
-}
-
-const std::string kBox = "<box size=\"0.2 0.3 0.1\"/>";
-
-std::string TwoLinks(const std::string& joint) {
-  return "<robot name=\"two\">\n" + Link("body", kBox) +
-         Link("leg", "<cylinder radius=\"0.03\" length=\"0.2\"/>", 0.5) + "<joint name=\"hip\" " +
-         joint +
-         "<parent link=\"body\"/><child link=\"leg\"/><origin xyz=\"0.05 0 -0.15\"/></joint>\n"
-         "</robot>\n";
-}
 
 TEST_F(ImportRobotTest, UrdfBecomesLinksAndJoints) {
   const robot::RobotDescription robot =
@@ -115,6 +71,30 @@ TEST_F(ImportRobotTest, AMeshBecomesItsHull) {
   ASSERT_EQ(shape.kind, robot::ShapeKind::kConvex);
   EXPECT_EQ(shape.points.size(), 6u);
   EXPECT_NEAR(MassOf(HullOf(shape.points)).volume, 0.5 * 0.4 * 0.2 * 0.6, 1e-6);
+}
+
+TEST_F(ImportRobotTest, StlMayBeWrittenAsText) {
+  constexpr const char* kCorners[] = {"0 0 0", "0.4 0 0", "0 0.2 0", "0 0 0.6"};
+  constexpr int kFaces[][3] = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+  std::string text = "solid pyramid\n";
+  for (const auto& face : kFaces) {
+    text += "facet normal 0 0 0\nouter loop\n";
+    for (const int corner : face) text += std::string("vertex ") + kCorners[corner] + "\n";
+    text += "endloop\nendfacet\n";
+  }
+  std::ofstream(folder_.path() / "pyramid.stl") << text << "endsolid pyramid\n";
+  const MeshHull hull = HullOfMesh({.file = folder_.path() / "pyramid.stl", .mass = 1});
+  EXPECT_NEAR(hull.volume, 0.4 * 0.2 * 0.6 / 6, 1e-8);
+}
+
+TEST_F(ImportRobotTest, WithoutShapesForCollisionsThoseForTheEyeAreTaken) {
+  std::string text = "<robot name=\"a\">" + Link("body", kBox) + "</robot>";
+  for (const std::string word : {"<collision", "</collision"}) {
+    text.replace(text.find(word + ">"), word.size(), word[1] == '/' ? "</visual" : "<visual");
+  }
+  const ImportedRobot imported = Import(text);
+  EXPECT_THAT(imported.warnings, Contains(HasSubstr("no link has a shape for collisions")));
+  EXPECT_EQ(robot::ReadRobot(imported.file).links[0].shape.size, (robot::Vector3{0.2, 0.3, 0.1}));
 }
 
 // V = 0.024; a wedge's center is a third of the way from the edge of its right angle.
@@ -171,6 +151,18 @@ TEST_F(ImportRobotTest, FramesWithoutMassBecomePartOfTheirLink) {
   EXPECT_THAT(imported.warnings,
               Contains(HasSubstr("part of the link they are fixed to: `camera`")));
   EXPECT_EQ(robot::ReadRobot(imported.file).links.size(), 1u);
+}
+
+// Some files give the base its shape, and its mass to a frame that is fixed to it.
+TEST_F(ImportRobotTest, ShapesOfAUrdfFileWeighNothing) {
+  const robot::RobotDescription robot = Read(
+      "<robot name=\"a\"><link name=\"base\"><collision><geometry>" + kBox +
+      "</geometry></collision></link><link name=\"load\"><inertial><mass value=\"3\"/><inertia "
+      "ixx=\"0.01\" iyy=\"0.01\" izz=\"0.01\" ixy=\"0\" ixz=\"0\" iyz=\"0\"/></inertial>"
+      "</link><joint name=\"j\" type=\"fixed\"><parent link=\"base\"/><child "
+      "link=\"load\"/></joint></robot>");
+  ASSERT_EQ(robot.links.size(), 1u);
+  EXPECT_NEAR(robot.links[0].mass, 3, 1e-6);
 }
 
 TEST_F(ImportRobotTest, AMeshThatIsNotThereIsABoxWithTheLinksInertia) {
@@ -333,6 +325,9 @@ TEST_F(ImportRobotTest, NamesOfTheLanguageAndNegativeInertiasAreMadeUsable) {
       kBox + "</geometry></collision></link></robot>");
   const robot::RobotDescription robot = robot::ReadRobot(imported.file);
   EXPECT_EQ(robot.links[0].name, "if_");
+  EXPECT_THAT(
+      imported.warnings,
+      Contains(HasSubstr("links whose names tasks cannot write have others: `if` as `if_`")));
   EXPECT_GT(robot.links[0].inertia->zz, 0);
 }
 
