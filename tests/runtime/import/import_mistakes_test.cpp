@@ -143,7 +143,7 @@ TEST_F(ImportRobotTest, AJointsForceRangeOfLaterVersionsIsItsLargestTorque) {
 // Its stack alone is more memory than it may have.
 TEST_F(ImportRobotTest, AModelThatIsTooLargeIsRefused) {
   const std::string error = ErrorOf(
-      "<mujoco><size nstack=\"900000000\"/><worldbody><body name=\"b\"><freejoint/><geom "
+      "<mujoco><size nuser_body=\"300000000\"/><worldbody><body name=\"b\"><freejoint/><geom "
       "size=\".1\"/></body></worldbody></mujoco>",
       "model.xml");
   EXPECT_THAT(error,
