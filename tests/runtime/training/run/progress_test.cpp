@@ -191,10 +191,10 @@ TEST_F(ProgressOnTerminalTest, KeepsAPictureUpToDateBelowWhatIsSaid) {
   progress.Note("done");
   EXPECT_THAT(Screen("done"),
               testing::MatchesRegex("warning: something *\n"
-                                    "episode 3/3  █+  100 %  0:00 left *\n"
+                                    "episode 3/3  (█)+  100 %  0:00 left *\n"
                                     "return 0.3  mean of 20 0.25  best 0.3  ▁(▄|▅)█ *\n"
-                                    "  speed +0.3333  █+ *\n"
-                                    "  fall +-4  ▒+ *\n"
+                                    "  speed +0.3333  (█)+▍ *\n"
+                                    "  fall +-4  (▒)+ *\n"
                                     "[^\n]*x real time  0:00 elapsed *\n"
                                     "done\n\n"));
 }
