@@ -142,15 +142,15 @@ async function anEpisodeIsJudged(page: Page, run: Trainer): Promise<void> {
   assert.equal(await rows.count(), 1 + Object.keys(tasks[0].terms).length + Object.keys(old.metrics).length);
 }
 
-/** Twice as much for going forward: twice the sum of that term, at once. */
+/** A term that the episode was not paid: what it would have brought, at once. */
 async function anEditIsJudgedAtOnce(page: Page): Promise<void> {
   await page.locator("#what-if-follow").check();
   const sum = async (column: number): Promise<number> =>
-    numberIn((await page.locator('tr[data-what-if="doubled"] td').nth(column).textContent()) ?? "");
+    numberIn((await page.locator('tr[data-what-if="extra"] td').nth(column).textContent()) ?? "");
   await page.locator(".cm-content").click();
   await page.keyboard.press("Control+End");
-  await page.keyboard.type("\non end_of_time_step { reward doubled = 1 }\n");
-  await page.locator('tr[data-what-if="doubled"]').waitFor();
+  await page.keyboard.type("\non end_of_action { reward extra = 1 }\n");
+  await page.locator('tr[data-what-if="extra"]').waitFor();
   assert.ok((await sum(2)) > 0);
   await page.locator("#editor-text").scrollIntoViewIfNeeded();
   await screenshot(page, "live-what-if");
