@@ -25,7 +25,10 @@ export interface TaskPage {
 
 /** Elements, styled one by one: markup with styles in it would be refused by the page's policy. */
 function typeset(latex: string, displayMode: boolean): HTMLElement {
-  const host = element(displayMode ? "div" : "span", { class: "math" });
+  // On a phone an equation is wider than the page: it is scrolled, by keys, too.
+  const host = displayMode
+    ? element("div", { class: "math", tabindex: "0" })
+    : element("span", { class: "math" });
   katex.render(latex, host, { displayMode, throwOnError: false });
   return host;
 }
