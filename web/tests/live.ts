@@ -127,7 +127,7 @@ async function aTaskIsEdited(page: Page, run: Trainer): Promise<void> {
 /** The equations of the text, and what it would have paid. */
 async function anEpisodeIsJudged(page: Page, run: Trainer): Promise<void> {
   await page.locator("#editor-page .katex").first().waitFor();
-  const { tasks } = await run.ask("list");
+  await page.locator("#editor-revert").click();
   await page.locator("#what-if-now").click();
   const rows = page.locator("#what-if-result tr[data-what-if]");
   await rows.first().waitFor();
@@ -139,18 +139,20 @@ async function anEpisodeIsJudged(page: Page, run: Trainer): Promise<void> {
   const returned = page.locator('tr[data-what-if="return"] td');
   assert.ok(isAbout(numberIn((await returned.nth(1).textContent()) ?? ""), old.return));
   assert.equal(await returned.nth(3).textContent(), "0");
-  assert.equal(await rows.count(), 1 + Object.keys(tasks[0].terms).length + Object.keys(old.metrics).length);
+  const namesOf = (what: "terms" | "metrics"): Set<string> =>
+    new Set([...Object.keys(old[what]), ...Object.keys(judged.new[what])]);
+  assert.equal(await rows.count(), 1 + namesOf("terms").size + namesOf("metrics").size);
 }
 
 /** A term that the episode was not paid: what it would have brought, at once. */
 async function anEditIsJudgedAtOnce(page: Page): Promise<void> {
   await page.locator("#what-if-follow").check();
   const sum = async (column: number): Promise<number> =>
-    numberIn((await page.locator('tr[data-what-if="extra"] td').nth(column).textContent()) ?? "");
+    numberIn((await page.locator('tr[data-what-if="bonus"] td').nth(column).textContent()) ?? "");
   await page.locator(".cm-content").click();
   await page.keyboard.press("Control+End");
-  await page.keyboard.type("\non end_of_action { reward extra = 1 }\n");
-  await page.locator('tr[data-what-if="extra"]').waitFor();
+  await page.keyboard.type("\non end_of_action { reward bonus = 1 }\n");
+  await page.locator('tr[data-what-if="bonus"]').waitFor();
   assert.ok((await sum(2)) > 0);
   await page.locator("#editor-text").scrollIntoViewIfNeeded();
   await screenshot(page, "live-what-if");
