@@ -28,7 +28,7 @@ Emission EmissionOf(Builtin function) {
     case Builtin::kMax:
       return Chain{.join = kMax, .joins_arguments = true};
     case Builtin::kAbs:
-      return CompilerFunction{"__builtin_fabs", "__builtin_llabs"};
+      return CompilerFunction{"__builtin_fabs", Helper::kAbsInt};
     case Builtin::kSqrt:
       return CompilerFunction{"__builtin_sqrt"};
     case Builtin::kFloor:

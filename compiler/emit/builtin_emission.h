@@ -1,6 +1,7 @@
 // How the functions of the language become C++.
 #pragma once
 
+#include <optional>
 #include <string_view>
 #include <variant>
 
@@ -25,7 +26,7 @@ struct Chain {
 // A function that the C++ compiler knows, for reals and for ints.
 struct CompilerFunction {
   std::string_view real;
-  std::string_view integer = real;
+  std::optional<Helper> integer = {};  // where another function is that of ints
 };
 
 // A function of our own, or of the C library.

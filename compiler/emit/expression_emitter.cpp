@@ -366,8 +366,10 @@ CppText ExpressionEmitter::ElementOf(const BuiltinCall& node, const CheckedExpre
   return std::visit(variant::Overloaded{
                         [&](const Chain& chain) { return Joined(node, chain.join, scalar, index); },
                         [&](const CompilerFunction& function) {
-                          return CallText(is_int ? function.integer : function.real,
-                                          ArgumentElements(node, index));
+                          const bool is_other = is_int && function.integer;
+                          return CallText(
+                              is_other ? helpers_.Use(*function.integer) : function.real,
+                              ArgumentElements(node, index));
                         },
                         [&](const HelperFunction& function) {
                           return CallText(helpers_.Use(is_int ? function.integer : function.real),

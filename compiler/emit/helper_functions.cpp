@@ -54,6 +54,9 @@ double Max(double a, double b) { return a > b || a != a ? a : b; })"},
     {Helper::kSign, "Sign", "double Sign(double x) { return x > 0 ? 1 : x < 0 ? -1 : x; }"},
     {Helper::kSignInt, "Sign",
      "long long Sign(long long x) { return x > 0 ? 1 : x < 0 ? -1 : 0; }"},
+    {Helper::kAbsInt, "Abs",
+     R"(// The smallest number remains: the compiler's own function would be taken for one that is never below 0.
+long long Abs(long long x) { return x < 0 ? (long long)(0ULL - (unsigned long long)x) : x; })"},
     {Helper::kPay, "Pay",
      R"(// Pays a reward term; where that gives no finite reward, or too large a one, reports the term.
 void Pay(taskc_frame* frame, double& reward, int term, double value) {

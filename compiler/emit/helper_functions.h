@@ -26,6 +26,7 @@ enum class Helper {
   kMaxInt,
   kSign,
   kSignInt,
+  kAbsInt,
   kPay,
   kEnd,
   kNote,

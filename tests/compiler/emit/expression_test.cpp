@@ -155,6 +155,15 @@ TEST(Expressions, RoundAndChoose) {
                {{"a", {-1.5}}, {"n", {7}}, {"c", {1}}, {"v", {1, 2, 3}}});
 }
 
+// Ints wrap around, whatever a compiler knows of absolute values.
+TEST(Expressions, TheSmallestIntStaysBelowZero) {
+  ExpectValues("sensor n: int\n",
+               {{"select(abs(n) <= 0, 1, 0)", 1},
+                {"select(max(abs(n), 0) > 0, 1, 0)", 0},
+                {"select(abs(n + 1) > 0, 1, 0)", 1}},
+               {{"n", {-0x1p63}}});
+}
+
 TEST(Expressions, Rotate) {
   // Half a turn about z, a third of one about (1, 1, 1), and a matrix that swaps and scales.
   ExpectValues(
