@@ -16,6 +16,7 @@
 
 #include "plugins/host/task_frame.h"
 #include "plugins/robot/robot_description.h"
+#include "runtime/base/scratch_folder.h"
 #include "runtime/base/user_error.h"
 #include "runtime/core/agent/agent.h"
 #include "runtime/live/client/client.h"
@@ -138,21 +139,6 @@ BENCHMARK(Swap)->Unit(benchmark::kMicrosecond);
 
 // ---- A trainer and a client that does not leave it alone ------------------------------------
 
-class Folder {
- public:
-  Folder() {
-    std::string name = (std::filesystem::temp_directory_path() / "live-bench-XXXXXX").string();
-    path_ = mkdtemp(name.data());
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  ~Folder() { std::filesystem::remove_all(path_); }
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
-
 pid_t StartTrainer(const std::filesystem::path& run) {
   std::vector<std::string> words = {
       TRAINER,     "train",   SOURCE_DIR "/tasks/forward_rolling.task",
@@ -206,7 +192,7 @@ class Client {
 // A whole short run; the argument says whether a client is attached.
 void Training(benchmark::State& state) {
   for (auto _ : state) {
-    const Folder folder;
+    const ScratchFolder folder;
     const std::filesystem::path run = folder.path() / "run";
     const pid_t trainer = StartTrainer(run);
     std::unique_ptr<Client> client;

@@ -17,6 +17,7 @@
 #include <thread>
 #include <vector>
 
+#include "runtime/base/scratch_folder.h"
 #include "runtime/base/user_error.h"
 #include "runtime/live/client/client.h"
 #include "runtime/live/server/control_socket.h"
@@ -28,21 +29,6 @@ constexpr const char* kEpisodes = "600";
 constexpr std::chrono::seconds kBetweenEpisodes{17};  // that a page shows in real time
 
 enum Watching { kNobody, kWholeEpisodes, kInstants };
-
-class Folder {
- public:
-  Folder() {
-    std::string name = (std::filesystem::temp_directory_path() / "page-bench-XXXXXX").string();
-    path_ = mkdtemp(name.data());
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  ~Folder() { std::filesystem::remove_all(path_); }
-  std::filesystem::path run() const { return path_ / "run"; }
-
- private:
-  std::filesystem::path path_;
-};
 
 pid_t StartTrainer(const std::filesystem::path& run) {
   std::vector<std::string> words = {TRAINER,     "train",     SOURCE_DIR "/tasks/crawling.task",
@@ -137,13 +123,14 @@ double SecondsOf(const timeval& time) {
 void TrainingWatchedBy(benchmark::State& state) {
   const auto watching = static_cast<Watching>(state.range(0));
   for (auto _ : state) {
-    const Folder folder;
-    const pid_t trainer = StartTrainer(folder.run());
+    const ScratchFolder folder;
+    const std::filesystem::path run = folder.path() / "run";
+    const pid_t trainer = StartTrainer(run);
     int status = 0;
     rusage usage{};
     {
       std::unique_ptr<OpenPage> page;
-      if (watching != kNobody) page = std::make_unique<OpenPage>(folder.run(), watching);
+      if (watching != kNobody) page = std::make_unique<OpenPage>(run, watching);
       wait4(trainer, &status, 0, &usage);
     }
     if (status != 0) state.SkipWithError("the trainer failed");
