@@ -56,6 +56,7 @@ taskc_uint32 RowOf(const taskc_plugin& task, const taskc_sensor& sensor, const s
   std::span<const taskc_part> parts;
   if (index == "link") parts = {task.links, task.link_count};
   if (index == "joint") parts = {task.joints, task.joint_count};
+  if (index == "site") parts = {task.sites, task.site_count};
   return static_cast<taskc_uint32>(IndexOf(task, parts, entry.c_str(), index));
 }
 

@@ -73,6 +73,8 @@ std::optional<CheckedTask> Check(const SyntaxTree& tree, const robot::RobotDescr
   if (robot != nullptr) {
     task.links = FindEnumeration(scope.enumerations, "link")->members;
     task.joints = FindEnumeration(scope.enumerations, "joint")->members;
+    if (const Enumeration* sites = FindEnumeration(scope.enumerations, "site"))
+      task.sites = sites->members;
     task.longest_time_step = robot->controller.time_step;
   }
   // The names first, wherever they are declared; then what uses them.

@@ -47,7 +47,7 @@ struct Type {
   Shape shape = Shape::kScalar;
   uint32_t rows = 1;
   uint32_t columns = 1;  // of an array: the number of elements of an entry
-  std::string index{};   // "link" or "joint" for arrays over the robot's enumerations, else empty
+  std::string index{};   // "link" for an array over that enumeration of the robot, else empty
   // Of an array: what its entries are, a scalar, a vector or a quaternion.
   Shape entry = Shape::kScalar;
 
@@ -300,9 +300,9 @@ struct CheckedConst {
 // `set NAME = ...`
 struct CheckedSet {
   std::string name;
-  std::string parts;               // "link" or "joint"; empty: numbers
+  std::string parts;               // "link": of that enumeration of the robot; empty: numbers
   std::vector<uint32_t> indices;   // in their order
-  std::vector<std::string> names;  // of the links or joints, or the numbers
+  std::vector<std::string> names;  // of the parts, or the numbers
 };
 // `table NAME: TYPE = "FILE"`
 struct CheckedTable {
@@ -549,6 +549,7 @@ struct CheckedTask {
   std::string robot;               // "" where the task declares its own sensors
   std::vector<std::string> links;  // of the robot, in its order
   std::vector<std::string> joints;
+  std::vector<std::string> sites;
   CheckedStart start{};
   // Of all events; infinite where no robot says [s].
   double longest_time_step = std::numeric_limits<double>::infinity();

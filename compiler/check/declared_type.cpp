@@ -45,7 +45,7 @@ std::optional<Type> CheckArray(const Type& entry, const Identifier& index, const
   Report(scope.diagnostics, code::kBadArrayType, index.span,
          fmt::format("an array cannot be indexed by `{}`", index.text),
          {.help = scope.has_robot ? fmt::format("write a number, or one of {}", List(valid))
-                                  : "write a number: only a robot has links and joints"});
+                                  : "write a number: only a robot has links, joints and sites"});
   return std::nullopt;
 }
 

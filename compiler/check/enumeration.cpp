@@ -25,13 +25,26 @@ std::vector<std::string> Enumeration::Names() const {
   return names;
 }
 
+namespace {
+
+template <class Part>
+Enumeration EnumerationOf(const char* name, const std::vector<Part>& parts,
+                          const std::vector<robot::Group>& groups) {
+  Enumeration enumeration{name, std::string(name) + "s", {}, groups};
+  for (const Part& part : parts) enumeration.members.push_back(part.name);
+  return enumeration;
+}
+
+}  // namespace
+
 std::vector<Enumeration> EnumerationsOf(const robot::RobotDescription* robot) {
   if (robot == nullptr) return {};
-  Enumeration links{"link", "links", {}, robot->link_groups};
-  for (const robot::Link& link : robot->links) links.members.push_back(link.name);
-  Enumeration joints{"joint", "joints", {}, robot->joint_groups};
-  for (const robot::Joint& joint : robot->joints) joints.members.push_back(joint.name);
-  return {links, joints};
+  std::vector<Enumeration> enumerations = {
+      EnumerationOf("link", robot->links, robot->link_groups),
+      EnumerationOf("joint", robot->joints, robot->joint_groups)};
+  if (!robot->sites.empty())
+    enumerations.push_back(EnumerationOf("site", robot->sites, robot->site_groups));
+  return enumerations;
 }
 
 const Enumeration* FindEnumeration(const std::vector<Enumeration>& enumerations,

@@ -1,4 +1,4 @@
-// The robot's parts as a task names them: its links and its joints, and named groups of them.
+// The robot's parts as a task names them: its links, joints and sites, and named groups of them.
 #pragma once
 
 #include <optional>
@@ -23,7 +23,7 @@ struct Enumeration {
   std::vector<std::string> Names() const;
 };
 
-// `link` and `joint`; none where there is no robot.
+// `link`, `joint`, and `site` where it has sites; none where there is no robot.
 std::vector<Enumeration> EnumerationsOf(const robot::RobotDescription* robot);
 
 // The enumeration called `name`, or null.

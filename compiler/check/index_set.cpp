@@ -108,7 +108,7 @@ class IndexResolver {
     return std::nullopt;
   }
 
-  // Numbers may stand for links and joints as well, as far as there are so many.
+  // Numbers may stand for parts of the robot as well, as far as there are so many.
   std::optional<Indices> ResolveSet(const std::string& text, const Symbol& symbol, Span span) {
     const CheckedSet& set = scope_.constants.sets[symbol.index];
     if (domain_.names != nullptr && domain_.names->name == set.parts) return set.indices;

@@ -21,15 +21,15 @@ struct LoopValue {
   Symbol symbol;
 };
 
-// The values in their order; never none. Links or joints where one of the names says so, else
+// The values in their order; never none. Parts of the robot where one of the names says so, else
 // numbers. Reports mistakes and then returns nothing.
 std::optional<std::vector<LoopValue>> ResolveLoop(const ForStatement& loop, const TaskScope& scope);
 
 // The variable of a loop whose values are not known: what depends on it is not reported.
 Symbol UnknownLoopVariable();
 
-// Can the variable be called so? It is read in index sets, so it cannot have the name of a link, a
-// joint or a group either. Reports where it cannot.
+// Can the variable be called so? It is read in index sets, so it cannot have the name of a part
+// of the robot or of a group either. Reports where it cannot.
 bool CheckLoopVariable(const Identifier& variable, TaskScope& scope);
 
 }  // namespace compiler

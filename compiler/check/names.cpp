@@ -17,9 +17,7 @@ constexpr Unit kSecond{.second = 1};
 
 void ReportSetAsValue(const Identifier& name, const Symbol& symbol, const TaskScope& scope) {
   const std::string& parts = scope.constants.sets[symbol.index].parts;
-  const std::string_view array = parts == "link"    ? "contact"
-                                 : parts == "joint" ? "joint.angle"
-                                                    : "x";
+  const std::string_view array = parts.empty() ? "x" : SensorOver(parts);
   Report(scope.diagnostics, code::kMisplacedName, name.span,
          fmt::format("`{}` is a set: it is allowed only inside an index, and in a loop", name.text),
          {.help = fmt::format("pick elements with it: `{}[{}]`", array, name.text),

@@ -14,7 +14,7 @@ struct SetKind {
   const Identifier* unknown = nullptr;  // a name without any meaning
 };
 
-// "link" or "joint" where the symbol stands for some of them.
+// "link" where the symbol stands for some of them.
 std::string_view PartsOf(const Symbol* symbol) {
   const bool has_parts = symbol != nullptr && (symbol->kind == SymbolKind::kLoopPart ||
                                                symbol->kind == SymbolKind::kSet);
@@ -42,20 +42,25 @@ void ReportUnknownSet(const Identifier& name, IndexUse use, const TaskScope& sco
     const bool is_loop = use == IndexUse::kLoop;
     Report(scope.diagnostics, code::kUnknownPart, name.span,
            fmt::format("there is no `{}`{}", name.text, is_loop ? " to iterate over" : ""),
-           {.note = "only a robot has links and joints",
+           {.note = "only a robot has links, joints and sites",
             .help = fmt::format("{} numbers, as in `0..3`", is_loop ? "iterate over" : "write")});
     return;
   }
   std::vector<std::string> valid;
-  for (const Enumeration& parts : scope.enumerations)
+  std::string one, all, choices;  // "link, joint", "links, joints", "`links`, `joints`"
+  for (const Enumeration& parts : scope.enumerations) {
     for (std::string& part : parts.Names()) valid.push_back(std::move(part));
+    one += (one.empty() ? "" : ", ") + parts.name;
+    all += (all.empty() ? "" : ", ") + parts.all;
+    choices += fmt::format("{}`{}`", choices.empty() ? "" : ", ", parts.all);
+  }
   for (const Identifier& constant : scope.constants.names) valid.push_back(constant.text);
-  Help help = Suggest(name.span, name.text, valid, "links, joints and groups");
+  Help help = Suggest(name.span, name.text, valid, all + " and groups");
   if (help.empty())
-    help = fmt::format("{} `links`, `joints`, some of them, or numbers as in `0..3`",
-                       use == IndexUse::kLoop ? "iterate over" : "write");
+    help = fmt::format("{} {}, some of them, or numbers as in `0..3`",
+                       use == IndexUse::kLoop ? "iterate over" : "write", choices);
   Report(scope.diagnostics, code::kUnknownPart, name.span,
-         fmt::format("the robot has no link, joint or group called `{}`", name.text),
+         fmt::format("the robot has no {} or group called `{}`", one, name.text),
          {.help = std::move(help)});
 }
 

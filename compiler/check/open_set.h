@@ -18,16 +18,16 @@ struct OpenSet {
   std::vector<uint32_t> indices;       // in their order; never none
 };
 
-// Links or joints where one of the names says so, else numbers. Reports mistakes and then returns
-// nothing.
+// Parts of the robot where one of the names says so, else numbers. Reports mistakes and then
+// returns nothing.
 std::optional<OpenSet> ResolveOpenSet(const std::vector<ExpressionPtr>& items, Span span,
                                       IndexUse use, const TaskScope& scope);
 
 // The members of a set: "head", "3".
 std::string MemberText(uint32_t index, const Enumeration* parts);
 
-// Whether the name is that of a link, a joint or a group: `what` (such as "a set"), which is read
-// in index sets as they are, cannot be called so. Reports where it is.
+// Whether the name is that of a part of the robot or a group: `what` (such as "a set"), which is
+// read in index sets as they are, cannot be called so. Reports where it is.
 bool IsPartOfRobot(const Identifier& name, std::string_view what, const TaskScope& scope);
 
 }  // namespace compiler

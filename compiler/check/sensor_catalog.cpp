@@ -42,7 +42,7 @@ Unit UnitOf(std::string_view text) {
 SensorCatalog SensorCatalog::OfRobot(const robot::RobotDescription& robot,
                                      const std::vector<Enumeration>& enumerations) {
   SensorCatalog catalog;
-  for (const robot::SensorDescription& sensor : robot::Sensors()) {
+  for (const robot::SensorDescription& sensor : robot::SensorsOf(robot)) {
     CheckedSensor checked{.name = std::string(sensor.name),
                           .doc = std::string(sensor.doc),
                           .type = TypeOf(sensor.type, enumerations),

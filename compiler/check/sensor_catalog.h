@@ -21,7 +21,7 @@ class SensorCatalog {
   static SensorCatalog OfRobot(const robot::RobotDescription& robot,
                                const std::vector<Enumeration>& enumerations);
 
-  // Those that every robot has. One with an element for each link or joint counts as wrongly
+  // Those that robots have. One with an element for each link, joint or site counts as wrongly
   // declared: how many these are is not known.
   static SensorCatalog OfAnyRobot();
 
@@ -47,7 +47,7 @@ class SensorCatalog {
   std::vector<std::string> invalid_;
 };
 
-// Do all robots have a sensor, or a constant, called `name`?
+// Do robots have a sensor, or a constant, called `name`?
 bool IsSensorOfRobots(std::string_view name);
 
 // The sensor or constant of robots that has this name, or whose name begins with it or it with

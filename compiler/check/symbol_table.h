@@ -23,7 +23,7 @@ enum class SymbolKind {
   kPhase,      // the present one, `phase`
   kPhaseTime,  // `phase_time`
   kLocal,
-  kLoopPart,    // of a loop over links or joints: one of them
+  kLoopPart,    // of a loop over links, joints or sites: one of them
   kLoopNumber,  // of a loop over numbers: an `int` constant
   kFunction,
   kArgument  // of the function in which it is known
@@ -37,7 +37,7 @@ struct Symbol {
   // functions, the event's or function's locals, or the function's arguments; or the value of a
   // loop's variable.
   uint32_t index = 0;
-  Type type{};  // of a kLoopPart only `index` counts: "link" or "joint"
+  Type type{};  // of a kLoopPart only `index` counts: "link"
   Unit unit{};
   std::optional<double> constant{};  // of a kLocal whose value is known
 };

@@ -77,6 +77,17 @@ bool ReportSensorOfRobot(const std::vector<Identifier>& path, const TaskScope& s
   return false;
 }
 
+// A sensor of sites, of a robot without any. False: it is no such sensor.
+bool ReportSensorOfSites(const std::vector<Identifier>& path, const TaskScope& scope) {
+  const bool is_sensor = path.size() > 1 && IsSensorOfRobots(PathText(path, 2));
+  if (!is_sensor || scope.sensors.IsRoot(path[0].text)) return false;  // others all robots have
+  Report(scope.diagnostics, code::kUnknownSensor, SpanOfPath(path, 2),
+         fmt::format("`{}` is a sensor of sites, and the robot has none", PathText(path, 2)),
+         {.help = "name places on its links in the robot's file, as `sites`; or read what links "
+                  "have, such as `link.position`"});
+  return true;
+}
+
 // A name that means something, but not as a value. False: it means nothing at all.
 bool ReportMisplacedName(const Identifier& name, const TaskScope& scope) {
   if (const Enumeration* parts = FindEnumerationOf(scope.enumerations, name.text)) {
@@ -147,10 +158,14 @@ Span SpanOfPath(const std::vector<Identifier>& path, size_t length) {
   return Cover(path[0].span, path[length - 1].span);
 }
 
+std::string_view SensorOver(std::string_view enumeration) {
+  if (enumeration == "link") return "contact";
+  return enumeration == "joint" ? "joint.angle" : "site.position";
+}
+
 void ReportPartAsValue(const Identifier& name, std::string_view enumeration,
                        const TaskScope& scope) {
-  const std::string element =
-      fmt::format("{}[{}]", enumeration == "link" ? "contact" : "joint.angle", name.text);
+  const std::string element = fmt::format("{}[{}]", SensorOver(enumeration), name.text);
   Report(scope.diagnostics, code::kMisplacedName, name.span,
          fmt::format("`{}` is allowed only inside an index", name.text),
          {.help = {fmt::format("write it in the brackets of an array over {}s: `{}`", enumeration,
@@ -173,7 +188,8 @@ void ReportUnknownPath(const std::vector<Identifier>& path, const TaskScope& sco
   const Identifier& root = path[0];
   if (!scope.knows_names || scope.sensors.IsInvalidRoot(root.text)) return;
   if (ReportMissingPhases(root, scope) || ReportForeignPath(path, scope)) return;
-  if (ReportSensorOfRobot(path, scope) || ReportMisspelledSensor(path, scope)) return;
+  if (ReportSensorOfRobot(path, scope) || ReportSensorOfSites(path, scope)) return;
+  if (ReportMisspelledSensor(path, scope)) return;
   if (scope.sensors.IsRoot(root.text)) {
     ReportUnknownSensor(path, scope);
   } else if (!ReportMisplacedName(root, scope)) {

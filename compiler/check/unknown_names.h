@@ -16,7 +16,10 @@ namespace compiler {
 std::string PathText(const std::vector<Identifier>& path, size_t length);
 Span SpanOfPath(const std::vector<Identifier>& path, size_t length);
 
-// A link, a joint or a group of them that is read as a value. `enumeration`: "link" or "joint".
+// A sensor with an entry for each part of this enumeration of a robot's: "contact" of "link".
+std::string_view SensorOver(std::string_view enumeration);
+
+// A part of the robot, or a group of them, that is read as a value. `enumeration`: "link".
 void ReportPartAsValue(const Identifier& name, std::string_view enumeration,
                        const TaskScope& scope);
 

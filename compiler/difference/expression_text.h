@@ -2,7 +2,7 @@
 // text, however they are laid out and whatever their local values and functions are called.
 //
 // Local values stand there as what they are, and calls of the task's own functions as what these
-// compute. Numbers are in SI units, elements are named by their links and joints.
+// compute. Numbers are in SI units, elements are named by their links, joints and sites.
 #pragma once
 
 #include <cstdint>

@@ -32,7 +32,7 @@ std::vector<std::string> NamesOf(const std::vector<Part>& parts) {
   return names;
 }
 
-std::vector<std::string> SensorNames() {
+std::vector<std::string> SensorNames(const robot::RobotDescription& robot) {
   std::vector<std::string> names;
   const auto add = [&names](const auto& sensor) {
     std::string name(sensor.name);
@@ -40,7 +40,7 @@ std::vector<std::string> SensorNames() {
     if (!sensor.unit.empty()) name += " [" + std::string(sensor.unit) + "]";
     names.push_back(name);
   };
-  std::ranges::for_each(robot::Sensors(), add);
+  std::ranges::for_each(robot::SensorsOf(robot), add);
   std::ranges::for_each(robot::Constants(), add);
   return names;
 }
@@ -52,11 +52,13 @@ std::string ForRobot(const std::string& name, const robot::RobotDescription& rob
     text += Listed("Poses to start from", NamesOf(robot.poses));
     text += "start " + robot.poses.front().name + "\n\n";
   }
-  text += Listed("Sensors", SensorNames());
+  text += Listed("Sensors", SensorNames(robot));
   text += Listed("Links", NamesOf(robot.links));
   if (!robot.link_groups.empty()) text += Listed("Groups of links", NamesOf(robot.link_groups));
   text += Listed("Joints", NamesOf(robot.joints));
   if (!robot.joint_groups.empty()) text += Listed("Groups of joints", NamesOf(robot.joint_groups));
+  if (!robot.sites.empty()) text += Listed("Sites", NamesOf(robot.sites));
+  if (!robot.site_groups.empty()) text += Listed("Groups of sites", NamesOf(robot.site_groups));
   return text +
          "\n"
          "/// What a fall costs. A param can be changed while the trainer runs.\n"

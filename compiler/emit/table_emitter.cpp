@@ -185,6 +185,7 @@ std::vector<std::string> TableFields(const CheckedTask& task, const Sources& sou
   std::vector<std::string> counts;
   EmitTableFields("links", task.links.size(), pointers, counts);
   EmitTableFields("joints", task.joints.size(), pointers, counts);
+  EmitTableFields("sites", task.sites.size(), pointers, counts);
   EmitTableFields("sources", sources.files().size(), pointers, counts);
   EmitTableFields("poses", task.start.poses.size(), pointers, counts);
   EmitTableFields("start_values", task.start.values.size(), pointers, counts);
@@ -252,6 +253,7 @@ void EmitTables(const CheckedTask& task, const Sources& sources, const PluginNam
   const auto name_row = [](const std::string& name) { return StringLiteral(name); };
   EmitTable("taskc_part", "links_table", task.links, name_row, writer);
   EmitTable("taskc_part", "joints_table", task.joints, name_row, writer);
+  EmitTable("taskc_part", "sites_table", task.sites, name_row, writer);
   EmitTable("taskc_pose", "poses_table", task.start.poses, name_row, writer);
   const auto value_row = [&](const CheckedStartValue& value) {
     return fmt::format("{}, {}, __builtin_offsetof(Memory, {})", StringLiteral(value.name),

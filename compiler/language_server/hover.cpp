@@ -182,8 +182,8 @@ class HoverFinder {
     const robot::RobotDescription* robot = workspace_.RobotOf(document_);
     if (robot == nullptr) return "";
     if (robot->name == word_) {
-      return WithDoc(fmt::format("robot `{}`: {} links, {} joints", robot->name,
-                                 robot->links.size(), robot->joints.size()),
+      return WithDoc(fmt::format("robot `{}`: {} links, {} joints, {} sites", robot->name,
+                                 robot->links.size(), robot->joints.size(), robot->sites.size()),
                      robot->doc);
     }
     if (robot->FindPose(word_) != nullptr) return fmt::format("pose `{}`", word_);

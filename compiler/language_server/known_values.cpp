@@ -39,7 +39,7 @@ KnownValues::KnownValues(const Document& document, Workspace& workspace)
                                 std::string(sensor.type) + unit, std::string(sensor.doc),
                                 is_constant});
     };
-    for (const robot::SensorDescription& sensor : robot::Sensors()) add(sensor, false);
+    for (const robot::SensorDescription& sensor : robot::SensorsOf(*robot)) add(sensor, false);
     for (const robot::ConstantDescription& constant : robot::Constants()) add(constant, true);
   }
   if (good_ == nullptr) return;

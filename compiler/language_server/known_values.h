@@ -33,7 +33,7 @@ class KnownValues {
   // What the files declare from which this one takes over everything or some functions.
   const std::vector<KnownValue>& inherited() const { return inherited_; }
 
-  // Links and joints; none without a robot.
+  // Links, joints and sites; none without a robot.
   const std::vector<Enumeration>& enumerations() const { return enumerations_; }
   // The one that indexes the value of this name, or null.
   const Enumeration* IndexOf(std::string_view name, uint32_t offset) const;

@@ -16,7 +16,8 @@ constexpr auto kDeclarations = std::to_array<ExplainedWord>({
     {"param",
      "A number that can be set while the trainer runs: `param NAME: TYPE = VALUE in LOW .. HIGH`."},
     {"const", "A value that never changes: `const NAME: TYPE = VALUE`."},
-    {"set", "A set of links, joints or numbers, for indices and loops: `set NAME = links - feet`."},
+    {"set",
+     "A set of links, joints, sites or numbers, for indices and loops: `set NAME = links - feet`."},
     {"table",
      "Numbers of a CSV file, read with an argument between its rows: `table NAME: TYPE [UNIT] = "
      "\"FILE.csv\"`."},

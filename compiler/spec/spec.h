@@ -61,7 +61,7 @@ struct SpecExample {
 
 struct Spec {
   std::optional<robot::RobotDescription> robot;
-  std::vector<Enumeration> enumerations;  // its links and joints
+  std::vector<Enumeration> enumerations;  // its links, joints and sites
   std::vector<CheckedSensor> sensors;     // a constant of the robot has `constant`
   std::vector<SpecFunction> functions;
   std::vector<SpecUnit> units;

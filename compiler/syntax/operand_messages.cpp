@@ -50,7 +50,7 @@ Help HelpForString(const Failure& failure) {
   const bool is_in_index =
       failure.last_type() == TaskParser::LEFT_BRACKET || failure.last_type() == TaskParser::COMMA;
   if (is_name && is_in_index)
-    return {fmt::format("names of links and joints have no quotes: `{}`", name),
+    return {fmt::format("names of links, joints and sites have no quotes: `{}`", name),
             {{SpanOf(failure.found), name}}};
   return "a task computes with numbers and conditions; texts are only reasons and names of tests";
 }

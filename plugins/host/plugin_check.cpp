@@ -36,6 +36,7 @@ class TableCheck {
     }
     CheckNames(Entries(table_.links, table_.link_count, "links"), "link");
     CheckNames(Entries(table_.joints, table_.joint_count, "joints"), "joint");
+    CheckNames(Entries(table_.sites, table_.site_count, "sites"), "site");
     CheckSources();
     CheckStart();
     CheckSensors();

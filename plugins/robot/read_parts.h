@@ -31,6 +31,7 @@ std::vector<std::array<int, 2>> ReadContactExclusions(const TomlValue& root,
 Quaternion ReadOrientation(const TomlValue& value);
 // Sets `joints` and `mounts` of `robot`.
 void ReadJoints(const TomlValue& root, RobotDescription& robot);
+std::vector<Site> ReadSites(const TomlValue& root, const RobotDescription& robot);
 std::vector<Pose> ReadPoses(const TomlValue& root, const RobotDescription& robot);
 // `key`: "link_groups"; `kind`: "link"; `names`: those of all links.
 std::vector<Group> ReadGroups(const TomlValue& root, std::string_view key, std::string_view kind,

@@ -52,11 +52,13 @@ RobotDescription Read(const std::filesystem::path& file, std::optional<std::stri
   if (const auto base = root.Find("base"))
     robot.has_fixed_base = base->IndexIn({"free", "fixed"}, "kind of base") == 1;
   ReadJoints(root, robot);
+  robot.sites = ReadSites(root, robot);
   robot.contact_exclusions = ReadContactExclusions(root, robot);
   robot.controller = ReadController(root);
   robot.poses = ReadPoses(root, robot);
   robot.link_groups = ReadGroups(root, "link_groups", "link", NamesOf(robot.links));
   robot.joint_groups = ReadGroups(root, "joint_groups", "joint", NamesOf(robot.joints));
+  robot.site_groups = ReadGroups(root, "site_groups", "site", NamesOf(robot.sites));
   robot.dof_configurations = ReadDofConfigurations(root, robot);
   robot.nets = ReadNets(root, robot);
   robot.nominal_ranges = ReadNominalRanges(root, robot);

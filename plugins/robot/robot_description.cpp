@@ -48,6 +48,12 @@ Gains RobotDescription::GainsOf(const Joint& joint) const {
           .max_speed = own.max_speed.value_or(controller.max_speed)};
 }
 
+Vector3 RobotDescription::ArmOf(const Site& site) const {
+  const Vector3& from = links[site.link].position;
+  const Vector3& to = site.position;
+  return {to[0] - from[0], to[1] - from[1], to[2] - from[2]};
+}
+
 std::vector<Branch> RobotDescription::Branches() const {
   std::vector<Branch> branches;
   std::vector<bool> attached(links.size(), false);

@@ -110,6 +110,16 @@ struct Mount {
   double damper = 0;  // of a ball [N m s / rad]
 };
 
+inline constexpr size_t kMostSites = 250;  // of a robot
+
+// A point with a frame of its own, fixed to a link: a fingertip, or where an inertial unit sits.
+struct Site {
+  std::string name;
+  int link = 0;                        // index
+  Vector3 position{};                  // relative to the base link's center, zero pose
+  Quaternion orientation{1, 0, 0, 0};  // from its frame to the world, zero pose
+};
+
 // One edge of the tree of links: a joint, or a mount.
 struct Branch {
   int parent = 0;  // link index
@@ -149,7 +159,7 @@ struct Pose {
   bool operator==(const Pose&) const = default;
 };
 
-// A named set of links or joints, as indices in ascending order.
+// A named set of links, joints or sites, as indices in ascending order.
 struct Group {
   std::string name;
   std::vector<int> members;
@@ -208,11 +218,13 @@ struct RobotDescription {
   bool has_fixed_base = false;  // what carries the robot holds the base link where it starts
   std::vector<Joint> joints;
   std::vector<Mount> mounts;
+  std::vector<Site> sites;
   std::vector<std::array<int, 2>> contact_exclusions;  // links that do not collide
   Controller controller;
   std::vector<Pose> poses;  // the first is the default
   std::vector<Group> link_groups;
   std::vector<Group> joint_groups;
+  std::vector<Group> site_groups;
   std::vector<DofConfiguration> dof_configurations;
   std::vector<NetDescription> nets;
   std::vector<NominalRange> nominal_ranges;
@@ -224,6 +236,8 @@ struct RobotDescription {
   const NetDescription* FindNet(std::string_view net) const;
 
   Gains GainsOf(const Joint& joint) const;
+  // From the center of its link, in the link's frame.
+  Vector3 ArmOf(const Site& site) const;
   // All joints and mounts, each after the one that attaches its parent; joints as far as possible
   // in their own order.
   std::vector<Branch> Branches() const;

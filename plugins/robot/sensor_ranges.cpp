@@ -2,6 +2,9 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <iterator>
+#include <span>
+#include <vector>
 
 #include "plugins/robot/sensors.h"
 
@@ -9,10 +12,11 @@ namespace robot {
 namespace {
 
 constexpr std::array kWithoutLimit = {
-    SensorId::kBasePosition,        SensorId::kBaseVelocity,  SensorId::kBaseAngularVelocity,
-    SensorId::kBaseAcceleration,    SensorId::kJointVelocity, SensorId::kJointAcceleration,
-    SensorId::kJointTarget,         SensorId::kLinkPosition,  SensorId::kLinkVelocity,
-    SensorId::kLinkAngularVelocity, SensorId::kContactForce};
+    SensorId::kBasePosition,        SensorId::kBaseVelocity,        SensorId::kBaseAngularVelocity,
+    SensorId::kBaseAcceleration,    SensorId::kJointVelocity,       SensorId::kJointAcceleration,
+    SensorId::kJointTarget,         SensorId::kLinkPosition,        SensorId::kLinkVelocity,
+    SensorId::kLinkAngularVelocity, SensorId::kContactForce,        SensorId::kSitePosition,
+    SensorId::kSiteVelocity,        SensorId::kSiteAngularVelocity, SensorId::kSiteAcceleration};
 
 // A joint gives way a little at its stops; see docs/simulation.md.
 constexpr double kGiveOfStops = 0.1;  // [rad]
@@ -76,6 +80,58 @@ std::vector<Range> LinkPositionRanges(const RobotDescription& robot) {
   return ranges;
 }
 
+// The ranges of one vector of an array's.
+std::span<const Range> VectorOf(const std::vector<Range>& ranges, int entry) {
+  return std::span(ranges).subspan(3 * static_cast<size_t>(entry), 3);
+}
+
+double ArmLength(const Site& site, const RobotDescription& robot) {
+  const Vector3 arm = robot.ArmOf(site);
+  return std::hypot(arm[0], arm[1], arm[2]);
+}
+
+std::vector<Range> SitePositionRanges(const RobotDescription& robot) {
+  const std::vector<Range> links = RangesOf(SensorId::kLinkPosition, robot);
+  std::vector<Range> ranges;
+  for (const Site& site : robot.sites) {
+    const double arm = ArmLength(site, robot);
+    for (const Range& range : VectorOf(links, site.link))
+      ranges.push_back({range.low - arm, range.high + arm});
+  }
+  return ranges;
+}
+
+// The longest vector that the ranges of its elements leave.
+double LargestNorm(std::span<const Range> ranges) {
+  double sum = 0;
+  for (const Range& range : ranges) {
+    const double largest = std::max(-range.low, range.high);
+    sum += largest * largest;
+  }
+  return std::sqrt(sum);
+}
+
+// As fast as the link, and as what turns with it.
+std::vector<Range> SiteVelocityRanges(const RobotDescription& robot) {
+  const std::vector<Range> links = RangesOf(SensorId::kLinkVelocity, robot);
+  const std::vector<Range> rotations = RangesOf(SensorId::kLinkAngularVelocity, robot);
+  std::vector<Range> ranges;
+  for (const Site& site : robot.sites) {
+    const double turning = LargestNorm(VectorOf(rotations, site.link)) * ArmLength(site, robot);
+    for (const Range& range : VectorOf(links, site.link))
+      ranges.push_back({range.low - turning, range.high + turning});
+  }
+  return ranges;
+}
+
+std::vector<Range> SiteAngularVelocityRanges(const RobotDescription& robot) {
+  const std::vector<Range> links = RangesOf(SensorId::kLinkAngularVelocity, robot);
+  std::vector<Range> ranges;
+  for (const Site& site : robot.sites)
+    std::ranges::copy(VectorOf(links, site.link), std::back_inserter(ranges));
+  return ranges;
+}
+
 // The fastest change, in one time step.
 double LargestChange(const Range& velocity, const RobotDescription& robot) {
   return (velocity.high - velocity.low) / robot.controller.time_step;
@@ -90,14 +146,24 @@ std::vector<Range> JointAccelerationRanges(const RobotDescription& robot) {
   return ranges;
 }
 
-// Along axes that may point anywhere.
-Range BaseAccelerationRange(const RobotDescription& robot) {
+// What an accelerometer can show along axes that may point anywhere.
+Range AccelerationRange(std::span<const Range> velocities, const RobotDescription& robot) {
   double sum = 0;
-  for (const Range& velocity : RangesOf(SensorId::kBaseVelocity, robot)) {
+  for (const Range& velocity : velocities) {
     sum += LargestChange(velocity, robot) * LargestChange(velocity, robot);
   }
   const double largest = std::sqrt(sum) + kGravity;
   return {-largest, largest};
+}
+
+std::vector<Range> SiteAccelerationRanges(const RobotDescription& robot) {
+  const std::vector<Range> velocities = RangesOf(SensorId::kSiteVelocity, robot);
+  std::vector<Range> ranges;
+  for (size_t i = 0; i < robot.sites.size(); ++i) {
+    const Range range = AccelerationRange(VectorOf(velocities, static_cast<int>(i)), robot);
+    ranges.insert(ranges.end(), 3, range);
+  }
+  return ranges;
 }
 
 // What follows from other ranges where the description says nothing. One range for each element, or
@@ -112,6 +178,7 @@ std::vector<Range> CommonRanges(SensorId sensor, const RobotDescription& robot) 
     case SensorId::kBaseLeft:
     case SensorId::kBaseUp:
     case SensorId::kLinkOrientation:
+    case SensorId::kSiteOrientation:
       return {{-1, 1}};
     case SensorId::kJointAngle:
       return AngleRanges(robot);
@@ -120,7 +187,7 @@ std::vector<Range> CommonRanges(SensorId sensor, const RobotDescription& robot) 
     case SensorId::kContact:
       return {{0, 1}};
     case SensorId::kBaseAcceleration:
-      return {BaseAccelerationRange(robot)};
+      return {AccelerationRange(RangesOf(SensorId::kBaseVelocity, robot), robot)};
     case SensorId::kJointAcceleration:
       return JointAccelerationRanges(robot);
     case SensorId::kLinkPosition:
@@ -129,6 +196,14 @@ std::vector<Range> CommonRanges(SensorId sensor, const RobotDescription& robot) 
       return {{-kFastest, kFastest}};
     case SensorId::kLinkAngularVelocity:
       return {{-kFastestRotation, kFastestRotation}};
+    case SensorId::kSitePosition:
+      return SitePositionRanges(robot);
+    case SensorId::kSiteVelocity:
+      return SiteVelocityRanges(robot);
+    case SensorId::kSiteAngularVelocity:
+      return SiteAngularVelocityRanges(robot);
+    case SensorId::kSiteAcceleration:
+      return SiteAccelerationRanges(robot);
     case SensorId::kBasePosition:
     case SensorId::kBaseVelocity:
     case SensorId::kBaseAngularVelocity:

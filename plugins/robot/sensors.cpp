@@ -64,6 +64,18 @@ constexpr std::array<SensorDescription, static_cast<size_t>(SensorId::kCount)> k
      "sum of the forces of all contacts on each link, with the ground and with other links, in the "
      "world frame: their mean since the start of the last time step",
      kZeros, kNotOnboard},
+    {SensorId::kSitePosition, "site.position", "vec3[site]", "m",
+     "place of each site, in the world frame", kZeros, kNotOnboard},
+    {SensorId::kSiteOrientation, "site.orientation", "quat[site]", "",
+     "orientation of each site (w, x, y, z), from its own frame to the world frame", kNoTurn},
+    {SensorId::kSiteVelocity, "site.velocity", "vec3[site]", "m/s",
+     "velocity of each site, in the world frame", kZeros, kNotOnboard},
+    {SensorId::kSiteAngularVelocity, "site.angular_velocity", "vec3[site]", "rad/s",
+     "angular velocity of each site, in the world frame", kZeros},
+    {SensorId::kSiteAcceleration, "site.acceleration", "vec3[site]", "m/s^2",
+     "what an accelerometer at each site shows, along the site's own axes: its mean acceleration "
+     "since the start of the last time step, less that of gravity",
+     kHeld},
 }};
 
 constexpr bool InOrderOfId() {
@@ -74,7 +86,21 @@ constexpr bool InOrderOfId() {
 }
 static_assert(InOrderOfId());
 
-// What an array has for each link or joint; of other types all.
+constexpr size_t kSiteSensors =
+    static_cast<size_t>(SensorId::kCount) - static_cast<size_t>(SensorId::kSitePosition);
+
+constexpr bool IsOfSites(const SensorDescription& sensor) {
+  return sensor.type.ends_with("[site]");
+}
+
+// SensorsOf() leaves out the end of the list.
+constexpr bool HaveSitesLast() {
+  return std::ranges::all_of(std::span(kSensors).last(kSiteSensors), IsOfSites) &&
+         std::ranges::none_of(std::span(kSensors).first(kSensors.size() - kSiteSensors), IsOfSites);
+}
+static_assert(HaveSitesLast());
+
+// What an array has for each link, joint or site; of other types all.
 constexpr std::string_view EntryOf(std::string_view type) { return type.substr(0, type.find('[')); }
 
 // 0 of unknown types.
@@ -116,11 +142,24 @@ const SensorDescription* FindSensor(std::string_view name) {
   return found == kSensors.end() ? nullptr : &*found;
 }
 
+std::span<const SensorDescription> SensorsOf(const RobotDescription& robot) {
+  return Sensors().first(kSensors.size() - (robot.sites.empty() ? kSiteSensors : 0));
+}
+
 int ElementCount(const SensorDescription& sensor, const RobotDescription& robot) {
-  const int count = CountOf(EntryOf(sensor.type));
-  if (sensor.type.ends_with("[joint]")) return count * static_cast<int>(robot.joints.size());
-  if (sensor.type.ends_with("[link]")) return count * static_cast<int>(robot.links.size());
-  return count;
+  const std::string_view type = sensor.type;
+  const size_t bracket = type.find('[');
+  const int count = CountOf(EntryOf(type));
+  if (bracket == std::string_view::npos) return count;
+  const std::string_view index = type.substr(bracket + 1, type.size() - bracket - 2);
+  return count * static_cast<int>(*EntryCount(index, robot));
+}
+
+std::optional<size_t> EntryCount(std::string_view index, const RobotDescription& robot) {
+  if (index == "link") return robot.links.size();
+  if (index == "joint") return robot.joints.size();
+  if (index == "site") return robot.sites.size();
+  return std::nullopt;
 }
 
 std::span<const ConstantDescription> Constants() { return kConstants; }

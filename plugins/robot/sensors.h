@@ -2,6 +2,7 @@
 // compiler knows names, types and units, and the environment knows what to compute.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -32,6 +33,11 @@ enum class SensorId {
   kLinkAngularVelocity,
   kContact,
   kContactForce,
+  kSitePosition,
+  kSiteOrientation,
+  kSiteVelocity,
+  kSiteAngularVelocity,
+  kSiteAcceleration,
   kCount
 };
 
@@ -51,6 +57,8 @@ struct SensorDescription {
 
 // In the order of SensorId.
 std::span<const SensorDescription> Sensors();
+// Those that this robot has, in the same order: all, but those of sites only where there are some.
+std::span<const SensorDescription> SensorsOf(const RobotDescription& robot);
 
 // The sensor called `name`, or null.
 const SensorDescription* FindSensor(std::string_view name);
@@ -58,6 +66,8 @@ const SensorDescription* FindSensor(std::string_view name);
 // The number of elements that a sensor of this type has for this robot: 3 for "vec3", 9 for "mat3",
 // the number of links for "bool[link]", three times that for "vec3[link]".
 int ElementCount(const SensorDescription& sensor, const RobotDescription& robot);
+// How many entries an array over "link", "joint" or "site" has; nothing of another index.
+std::optional<size_t> EntryCount(std::string_view index, const RobotDescription& robot);
 
 // The values that each element of the sensor can have for this robot: from what the sensor is, the
 // joints' stops, the controller's limit, what the description says of the rest, and what follows

@@ -3,7 +3,7 @@
 from ctypes import (CFUNCTYPE, POINTER, Structure, c_char_p, c_double, c_int32, c_int64, c_ssize_t,
                     c_ubyte, c_uint32, c_uint64, c_void_p)
 
-ABI_VERSION = 4
+ABI_VERSION = 5
 
 BOOL, INT, REAL = range(3)
 SUCCESS, FAILURE, TRUNCATED = range(3)
@@ -83,7 +83,7 @@ class Requirement(Structure):
 
 # Each table, in the order of the pointers and of the counts.
 TABLES = [
-    ("links", "link_count", Part), ("joints", "joint_count", Part),
+    ("links", "link_count", Part), ("joints", "joint_count", Part), ("sites", "site_count", Part),
     ("sources", "source_count", Source), ("poses", "pose_count", Part),
     ("start_values", "start_value_count", StartValue), ("sensors", "sensor_count", Sensor),
     ("params", "param_count", Param), ("memory", "memory_count", Memory),

@@ -17,8 +17,8 @@ _REDUCTIONS = ("last", "sum", "max", "min", "mean")
 
 @dataclass(frozen=True)
 class Sensor:
-    """Something that the task reads. Arrays over links or joints are in the order of Task.links and
-    Task.joints; quaternions are (w, x, y, z)."""
+    """Something that the task reads. Arrays over links, joints or sites are in the order of
+    Task.links, Task.joints and Task.sites; quaternions are (w, x, y, z)."""
 
     name: str
     doc: str

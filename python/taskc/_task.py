@@ -56,6 +56,7 @@ class Task:
         self.robot: str = _describe.text(described.robot)  # "" where it is for none
         self.links = _describe.names(described, "links")
         self.joints = _describe.names(described, "joints")
+        self.sites = _describe.names(described, "sites")
         self.sensors = _describe.sensors(described)
         self.params = _describe.params(described)
         self.goals = _describe.goals(described)

@@ -124,6 +124,19 @@ TEST(BindJoints, EntriesAreBoundByTheNamesOfLinksAndJoints) {
   EXPECT_THAT(taskc_error(), Not(HasSubstr("joint.torque")));
 }
 
+TEST(BindSites, EntriesAreBoundByTheNamesOfSites) {
+  const OpenedTask task("tips");
+  const Instance instance(task);
+  const double place[3] = {};
+  for (taskc_uint32 i = 0; i < task.table().site_count; ++i) {
+    const std::string entry = std::string("site.position[") + task.table().sites[i].name + "]";
+    ASSERT_EQ(taskc_bind(instance, entry.c_str(), "m", {.data = place}), TASKC_OK) << taskc_error();
+  }
+  EXPECT_EQ(taskc_bind(instance, "site.velocity[left_to]", nullptr, {.data = place}),
+            TASKC_ERROR_UNKNOWN_NAME);
+  EXPECT_THAT(taskc_error(), HasSubstr("did you mean `left_toe`?"));
+}
+
 struct Mistake {
   const char* sensor;
   const char* unit;

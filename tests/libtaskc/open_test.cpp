@@ -41,7 +41,7 @@ TEST(Open, RefusesWhatTheTrainerRefusesWithACodeForEachKind) {
       {cut, TASKC_ERROR_UNSEALED, "has no seal"},
       {HandWritten("null_table"), TASKC_ERROR_DAMAGED, "its table is damaged"},
       {HandWritten("previous_abi"), TASKC_ERROR_OTHER_ABI,
-       "built for ABI 3, but this program needs 4: build it again with `taskc build`"}};
+       "built for ABI 4, but this program needs 5: build it again with `taskc build`"}};
   for (const Refusal& refusal : refusals) {
     taskc_task* task = nullptr;
     EXPECT_EQ(taskc_open(refusal.file.c_str(), &task), refusal.status) << refusal.file;

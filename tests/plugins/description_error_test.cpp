@@ -286,6 +286,33 @@ const Mistake kMistakes[] = {
      "43:9: error: `high` of net `g3` is not above its `low`\n"
      "  help: give one `low` and one greater `high` for each coordinate"},
 
+    {"SiteOfNoLink", "controller =",
+     "sites = [{ name = \"tip\", link = \"shnk\", position = [0, 0, 0] }]\ncontroller =",
+     "17:33: error: there is no link `shnk`\n"
+     "  help: did you mean `shank`?"},
+    {"TwoSitesOfOneName", "controller =",
+     "sites = [{ name = \"tip\", link = \"shank\", position = [0, 0, 0] }, { name = \"tip\", link "
+     "= \"thigh\", position = [0, 0, 0] }]\ncontroller =",
+     "17:75: error: a second site is called `tip`\n"
+     "  help: rename one of the two"},
+    {"SiteCalledAsAWord", "controller =",
+     "sites = [{ name = \"task\", link = \"shank\", position = [0, 0, 0] }]\ncontroller =",
+     "17:19: error: `task` is a word of the task language and cannot be used as a name in a task\n"
+     "  help: call it otherwise, for example `task_`"},
+    {"SiteWithoutAPlace",
+     "controller =", "sites = [{ name = \"tip\", link = \"shank\" }]\ncontroller =",
+     "17:10: error: site `tip` has no `position`\n"
+     "  help: add `position`"},
+    {"SiteTurnedByNoRotation", "controller =",
+     "sites = [{ name = \"tip\", link = \"shank\", position = [0, 0, 0], orientation = [1, 1, 0, "
+     "0] }]\ncontroller =",
+     "17:78: error: `orientation` of site `tip` is not a unit quaternion\n"
+     "  help: give w, x, y, z with a norm of 1"},
+    {"UnknownKeyOfASite", "controller =",
+     "sites = [{ name = \"tip\", link = \"shank\", positon = [0, 0, 0] }]\ncontroller =",
+     "17:42: error: unknown key `positon` in item 1 of `sites` of the robot\n"
+     "  help: did you mean `position`?"},
+
     {"NoSpeed", "max_torque = 3", "max_torque = 3, max_speed = 0",
      "17:75: error: `max_speed` of `controller` is not positive\n  help: give a number above 0"},
     {"RangeOfNoSensor", "\"joint.velocity\" =", "\"joint.velocty\" =",

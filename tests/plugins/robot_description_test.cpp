@@ -36,6 +36,20 @@ TEST(RobotDescription, KeepsWhatTheFileSays) {
   EXPECT_EQ(robot.controller.time_step, 0.01);
 }
 
+TEST(RobotDescription, SitesLieOnLinks) {
+  const RobotDescription robot = ReadRobot(ROBOTS "/tinker/robot.toml");
+  ASSERT_EQ(robot.sites.size(), 5u);
+  EXPECT_EQ(robot.sites[1].name, "hand");
+  EXPECT_EQ(robot.sites[1].link, robot.FindLink("arm"));
+  EXPECT_THAT(robot.sites[1].position, ElementsAre(0, 0.14, -0.12));
+  EXPECT_THAT(robot.sites[1].orientation, ElementsAre(0.5, 0.5, 0.5, 0.5));
+  EXPECT_THAT(robot.ArmOf(robot.sites[1]), ElementsAre(0, 0, DoubleEq(-0.07)));
+  EXPECT_THAT(robot.sites[2].orientation, ElementsAre(1, 0, 0, 0));
+  ASSERT_EQ(robot.site_groups.size(), 3u);
+  EXPECT_THAT(robot.site_groups[2].members, ElementsAre(1, 2, 3, 4));
+  EXPECT_TRUE(Hopper().sites.empty());
+}
+
 TEST(RobotDescription, NamesBecomeIndices) {
   const RobotDescription robot = Hopper();
   ASSERT_EQ(robot.joints.size(), 2u);

@@ -43,10 +43,10 @@ class Load(unittest.TestCase):
         self.assertEqual(task.observation_size, 7)
         self.assertEqual(task.warnings, [])
 
-    def test_knows_links_and_joints(self):
+    def test_knows_links_joints_and_sites(self):
         task = taskc.load(TASKS / "starting.task")
-        self.assertEqual((task.robot, task.links[0], task.joints[0]),
-                         ("humanoid", "body", "neck_yaw"))
+        self.assertEqual((task.robot, task.links[0], task.joints[0], task.sites[0]),
+                         ("humanoid", "body", "neck_yaw", "head_top"))
         self.assertEqual([each.code for each in task.warnings], ["W0707"])
 
     def test_mistakes_are_data(self):

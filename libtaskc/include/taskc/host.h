@@ -88,7 +88,7 @@ TASKC_API taskc_status taskc_open(const char* file, taskc_task** task);
 TASKC_API void taskc_close(taskc_task* task);
 
 // All that the task says of itself: what it reads, pays, measures, logs and ends, its params, goals
-// and observations, the links and joints of its robot. plugin.h says what each field is. Its
+// and observations, the links, joints and sites of its robot. plugin.h says what each field is. Its
 // functions are the library's to call.
 TASKC_API const taskc_plugin* taskc_describe(const taskc_task* task);
 
@@ -138,8 +138,8 @@ typedef struct taskc_view {
 } taskc_view;
 
 // Says where a sensor's numbers are: "base.velocity", or one entry of an array, by the name of its
-// link or joint or by its number: "joint.angle[left_knee]", "contact[0]", which is a row of its
-// own. Replaces what was said before. Entries that are bound one by one must all be before the
+// link, joint or site or by its number: "joint.angle[left_knee]", "contact[0]", which is a row of
+// its own. Replaces what was said before. Entries that are bound one by one must all be before the
 // first event. Fails with UNKNOWN_NAME, WRONG_UNIT, WRONG_TYPE or NULL.
 TASKC_API taskc_status taskc_bind(taskc_instance* instance, const char* sensor, const char* unit,
                                   taskc_view view);

@@ -17,8 +17,9 @@
 //   taskc_end_episode(instance, TASKC_TRUNCATED, NULL);
 //   taskc_mujoco_close(&robot);
 //
-// Names: a link is the body, and a joint the hinge or slide joint, of the same name. The base is
-// the robot's first link. Sensors that the task declares itself are the host's to bind.
+// Names: a link is the body, a joint the hinge or slide joint, and a site, where the task reads
+// any, the site of the same name. The base is the robot's first link. Sensors that the task
+// declares itself are the host's to bind.
 //
 // What the sensors mean is what they mean in the trainer: a link's frame lies in its center of mass
 // and is parallel to the world's where all joints are at 0 and the base is not turned;
@@ -47,16 +48,18 @@ typedef struct taskc_mujoco {
   char error[256];  // why taskc_mujoco_open() failed
   // All else is the functions' own.
   const mjModel* model;
-  int link_count, joint_count, sensor_count;
+  int link_count, joint_count, site_count, sensor_count;
   int* bodies;               // of the links
   int* links;                // of the bodies, -1 where one is no link
   int* joints;               // MuJoCo's of the joints
   int* actuators;            // of the joints, -1 where nothing drives one
+  int* sites;                // MuJoCo's of the sites
   mjtNum* zero;              // how the links' bodies are turned in the zero pose
   long steps;                // of the episode so far
   double elapsed;            // since the start of the time step [s]
   double base_velocity[3];   // then
   double* joint_velocities;  // then
+  double* site_velocities;   // then
   double* impulses;          // of the contacts on each link since then
   taskc_contact* filters;    // of each link's contacts
   unsigned char* contact;    // for each link
@@ -127,19 +130,25 @@ static inline void taskc_mujoco_base_angular_velocity(const taskc_mujoco* r, con
   taskc_mujoco_motion(r, d, 0, motion);
   mju_copy3(out, motion);
 }
-// What an accelerometer shows: gravity is felt as an acceleration upward.
+// What an accelerometer shows that is turned like this and had the velocity `before` when the time
+// step began: gravity is felt as an acceleration upward.
+static inline void taskc_mujoco_felt(const taskc_mujoco* r, const double before[3],
+                                     const double velocity[3], const mjtNum rotation[9],
+                                     double* out) {
+  mjtNum felt[3];
+  for (int k = 0; k < 3; ++k) {
+    const double change = velocity[k] - before[k];
+    felt[k] = (r->elapsed > 0 ? change / r->elapsed : 0) - r->model->opt.gravity[k];
+  }
+  mju_rotVecMatT(out, felt, rotation);
+}
 static inline void taskc_mujoco_base_acceleration(const taskc_mujoco* r, const mjData* d,
                                                   double* out) {
   mjtNum rotation[9];
-  mjtNum felt[3];
   double velocity[3];
   taskc_mujoco_base_velocity(r, d, velocity);
-  for (int k = 0; k < 3; ++k) {
-    const double change = velocity[k] - r->base_velocity[k];
-    felt[k] = (r->elapsed > 0 ? change / r->elapsed : 0) - r->model->opt.gravity[k];
-  }
   taskc_mujoco_rotation(r, d, rotation);
-  mju_rotVecMatT(out, felt, rotation);
+  taskc_mujoco_felt(r, r->base_velocity, velocity, rotation, out);
 }
 
 static inline void taskc_mujoco_joint_angle(const taskc_mujoco* r, const mjData* d, double* out) {
@@ -196,6 +205,43 @@ static inline void taskc_mujoco_contact_force(const taskc_mujoco* r, const mjDat
   }
 }
 
+static inline void taskc_mujoco_site_position(const taskc_mujoco* r, const mjData* d, double* out) {
+  for (int i = 0; i < r->site_count; ++i) mju_copy3(out + 3 * i, d->site_xpos + 3 * r->sites[i]);
+}
+static inline void taskc_mujoco_site_orientation(const taskc_mujoco* r, const mjData* d,
+                                                 double* out) {
+  for (int i = 0; i < r->site_count; ++i) {
+    const int site = r->sites[i];
+    mju_mulQuat(out + 4 * i, d->xquat + 4 * r->model->site_bodyid[site],
+                r->model->site_quat + 4 * site);
+  }
+}
+static inline void taskc_mujoco_site_velocity(const taskc_mujoco* r, const mjData* d, double* out) {
+  mjtNum motion[6];
+  for (int i = 0; i < r->site_count; ++i) {
+    mj_objectVelocity(r->model, d, mjOBJ_SITE, r->sites[i], motion, 0);
+    mju_copy3(out + 3 * i, motion + 3);
+  }
+}
+static inline void taskc_mujoco_site_angular_velocity(const taskc_mujoco* r, const mjData* d,
+                                                      double* out) {
+  mjtNum motion[6];
+  for (int i = 0; i < r->site_count; ++i) {
+    mj_objectVelocity(r->model, d, mjOBJ_SITE, r->sites[i], motion, 0);
+    mju_copy3(out + 3 * i, motion);
+  }
+}
+static inline void taskc_mujoco_site_acceleration(const taskc_mujoco* r, const mjData* d,
+                                                  double* out) {
+  taskc_mujoco_site_velocity(r, d, out);
+  for (int i = 0; i < r->site_count; ++i) {
+    double velocity[3];
+    mju_copy3(velocity, out + 3 * i);
+    taskc_mujoco_felt(r, r->site_velocities + 3 * i, velocity, d->site_xmat + 9 * r->sites[i],
+                      out + 3 * i);
+  }
+}
+
 // Null where the name is not that of a robot's sensor, or `contact`, which is kept up to date.
 static inline taskc_mujoco_fill taskc_mujoco_find(const char* name) {
   static const struct {
@@ -222,6 +268,11 @@ static inline taskc_mujoco_fill taskc_mujoco_find(const char* name) {
       {"link.velocity", taskc_mujoco_link_velocity},
       {"link.angular_velocity", taskc_mujoco_link_angular_velocity},
       {"contact_force", taskc_mujoco_contact_force},
+      {"site.position", taskc_mujoco_site_position},
+      {"site.orientation", taskc_mujoco_site_orientation},
+      {"site.velocity", taskc_mujoco_site_velocity},
+      {"site.angular_velocity", taskc_mujoco_site_angular_velocity},
+      {"site.acceleration", taskc_mujoco_site_acceleration},
   };
   for (size_t i = 0; i < sizeof kSensors / sizeof *kSensors; ++i) {
     if (strcmp(kSensors[i].name, name) == 0) return kSensors[i].fill;
@@ -266,8 +317,16 @@ static inline void taskc_mujoco_close(taskc_mujoco* r) {
   for (int i = 0; r->values != NULL && i < r->sensor_count; ++i) free(r->values[i]);
   free(r->bodies), free(r->links), free(r->joints), free(r->actuators), free(r->zero);
   free(r->joint_velocities), free(r->impulses), free(r->filters), free(r->contact);
-  free(r->fills), free(r->values);
+  free(r->sites), free(r->site_velocities), free(r->fills), free(r->values);
   memset(r, 0, sizeof *r);
+}
+
+// How many of the robot's sites count: none where the task reads none.
+static inline int taskc_mujoco_sites_of(const taskc_plugin* about) {
+  for (taskc_uint32 i = 0; i < about->sensor_count; ++i) {
+    if (strncmp(about->sensors[i].name, "site.", 5) == 0) return (int)about->site_count;
+  }
+  return 0;
 }
 
 static inline int taskc_mujoco_find_parts(taskc_mujoco* r, const taskc_plugin* about) {
@@ -296,6 +355,15 @@ static inline int taskc_mujoco_find_parts(taskc_mujoco* r, const taskc_plugin* a
     for (int a = m->nu - 1; a >= 0; --a) {
       if (m->actuator_trntype[a] == mjTRN_JOINT && m->actuator_trnid[2 * a] == id)
         r->actuators[j] = a;
+    }
+  }
+  for (int i = 0; i < r->site_count; ++i) {
+    r->sites[i] = mj_name2id(m, mjOBJ_SITE, about->sites[i].name);
+    if (r->sites[i] < 0) {
+      snprintf(r->error, sizeof r->error,
+               "the model has no site `%.100s`, which is a site of `%.60s`", about->sites[i].name,
+               about->robot);
+      return -1;
     }
   }
   return 0;
@@ -361,6 +429,7 @@ static inline int taskc_mujoco_open(taskc_mujoco* robot, const taskc_task* task,
   robot->model = model;
   robot->link_count = (int)about->link_count;
   robot->joint_count = (int)about->joint_count;
+  robot->site_count = taskc_mujoco_sites_of(about);
   robot->sensor_count = (int)about->sensor_count;
   const size_t links = about->link_count;
   const size_t joints = about->joint_count;
@@ -368,8 +437,10 @@ static inline int taskc_mujoco_open(taskc_mujoco* robot, const taskc_task* task,
   robot->links = (int*)calloc((size_t)model->nbody, sizeof(int));
   robot->joints = (int*)calloc(joints + 1, sizeof(int));
   robot->actuators = (int*)calloc(joints + 1, sizeof(int));
+  robot->sites = (int*)calloc(about->site_count + 1, sizeof(int));
   robot->zero = (mjtNum*)calloc(4 * links + 1, sizeof(mjtNum));
   robot->joint_velocities = (double*)calloc(joints + 1, sizeof(double));
+  robot->site_velocities = (double*)calloc(3 * about->site_count + 1, sizeof(double));
   robot->impulses = (double*)calloc(3 * links + 1, sizeof(double));
   robot->filters = (taskc_contact*)calloc(links + 1, sizeof(taskc_contact));
   robot->contact = (unsigned char*)calloc(links + 1, 1);
@@ -403,6 +474,7 @@ static inline void taskc_mujoco_start_time_step(taskc_mujoco* robot, const mjDat
   robot->elapsed = 0;
   taskc_mujoco_base_velocity(robot, data, robot->base_velocity);
   taskc_mujoco_joint_velocity(robot, data, robot->joint_velocities);
+  taskc_mujoco_site_velocity(robot, data, robot->site_velocities);
   mju_zero(robot->impulses, 3 * robot->link_count);
 }
 

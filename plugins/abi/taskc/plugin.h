@@ -37,7 +37,7 @@
 #ifndef TASKC_PLUGIN_H
 #define TASKC_PLUGIN_H
 
-#define TASKC_ABI_VERSION 4u
+#define TASKC_ABI_VERSION 5u
 #define TASKC_PLUGIN_ENTRY "taskc_plugin_get"
 
 #ifdef __cplusplus
@@ -78,8 +78,8 @@ enum { TASKC_MEASURE = TASKC_EVENT_COUNT, TASKC_OBSERVE, TASKC_READER_COUNT };
 // How one scalar lies in memory: a bool is one byte (0 or 1), an int 8 bytes, a real a double.
 enum { TASKC_BOOL, TASKC_INT, TASKC_REAL };
 
-// A link or a joint of the robot that the task is for. Their order is that of the entries of what
-// has one for each link or joint: of a sensor "real[joint]", say.
+// A link, a joint or a site of the robot that the task is for. Their order is that of the entries
+// of what has one for each link, joint or site: of a sensor "real[joint]", say.
 typedef struct taskc_part {
   const char* name;
 } taskc_part;
@@ -302,6 +302,7 @@ typedef struct taskc_plugin {
 
   const taskc_part* links;  // of the robot
   const taskc_part* joints;
+  const taskc_part* sites;
   const taskc_source* sources;  // the task's own text first, then those that it refers to
   const taskc_pose* poses;
   const taskc_start_value* start_values;
@@ -318,6 +319,7 @@ typedef struct taskc_plugin {
   const taskc_requirement* requirements;
   taskc_uint32 link_count;  // 0 where the task is for no robot
   taskc_uint32 joint_count;
+  taskc_uint32 site_count;
   taskc_uint32 source_count;  // at least 1
   taskc_uint32 pose_count;    // 0 where the task names none: the robot's first
   taskc_uint32 start_value_count;

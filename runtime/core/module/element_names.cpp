@@ -36,17 +36,21 @@ std::vector<std::string> PartNames(std::string_view type) {
   return {""};
 }
 
+template <class Part>
+std::vector<std::string> NamesOf(const std::vector<Part>& parts) {
+  std::vector<std::string> names;
+  for (const Part& part : parts) names.push_back(part.name);
+  return names;
+}
+
 // Behind the name of an array that has as many entries.
 std::vector<std::string> EntryNames(std::string_view index, size_t count,
                                     const robot::RobotDescription& robot) {
+  if (index == "joint") return NamesOf(robot.joints);
+  if (index == "link") return NamesOf(robot.links);
+  if (index == "site") return NamesOf(robot.sites);
   std::vector<std::string> names;
-  if (index == "joint") {
-    for (const robot::Joint& joint : robot.joints) names.push_back(joint.name);
-  } else if (index == "link") {
-    for (const robot::Link& link : robot.links) names.push_back(link.name);
-  } else {
-    for (size_t i = 0; i < count; ++i) names.push_back(fmt::to_string(i));
-  }
+  for (size_t i = 0; i < count; ++i) names.push_back(fmt::to_string(i));
   return names;
 }
 

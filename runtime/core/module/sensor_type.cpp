@@ -5,6 +5,8 @@
 #include <iterator>
 #include <utility>
 
+#include "plugins/robot/sensors.h"
+
 namespace runtime {
 
 size_t ElementsOfType(std::string_view type, const robot::RobotDescription& robot) {
@@ -16,12 +18,11 @@ size_t ElementsOfType(std::string_view type, const robot::RobotDescription& robo
                                         [](const auto& each) { return each.first; });
   if (entry == std::end(kTypes)) return 0;
   if (bracket == type.size()) return entry->second;
-  const std::string_view index = type.substr(bracket);
-  if (index.size() < 3 || !index.ends_with(']')) return 0;
+  if (type.size() < bracket + 3 || !type.ends_with(']')) return 0;
+  const std::string_view index = type.substr(bracket + 1, type.size() - bracket - 2);
+  if (const auto count = robot::EntryCount(index, robot)) return entry->second * *count;
   size_t count = 0;
-  if (index == "[joint]") count = robot.joints.size();
-  if (index == "[link]") count = robot.links.size();
-  if (count == 0) std::from_chars(index.data() + 1, index.data() + index.size() - 1, count);
+  std::from_chars(index.data(), index.data() + index.size(), count);
   return entry->second * count;
 }
 

@@ -28,10 +28,11 @@ namespace {
 // "real[17]" for "real[joint]".
 std::string TypeWithCount(const robot::SensorDescription& sensor,
                           const robot::RobotDescription& robot) {
-  const size_t bracket = sensor.type.find('[');
-  if (bracket == std::string_view::npos) return std::string(sensor.type);
-  const size_t count = sensor.type.ends_with("[joint]") ? robot.joints.size() : robot.links.size();
-  return fmt::format("{}[{}]", sensor.type.substr(0, bracket), count);
+  const std::string_view type = sensor.type;
+  const size_t bracket = type.find('[');
+  if (bracket == std::string_view::npos) return std::string(type);
+  const std::string_view index = type.substr(bracket + 1, type.size() - bracket - 2);
+  return fmt::format("{}[{}]", type.substr(0, bracket), *robot::EntryCount(index, robot));
 }
 
 // The module that offers a sensor of this type has as many elements.
@@ -129,6 +130,7 @@ void CheckFitsRobot(const Plugin& plugin, const robot::RobotDescription& robot) 
   // Last: another number of them has been said of the sensor that it matters to.
   CheckParts(plugin, {table.links, table.link_count}, robot.links, "links", robot);
   CheckParts(plugin, {table.joints, table.joint_count}, robot.joints, "joints", robot);
+  CheckParts(plugin, {table.sites, table.site_count}, robot.sites, "sites", robot);
 }
 
 void CheckFitsWorld(const Plugin& plugin, const Plugin& first) {

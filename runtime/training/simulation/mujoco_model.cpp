@@ -63,6 +63,12 @@ void AppendJoint(const robot::RobotDescription& robot, const robot::Joint& joint
   Append(text, "/>");
 }
 
+void AppendSite(const robot::RobotDescription& robot, const robot::Site& site, MjcfText& text) {
+  const robot::Quaternion& q = site.orientation;
+  Append(text, "<site name='{}' pos='{}' quat='{} {} {} {}'/>", site.name,
+         Numbers(robot.ArmOf(site)), q[0], q[1], q[2], q[3]);
+}
+
 // Writes the bodies of a robot from the base outwards.
 class Bodies {
  public:
@@ -99,6 +105,9 @@ class Bodies {
   void AppendRest(int link, MjcfText& text) const {
     AppendInertia(robot_.links[link].name, body_.body(link), text);
     AppendShape(robot_.links[link].name, robot_.links[link].shape, text);
+    for (const robot::Site& site : robot_.sites) {
+      if (site.link == link) AppendSite(robot_, site, text);
+    }
     for (const robot::Branch& branch : branches_[link]) AppendChild(branch, text);
     Append(text, "</body>\n");
   }

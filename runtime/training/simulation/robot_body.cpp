@@ -49,6 +49,7 @@ RobotBody::RobotBody(const robot::RobotDescription& robot, const robot::StartSta
   for (const robot::Mount& mount : robot.mounts) {
     mounts_.push_back(MakeBodyMount(mount, body(mount.parent), body(mount.child), world));
   }
+  for (const robot::Site& site : robot.sites) sites_.emplace_back(robot, site, body(site.link));
   const robot::Pose pose = OnGround(robot, start);
   SetReferences(robot, pose);
   MoveTo(robot, pose);

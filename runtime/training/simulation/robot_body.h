@@ -1,4 +1,4 @@
-// A robot's links and joints in an ODE world, and what else moves there.
+// A robot's links, joints and sites in an ODE world, and what else moves there.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,6 +9,7 @@
 #include "plugins/robot/robot_description.h"
 #include "plugins/robot/start_state.h"
 #include "runtime/training/simulation/body_joint.h"
+#include "runtime/training/simulation/body_site.h"
 #include "runtime/training/simulation/ode_library.h"
 #include "runtime/training/simulation/solid_shape.h"
 
@@ -31,6 +32,7 @@ class RobotBody {
   // Of a convex link, in the frame of its shape; of others nothing.
   std::span<const Vector3> corners(int link) const;
   BodyJoint& joint(int joint) const { return *joints_[joint]; }
+  const std::vector<BodySite>& sites() const { return sites_; }
 
   // A thing of the world that moves by the same physics, in the place where it is.
   void AddThing(OdeBody body, OdeGeom geom);
@@ -60,6 +62,7 @@ class RobotBody {
   std::vector<OdeGeom> geoms_;
   std::vector<std::unique_ptr<BodyJoint>> joints_;
   std::vector<BodyMount> mounts_;
+  std::vector<BodySite> sites_;
   // An angle that each joint is within half a turn of [rad]: the middle of its stops, where these
   // are no further apart, or else its last one.
   std::vector<double> references_;

@@ -226,11 +226,13 @@ bool RobotEnvironment::StepPhysics(int index) {
 
 StepMeans::Wanted RobotEnvironment::WantedMeans() const {
   const auto is_read = [&](robot::SensorId sensor) {
-    return sensor_ports_[static_cast<size_t>(sensor)].connected();
+    const auto index = static_cast<size_t>(sensor);
+    return index < robot::SensorsOf(robot_).size() && sensor_ports_[index].connected();
   };
   return {.base_acceleration = is_read(robot::SensorId::kBaseAcceleration),
           .joint_accelerations = is_read(robot::SensorId::kJointAcceleration),
-          .contact_forces = is_read(robot::SensorId::kContactForce)};
+          .contact_forces = is_read(robot::SensorId::kContactForce),
+          .site_accelerations = is_read(robot::SensorId::kSiteAcceleration)};
 }
 
 void RobotEnvironment::Diverge(std::string why) {

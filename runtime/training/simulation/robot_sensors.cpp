@@ -17,6 +17,16 @@ void CopyFromLinks(const RobotBody& body, const dReal* (*read)(dBodyID), size_t 
   for (int i = 0; i < body.link_count(); ++i) Copy(read(body.body(i)), count, to + count * i);
 }
 
+// What an accelerometer feels that moves with this acceleration.
+Vector3 Felt(const Vector3& acceleration) { return acceleration + Vector3(0, 0, robot::kGravity); }
+
+void CopyFromSites(const RobotBody& body, Vector3 (BodySite::*read)() const, double* to) {
+  for (const BodySite& site : body.sites()) {
+    Vector3::Map(to) = (site.*read)();
+    to += 3;
+  }
+}
+
 }  // namespace
 
 RobotSensor::RobotSensor(const SensorMoment& moment, const robot::SensorDescription& description,
@@ -73,7 +83,7 @@ void RobotSensor::Compute() {
       Copy(dBodyGetAngularVel(base), 3, out);
       break;
     case robot::SensorId::kBaseAcceleration: {
-      const Vector3 felt = world().means().BaseAcceleration() + Vector3(0, 0, robot::kGravity);
+      const Vector3 felt = Felt(world().means().BaseAcceleration());
       dVector3 in_body;
       dBodyVectorFromWorld(base, felt[0], felt[1], felt[2], in_body);
       Copy(in_body, 3, out);
@@ -114,6 +124,27 @@ void RobotSensor::Compute() {
         Vector3::Map(out + 3 * i) = world().means().ContactForce(i);
       }
       break;
+    case robot::SensorId::kSitePosition:
+      CopyFromSites(body, &BodySite::Position, out);
+      break;
+    case robot::SensorId::kSiteOrientation:
+      for (size_t i = 0; i < body.sites().size(); ++i) {
+        const Eigen::Quaterniond q = body.sites()[i].Orientation();
+        Eigen::Vector4d::Map(out + 4 * i) << q.w(), q.vec();
+      }
+      break;
+    case robot::SensorId::kSiteVelocity:
+      CopyFromSites(body, &BodySite::Velocity, out);
+      break;
+    case robot::SensorId::kSiteAngularVelocity:
+      CopyFromSites(body, &BodySite::AngularVelocity, out);
+      break;
+    case robot::SensorId::kSiteAcceleration:
+      for (size_t i = 0; i < body.sites().size(); ++i) {
+        const Vector3 felt = Felt(world().means().SiteAcceleration(static_cast<int>(i)));
+        Vector3::Map(out + 3 * i) = body.sites()[i].Orientation().conjugate() * felt;
+      }
+      break;
     case robot::SensorId::kCount:
       assert(!"a sensor");
   }
@@ -122,7 +153,7 @@ void RobotSensor::Compute() {
 
 RobotSensors::RobotSensors(const robot::RobotDescription& robot,
                            const world::WorldDescription* around) {
-  for (const robot::SensorDescription& description : robot::Sensors()) {
+  for (const robot::SensorDescription& description : robot::SensorsOf(robot)) {
     sensors_.emplace_back(moment_, description, robot);
   }
   if (around == nullptr) return;

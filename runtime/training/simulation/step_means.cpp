@@ -9,9 +9,13 @@ void StepMeans::Start(const Wanted& wanted) {
   base_velocity_.resize(wanted.base_acceleration ? 1 : 0);
   joint_velocities_.resize(wanted.joint_accelerations ? body_.joint_count() : 0);
   impulses_.assign(wanted.contact_forces ? body_.body_count() : 0, Vector3::Zero());
+  site_velocities_.resize(wanted.site_accelerations ? body_.sites().size() : 0);
   for (Vector3& velocity : base_velocity_) velocity = ToEigen(dBodyGetLinearVel(body_.body(0)));
   for (size_t j = 0; j < joint_velocities_.size(); ++j) {
     joint_velocities_[j] = body_.joint(static_cast<int>(j)).Rate();
+  }
+  for (size_t i = 0; i < site_velocities_.size(); ++i) {
+    site_velocities_[i] = body_.sites()[i].Velocity();
   }
 }
 
@@ -28,6 +32,11 @@ double StepMeans::JointAcceleration(int joint) const {
 Vector3 StepMeans::ContactForce(int link) const {
   if (impulses_.empty() || elapsed_ == 0) return Vector3::Zero();
   return impulses_[link] / elapsed_;
+}
+
+Vector3 StepMeans::SiteAcceleration(int site) const {
+  if (site_velocities_.empty() || elapsed_ == 0) return Vector3::Zero();
+  return (body_.sites()[site].Velocity() - site_velocities_[site]) / elapsed_;
 }
 
 }  // namespace runtime

@@ -18,6 +18,7 @@ class StepMeans {
     bool base_acceleration = false;
     bool joint_accelerations = false;
     bool contact_forces = false;
+    bool site_accelerations = false;
   };
 
   // `body` outlives the object.
@@ -35,6 +36,7 @@ class StepMeans {
   Vector3 BaseAcceleration() const;
   double JointAcceleration(int joint) const;  // [rad / s^2]
   Vector3 ContactForce(int link) const;       // [N], in the world frame
+  Vector3 SiteAcceleration(int site) const;   // [m / s^2], in the world frame
 
  private:
   const RobotBody& body_;
@@ -42,6 +44,7 @@ class StepMeans {
   // At the start; empty where they are not wanted.
   std::vector<Vector3> base_velocity_;
   std::vector<double> joint_velocities_;
+  std::vector<Vector3> site_velocities_;
   std::vector<Vector3> impulses_;  // since the start
 };
 

@@ -31,6 +31,31 @@ TEST(Names, OfLinksAreFreeForValues) {
       CodesOf(TaskText("", kEnd + "let head = contact[head]\nif head { reward a = 1 }")).empty());
 }
 
+// Of a robot without any, the words of sites are nobody's.
+TEST(Names, OfSitesNeedARobotThatHasThem) {
+  const robot::RobotDescription hopper =
+      robot::ReadRobot(SOURCE_DIR "/tests/plugins/robots/hopper/robot.toml");
+  const auto messages = [&](const std::string& block) {
+    Sources sources;
+    Diagnostics diagnostics;
+    const auto tree = Compose(
+        "a.task",
+        [&](const std::filesystem::path&) {
+          return std::optional("task hop for hopper\non end_of_time_step {\n" + block + "}\n");
+        },
+        sources, diagnostics);
+    Check(*tree, &hopper, diagnostics);
+    return Render(sources, diagnostics, false);
+  };
+  EXPECT_NE(messages("reward rate a = site.position[tip].z / 1 m\n")
+                .find("`site.position` is a sensor of sites, and the robot has none"),
+            std::string::npos);
+  EXPECT_NE(messages("for one in sites { reward a = 1 }\n")
+                .find("the robot has no link, joint or group called `sites`"),
+            std::string::npos);
+  EXPECT_EQ(messages("let site = base.position.z\n" + kEnd + "reward rate a = site / 1 m\n"), "");
+}
+
 TEST(Names, DeclaredLaterInTheFileAreKnown) {
   EXPECT_TRUE(CodesOf("task late for humanoid\non end_of_time_step {\n" + kEnd +
                       "reward rate a = gain * kept\nkept = 2\n}\n"

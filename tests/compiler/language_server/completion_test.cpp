@@ -41,6 +41,15 @@ TEST(Completion, OffersPartsInsideBrackets) {
                     Not(Contains("norm"))));
   EXPECT_THAT(editor.CompleteAt(TaskWith("contact[body, head]", "joint.angle[|] > 0")),
               AllOf(Contains("joints"), Not(Contains("links"))));
+  EXPECT_THAT(editor.CompleteAt(TaskWith("base.velocity.xy", "site.|")),
+              AllOf(Contains("position"), Contains("acceleration")));
+  EXPECT_THAT(
+      editor.CompleteAt(TaskWith("contact[body, head]", "site.position[|] > 0")),
+      AllOf(Contains("sites"), Contains("toes"), Contains("left_toe"), Not(Contains("links"))));
+  EXPECT_THAT(editor.HoverAt(TaskWith("base.velocity.xy", "site.acc|eleration[head_top].xy")),
+              HasSubstr("sensor site.acceleration: vec3[site] [m/s^2]"));
+  EXPECT_THAT(editor.HoverAt(TaskWith("base.velocity.xy", "site.velocity[to|es]")),
+              HasSubstr("sites `toes`: left_toe, right_toe"));
 }
 
 TEST(Completion, OffersWordsByPlace) {

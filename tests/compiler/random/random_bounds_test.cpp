@@ -65,6 +65,12 @@ bool IsHuge(const Value& value) {
   return std::ranges::any_of(ToReals(value), [](double x) { return std::abs(x) > 1e100; });
 }
 
+// A robot's are all alike, and its tasks' bounds count on that.
+double RandomTimeStep(const CheckedTask& task, RandomNumbers& random) {
+  const double any = random.OneOf({0.0, 0.005, 1.0});
+  return std::isfinite(task.longest_time_step) ? task.longest_time_step : any;
+}
+
 // Runs the task for a while.
 void ExpectBounds(const CheckedTask& task, RandomNumbers& random) {
   const TaskBounds bounds = ComputeBounds(task);
@@ -78,7 +84,7 @@ void ExpectBounds(const CheckedTask& task, RandomNumbers& random) {
     frame.discount = random.OneOf({0.0, 0.9, 1.0});
     frame.outcome = static_cast<EndKind>(random.Below(3));
     const std::vector<double> before = frame.terms;
-    evaluator.Fire(event, random.OneOf({0.0, 0.005, 1.0}));
+    evaluator.Fire(event, RandomTimeStep(task, random));
     for (const CheckedPotential& potential : task.potentials) {
       const double paid = frame.terms[potential.term] - before[potential.term];
       const auto& value = bounds.terms[potential.term].potential;

@@ -19,6 +19,28 @@ void TaskWriter::DeclareSensor(const std::string& type_name, const Unit& unit) {
   readable_.push_back({name, type, unit});
 }
 
+void TaskWriter::ReadRobot() {
+  constexpr Unit kMeter{.meter = 1};
+  constexpr Unit kSpeed{.meter = 1, .second = -1};
+  constexpr Unit kAcceleration{.meter = 1, .second = -2};
+  constexpr Unit kRate{.second = -1, .radian = 1};
+  Line("set ends = {left_toe, right_heel} + hand_tips");
+  Line("memory places: vec3[site] [m] = 0");
+  const std::vector<Readable> values = {
+      {"contact[feet]", TypeOf("bool[2]"), {}},
+      {"joint.angle[0..4]", TypeOf("real[5]"), kRadianUnit},
+      {"link.position[head]", TypeOf("vec3"), kMeter},
+      {"places[toes]", TypeOf("vec3[2]"), kMeter},
+      {"site.position[head_top]", TypeOf("vec3"), kMeter},
+      {"site.position[hand_tips].xy", TypeOf("vec2[2]"), kMeter},
+      {"site.velocity[heels]", TypeOf("vec3[2]"), kSpeed},
+      {"norm(site.velocity[ends - left_toe])", TypeOf("real[3]"), kSpeed},
+      {"site.angular_velocity[ends].z[0..2]", TypeOf("real[3]"), kRate},
+      {"site.orientation[toes, head_top]", TypeOf("quat[3]"), {}},
+      {"site.acceleration[left_toe]", TypeOf("vec3"), kAcceleration}};
+  readable_.insert(readable_.end(), values.begin(), values.end());
+}
+
 void TaskWriter::DeclareConsts() {
   Line("const most: int = 2");
   Line("set few = {0, most} + 1");

@@ -5,10 +5,12 @@
 namespace compiler {
 
 std::string TaskWriter::Write() {
-  text_ = "task random\n";
+  const bool has_robot = random_.OneIn(2);
+  text_ = has_robot ? "task random for humanoid\n" : "task random\n";
   // Else an early end would leave little to compare.
   if (!random_.OneIn(3)) Line("after_end continue");
   DeclareSensors();
+  if (has_robot) ReadRobot();
   DeclareConsts();
   DeclareParams();
   DeclareMemory();

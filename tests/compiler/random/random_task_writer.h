@@ -40,6 +40,9 @@ class TaskWriter {
   void DeclareSensors();
   void DeclareSensor(const std::string& type_name, const Unit& unit);
 
+  // What a robot has for each link, joint and site, and sets of these.
+  void ReadRobot();
+
   // Sets and numbers for loops, and consts with a shape.
   void DeclareConsts();
   void DeclareConst(const Type& type, const Unit& unit);

@@ -56,16 +56,18 @@ TEST(Spec, NamesAllThatARobotHas) {
   for (const std::string& name : RobotNames()) {
     const robot::RobotDescription robot = Robot(name);
     const std::string page = ToMarkdown(SpecOf(robot, Sources()));
-    for (const auto& sensor : robot::Sensors()) {
+    for (const auto& sensor : robot::SensorsOf(robot)) {
       EXPECT_TRUE(Has(page, fmt::format("| `{}` | `{}", sensor.name, sensor.type.substr(0, 3))));
       EXPECT_TRUE(Has(page, std::string(sensor.doc))) << sensor.name;
     }
     for (const auto& constant : robot::Constants())
       EXPECT_TRUE(Has(page, fmt::format("| `{}` |", constant.name)));
     for (const auto& link : robot.links) EXPECT_TRUE(Has(page, "`" + link.name + "`")) << name;
+    for (const auto& site : robot.sites) EXPECT_TRUE(Has(page, "`" + site.name + "`")) << name;
     for (const auto& joint : robot.joints) EXPECT_TRUE(Has(page, "`" + joint.name + "`")) << name;
     for (const auto& set : robot.link_groups) EXPECT_TRUE(Has(page, "The set `" + set.name + "`"));
     for (const auto& set : robot.joint_groups) EXPECT_TRUE(Has(page, "The set `" + set.name + "`"));
+    for (const auto& set : robot.site_groups) EXPECT_TRUE(Has(page, "The set `" + set.name + "`"));
     for (const auto& pose : robot.poses) EXPECT_TRUE(Has(page, "`" + pose.name + "`")) << name;
   }
 }

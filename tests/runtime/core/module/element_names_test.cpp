@@ -7,7 +7,8 @@ namespace {
 
 using testing::ElementsAre;
 
-// One name for each number of a value of this name and type, of a robot with two links and a joint.
+// One name for each number of a value of this name and type, of a robot with two links, a
+// joint and a site.
 std::vector<std::string> Names(const std::string& name, const std::string& type, size_t size = 1) {
   robot::RobotDescription robot;
   robot.links.resize(2);
@@ -15,6 +16,8 @@ std::vector<std::string> Names(const std::string& name, const std::string& type,
   robot.links[1].name = "leg";
   robot.joints.resize(1);
   robot.joints[0].name = "hip";
+  robot.sites.resize(1);
+  robot.sites[0].name = "toe";
   return ElementNames({.name = name, .type = type, .unit = "", .size = size}, robot);
 }
 
@@ -29,7 +32,9 @@ TEST(ElementNames, OfNumbersAndVectors) {
               ElementsAre("turn[0, 0]", "turn[0, 1]", "turn[1, 0]", "turn[1, 1]"));
 }
 
-TEST(ElementNames, OfArraysByJointLinkOrNumber) {
+TEST(ElementNames, OfArraysByJointLinkSiteOrNumber) {
+  EXPECT_THAT(Names("site.velocity", "vec3[site]", 3),
+              ElementsAre("site.velocity[toe].x", "site.velocity[toe].y", "site.velocity[toe].z"));
   EXPECT_THAT(Names("joint.velocity", "real[joint]"), ElementsAre("joint.velocity[hip]"));
   EXPECT_THAT(Names("contact", "bool[link]", 2), ElementsAre("contact[body]", "contact[leg]"));
   EXPECT_THAT(Names("contact[feet]", "bool[2]", 2),

@@ -180,7 +180,7 @@ TEST_F(PluginTest, TableOfAnotherSizeIsRefused) {
   const std::string size = std::to_string(sizeof(taskc_plugin));
   const std::string other_size = std::to_string(sizeof(taskc_plugin) - 8);
   EXPECT_EQ(MessageOfLoading(PluginFile("other_size")),
-            "other_size.so: its table is damaged: it has " + other_size + " bytes, and ABI 4 has " +
+            "other_size.so: its table is damaged: it has " + other_size + " bytes, and ABI 5 has " +
                 size + "; build it again with `taskc build`");
 }
 
@@ -206,9 +206,9 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         BadTable{"gives_null", "returns no table; build it again with `taskc build`"},
         BadTable{"other_abi",
-                 "built for ABI 5, but this program needs 4: build it again with `taskc build`"},
+                 "built for ABI 6, but this program needs 5: build it again with `taskc build`"},
         BadTable{"previous_abi",
-                 "built for ABI 3, but this program needs 4: build it again with `taskc build`"},
+                 "built for ABI 4, but this program needs 5: build it again with `taskc build`"},
         BadTable{"null_text", DAMAGED("one of its strings is null")},
         BadTable{"null_source", DAMAGED("a source has no name or text")},
         BadTable{"no_source", DAMAGED("it has no source")},

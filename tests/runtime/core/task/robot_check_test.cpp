@@ -32,6 +32,12 @@ TEST(CheckFitsRobot, RefusesATaskForOtherJointsOrInAnotherOrder) {
             "order; build it again with `taskc build`");
 }
 
+TEST(CheckFitsRobot, RefusesATaskForOtherSites) {
+  EXPECT_EQ(MessageOfCheck("other_sites"),
+            "test.task: the task was built for another `walker`, with other sites or in another "
+            "order; build it again with `taskc build`");
+}
+
 // Another module may offer it: that is found out where there are modules.
 TEST(CheckFitsRobot, AcceptsASensorThatNoRobotHas) {
   EXPECT_EQ(MessageOfCheck("own_sensor"), "no error");

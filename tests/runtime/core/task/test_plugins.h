@@ -19,12 +19,13 @@ inline std::shared_ptr<const Plugin> LoadTask(const std::string& name) {
   return std::make_shared<Plugin>(PluginFile(name));
 }
 
-// Three links and two joints.
+// Three links, two joints and a site.
 inline robot::RobotDescription Walker() {
   robot::RobotDescription walker;
   walker.name = "walker";
   walker.links.resize(3);
   walker.joints.resize(2);
+  walker.sites.resize(1);
   return walker;
 }
 
