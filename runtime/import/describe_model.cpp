@@ -12,6 +12,7 @@
 #include "runtime/import/joint_parts.h"
 #include "runtime/import/load_model.h"
 #include "runtime/import/names.h"
+#include "runtime/import/site_parts.h"
 
 namespace runtime {
 namespace {
@@ -55,6 +56,7 @@ class Builder {
     for (int body = root; body < model_.nbody; ++body) {
       if (owners_[body] == body && Top(body) == top_) AddBody(body, body == root);
     }
+    AddSites(root);
     AddExclusions();
     WarnOfRest();
     Recenter();
@@ -109,7 +111,7 @@ class Builder {
     return children;
   }
 
-  // Bodies that do not move against their parent and have no shape are part of it.
+  // Bodies that do not move against their parent and have no shape are part of it, as sites.
   void ChooseOwners(int root) {
     for (int body = root; body < model_.nbody; ++body) {
       const bool is_part =
@@ -302,6 +304,28 @@ class Builder {
                     name, range[0], range[1]));
   }
 
+  // Frames without a shape, those above the root among them, and what the model itself calls sites.
+  void AddSites(int root) {
+    for (int body = top_; body < model_.nbody; ++body) {
+      if (Top(body) != top_) continue;
+      const int owner = body < root ? root : owners_[body];
+      if (owner != body) AddSite(FrameOf(model_, *data_, body), links_[owner]);
+      for (const SitePart& part : SitesOf(model_, *data_, body)) AddSite(part, links_[owner]);
+    }
+  }
+
+  void AddSite(const SitePart& part, int link) {
+    if (robot().sites.size() == robot::kMostSites) {
+      sites_too_many_.push_back(part.name);
+      return;
+    }
+    const Eigen::Quaterniond& q = part.orientation;
+    robot().sites.push_back({.name = site_names_.Take(part.name, "site"),
+                             .link = link,
+                             .position = ToArray(part.position),
+                             .orientation = {q.w(), q.x(), q.y(), q.z()}});
+  }
+
   bool MayTouch(size_t a, size_t b) const {
     return (shapes_[a].contype & shapes_[b].conaffinity) != 0 ||
            (shapes_[b].contype & shapes_[a].conaffinity) != 0;
@@ -328,7 +352,10 @@ class Builder {
   void WarnOfRest() {
     WarnOfNames(link_names_, "links");
     WarnOfNames(joint_names_, "joints");
-    WarnOf(parts_, "without a shape, and so part of the link they are fixed to");
+    WarnOfNames(site_names_, "sites");
+    WarnOf(parts_, "without a shape, and so sites of the link they are fixed to");
+    WarnOf(sites_too_many_, fmt::format("left out, as {} sites are the most", robot::kMostSites));
+    if (!SitesOf(model_, *data_, 0).empty()) Warn("sites of the world are left out");
     WarnOf(massless_, fmt::format("without a mass, and so given {} g", 1000 * kLeastMass));
     WarnOf(shapeless_, fmt::format("without a shape that touches anything, and so given a ball of "
                                    "{} mm",
@@ -364,6 +391,7 @@ class Builder {
     for (robot::Link& link : robot().links) move(link.position);
     for (robot::Joint& joint : robot().joints) move(joint.anchor);
     for (robot::Mount& mount : robot().mounts) move(mount.anchor);
+    for (robot::Site& site : robot().sites) move(site.position);
   }
 
   const ModelFile& file_;
@@ -378,8 +406,10 @@ class Builder {
   std::vector<int> betweens_;      // links
   // Names of bodies.
   std::vector<std::string> parts_, massless_, shapeless_, approximated_;
+  std::vector<std::string> sites_too_many_;
   Names link_names_;
   Names joint_names_;
+  Names site_names_;
 };
 
 }  // namespace

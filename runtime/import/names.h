@@ -8,7 +8,7 @@
 
 namespace runtime {
 
-// Names of links or of joints: each is used once.
+// Names of links, of joints or of sites: each is used once.
 class Names {
  public:
   // `wanted` with underscores for what no name has, an underscore behind what would be a word of

@@ -148,6 +148,20 @@ std::string MountLine(const robot::RobotDescription& robot, const robot::Mount& 
   return row.Line();
 }
 
+std::string SitesText(const robot::RobotDescription& robot) {
+  if (robot.sites.empty()) return "";
+  std::string text = "\nsites = [\n";
+  for (const robot::Site& site : robot.sites) {
+    Row row;
+    row.Add("name", Text(site.name));
+    row.Add("link", Text(robot.links[static_cast<size_t>(site.link)].name));
+    row.Add("position", Numbers(site.position));
+    if (IsTurned(site.orientation)) row.Add("orientation", Numbers(site.orientation));
+    text += row.Line();
+  }
+  return text + "]\n";
+}
+
 std::string PoseText(const robot::RobotDescription& robot, const robot::Pose& pose) {
   std::string text = fmt::format("\n[[poses]]\nname = {}\nposition = {}\n", Text(pose.name),
                                  Numbers(pose.position));
@@ -250,7 +264,8 @@ std::string ToToml(const robot::RobotDescription& robot, const std::vector<std::
   text += "\nlinks = [\n";
   for (const robot::Link& link : robot.links) text += LinkText(link);
   text += "]\n";
-  text += ConnectionsText(robot) + PairsText(robot) + ControllerText(robot.controller);
+  text += ConnectionsText(robot) + SitesText(robot) + PairsText(robot);
+  text += ControllerText(robot.controller);
   for (const robot::Pose& pose : robot.poses) text += PoseText(robot, pose);
   text += GroupsText(robot);
   for (const robot::DofConfiguration& dof : robot.dof_configurations) text += DofText(robot, dof);

@@ -1,10 +1,11 @@
 #include "runtime/analysis/robot/joint_marks.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
 #include <numbers>
+
+#include "runtime/analysis/robot/axis_colors.h"
 
 namespace runtime {
 namespace {
@@ -21,10 +22,9 @@ constexpr double kStep = kPi / 24;                   // an arc is made of lines 
 Vector3d ToEigen(const robot::Vector3& v) { return {v[0], v[1], v[2]}; }
 
 uint32_t ColorOf(const Vector3d& axis) {
-  constexpr std::array<uint32_t, 3> kColors = {0xe03131, 0x2f9e44, 0x1c7ed6};
   Eigen::Index largest = 0;
   axis.cwiseAbs().maxCoeff(&largest);
-  return kColors[static_cast<size_t>(largest)];
+  return kAxisColors[static_cast<size_t>(largest)];
 }
 
 // Draws the marks of one joint.

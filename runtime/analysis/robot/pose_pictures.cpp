@@ -1,7 +1,11 @@
 #include "runtime/analysis/robot/pose_pictures.h"
 
+#include <algorithm>
+#include <iterator>
+
 #include "runtime/analysis/picture/snapshot_strip.h"
 #include "runtime/analysis/robot/joint_marks.h"
+#include "runtime/analysis/robot/site_marks.h"
 
 namespace runtime {
 
@@ -20,6 +24,8 @@ std::string PosePictures(const robot::RobotDescription& robot, const std::vector
   for (const HeldPose& held : poses) {
     add(held.start);
     options.strokes.push_back(JointMarks(robot, held.start, held.size));
+    std::ranges::move(SiteMarks(robot, held.start, held.size),
+                      std::back_inserter(options.strokes.back()));
     add(held.end);
     options.strokes.emplace_back();
   }

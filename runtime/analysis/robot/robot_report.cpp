@@ -84,6 +84,19 @@ std::string JointTable(const RobotReport& report) {
   return table.Text();
 }
 
+std::string SiteTable(const RobotReport& report) {
+  Table table;
+  table.Add({"site", "link", "from its center (m)", "turned (w x y z)"});
+  for (const robot::Site& site : report.robot.sites) {
+    const robot::Vector3 arm = report.robot.ArmOf(site);
+    const robot::Quaternion& q = site.orientation;
+    table.Add({site.name, report.robot.links[static_cast<size_t>(site.link)].name,
+               fmt::format("{:.4g} {:.4g} {:.4g}", arm[0], arm[1], arm[2]),
+               fmt::format("{:.3g} {:.3g} {:.3g} {:.3g}", q[0], q[1], q[2], q[3])});
+  }
+  return table.Text();
+}
+
 std::string BaseText(const RobotReport& report, const HeldPose& held) {
   if (report.robot.has_fixed_base) return "its base is fixed";
   return fmt::format("{}: tilts by {:.2g} deg, sinks by {:.2g} mm, drifts by {:.2g} mm",
@@ -175,6 +188,17 @@ Json JointsOf(const RobotReport& report) {
   return joints;
 }
 
+Json SitesOf(const robot::RobotDescription& robot) {
+  Json sites = Json::array();
+  for (const robot::Site& site : robot.sites) {
+    sites.push_back({{"name", site.name},
+                     {"link", robot.links[static_cast<size_t>(site.link)].name},
+                     {"position", robot.ArmOf(site)},
+                     {"orientation", site.orientation}});
+  }
+  return sites;
+}
+
 }  // namespace
 
 RobotReport::RobotReport(const robot::RobotDescription& described, const Profile& profile)
@@ -200,6 +224,7 @@ std::string ToText(const RobotReport& report) {
                   robot.file.string(), report.body.mass, robot.links.size(), robot.joints.size());
   text += LinkTable(report) + "\n";
   if (!robot.joints.empty()) text += JointTable(report) + "\n";
+  if (!robot.sites.empty()) text += SiteTable(report) + "\n";
   for (const HeldPose& held : report.poses) text += PoseText(report, held);
   for (const RobotProblem& problem : report.problems) text += "\n" + ToText(problem);
   return text;
@@ -212,10 +237,15 @@ Json ToJson(const RobotReport& report) {
   Json problems = Json::array();
   for (const RobotProblem& problem : report.problems)
     problems.push_back({{"text", problem.text}, {"help", problem.help}});
-  return {{"name", robot.name},          {"doc", robot.doc},
-          {"file", robot.file.string()}, {"fixed_base", robot.has_fixed_base},
-          {"mass", report.body.mass},    {"links", LinksOf(report)},
-          {"joints", JointsOf(report)},  {"poses", poses},
+  return {{"name", robot.name},
+          {"doc", robot.doc},
+          {"file", robot.file.string()},
+          {"fixed_base", robot.has_fixed_base},
+          {"mass", report.body.mass},
+          {"links", LinksOf(report)},
+          {"joints", JointsOf(report)},
+          {"sites", SitesOf(robot)},
+          {"poses", poses},
           {"problems", problems}};
 }
 

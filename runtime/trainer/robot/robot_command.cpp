@@ -58,7 +58,7 @@ void AddShowRobotCommand(command_line::Command& robot) {
   const command_line::Option picture =
       show.AddOption("-o,--output", options->picture,
                      "PNG file to write: each pose as it starts, with the axes and ranges of its "
-                     "joints, and after the second")
+                     "joints and the axes of its sites, and after the second")
           .ValueName("FILE");
   show.AddOption("--height", options->height, "height of the pictures, in pixels")
       .ShowDefault()

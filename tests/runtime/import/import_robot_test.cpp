@@ -18,6 +18,7 @@ namespace {
 
 using testing::AllOf;
 using testing::Contains;
+using testing::DoubleNear;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
@@ -143,14 +144,68 @@ TEST_F(ImportRobotTest, WhatIsFixedToALinkCalledWorldIsFixed) {
   EXPECT_TRUE(robot::ReadRobot(imported.file).has_fixed_base);
 }
 
-TEST_F(ImportRobotTest, FramesWithoutMassBecomePartOfTheirLink) {
+// Turned by a quarter about z, then seen from a frame that is fixed to it in turn.
+TEST_F(ImportRobotTest, FramesWithoutAShapeBecomeSitesOfTheirLink) {
   const ImportedRobot imported =
       Import("<robot name=\"a\">" + Link("body", kBox) +
              "<link name=\"camera\"/><joint name=\"c\" type=\"fixed\"><parent link=\"body\"/>"
-             "<child link=\"camera\"/></joint></robot>");
+             "<child link=\"camera\"/><origin xyz=\"0.1 0 0.02\" rpy=\"0 0 1.570796327\"/></joint>"
+             "<link name=\"lens\"/><joint name=\"l\" type=\"fixed\"><parent link=\"camera\"/>"
+             "<child link=\"lens\"/><origin xyz=\"0.01 0 0\"/></joint></robot>");
   EXPECT_THAT(imported.warnings,
-              Contains(HasSubstr("part of the link they are fixed to: `camera`")));
-  EXPECT_EQ(robot::ReadRobot(imported.file).links.size(), 1u);
+              Contains(HasSubstr("sites of the link they are fixed to: `camera`, `lens`")));
+  const robot::RobotDescription robot = robot::ReadRobot(imported.file);
+  EXPECT_EQ(robot.links.size(), 1u);
+  ASSERT_EQ(robot.sites.size(), 2u);
+  EXPECT_EQ(robot.sites[0].name, "camera");
+  EXPECT_EQ(robot.sites[0].link, 0);
+  EXPECT_THAT(
+      robot.sites[0].position,
+      testing::ElementsAre(DoubleNear(0.1, 1e-6), DoubleNear(0, 1e-6), DoubleNear(0.02, 1e-6)));
+  EXPECT_NEAR(robot.sites[0].orientation[0], std::sqrt(0.5), 1e-6);
+  EXPECT_NEAR(robot.sites[0].orientation[3], std::sqrt(0.5), 1e-6);
+  EXPECT_THAT(
+      robot.sites[1].position,
+      testing::ElementsAre(DoubleNear(0.1, 1e-6), DoubleNear(0.01, 1e-6), DoubleNear(0.02, 1e-6)));
+}
+
+// Where the base's center is not where its frame is, and a link hangs on it.
+TEST_F(ImportRobotTest, SitesOfMjcfKeepTheirPlaces) {
+  const ImportedRobot imported = Import(
+      "<mujoco><worldbody><site name=\"mark\"/><body name=\"b\" pos=\"0 0 1\"><freejoint/>"
+      "<geom type=\"sphere\" size=\".1\" pos=\"0.3 0 0\" mass=\"1\"/>"
+      "<site name=\"imu\" pos=\"0.3 0 0.05\" quat=\"0 1 0 0\"/><site pos=\"0 0 0\"/>"
+      "<body name=\"c\" pos=\"0.5 0 0\"><joint name=\"j\" axis=\"0 1 0\"/>"
+      "<geom type=\"sphere\" size=\".1\" mass=\"1\"/><site name=\"task\" pos=\"0 0.2 0\"/>"
+      "</body></body></worldbody></mujoco>",
+      "model.xml");
+  EXPECT_THAT(imported.warnings,
+              AllOf(Contains(HasSubstr("sites of the world are left out")),
+                    Contains(HasSubstr("sites whose names tasks cannot write have others: `task` "
+                                       "as `task_`"))));
+  const robot::RobotDescription robot = robot::ReadRobot(imported.file);
+  ASSERT_EQ(robot.sites.size(), 3u);
+  EXPECT_EQ(robot.sites[0].name, "imu");
+  EXPECT_EQ(robot.sites[0].position, (robot::Vector3{0, 0, 0.05}));
+  EXPECT_EQ(robot.sites[0].orientation, (robot::Quaternion{0, 1, 0, 0}));
+  EXPECT_EQ(robot.sites[1].name, "site");
+  EXPECT_EQ(robot.sites[1].position, (robot::Vector3{-0.3, 0, 0}));
+  EXPECT_EQ(robot.sites[2].name, "task_");
+  EXPECT_EQ(robot.sites[2].link, robot.FindLink("c"));
+  EXPECT_THAT(
+      robot.ArmOf(robot.sites[2]),
+      testing::ElementsAre(DoubleNear(0, 1e-9), DoubleNear(0.2, 1e-9), DoubleNear(0, 1e-9)));
+}
+
+TEST_F(ImportRobotTest, MoreSitesThanARobotHasAreLeftOut) {
+  std::string text =
+      "<mujoco><worldbody><body name=\"b\" pos=\"0 0 1\"><freejoint/>"
+      "<geom type=\"sphere\" size=\".1\" mass=\"1\"/>";
+  for (size_t i = 0; i <= robot::kMostSites; ++i)
+    text += "<site name=\"s" + std::to_string(i) + "\"/>";
+  const ImportedRobot imported = Import(text + "</body></worldbody></mujoco>", "model.xml");
+  EXPECT_THAT(imported.warnings, Contains(HasSubstr("250 sites are the most: `s250`")));
+  EXPECT_EQ(robot::ReadRobot(imported.file).sites.size(), robot::kMostSites);
 }
 
 // Some files give the base its shape, and its mass to a frame that is fixed to it.
