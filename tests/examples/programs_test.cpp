@@ -55,9 +55,9 @@ TEST_P(Programs, TrainIt) {
 INSTANTIATE_TEST_SUITE_P(Examples, Programs,
                          testing::Values("crawling_prone", "drive", "follow", "get_up", "guided",
                                          "hop", "leap", "scuttle", "swing_up", "trot", "march",
-                                         "press_up", "kick", "climb", "push", "stand", "step",
-                                         "stride", "targets", "track", "track_speed", "velocity",
-                                         "walk"),
+                                         "prance", "press_up", "kick", "climb", "push", "reach",
+                                         "stand", "step", "stride", "targets", "track",
+                                         "track_speed", "velocity", "walk"),
                          [](const auto& test) { return test.param; });
 
 }  // namespace
