@@ -33,17 +33,24 @@ class Episode {
   }
   // The ends of as many time steps as rows from `row` to `end`, unless the episode is over before.
   // Each time `show(row)` brings the sensors up to date, and `note(row, reward)` hears what was
-  // paid. Gives back the row after the last. Precondition: the task has something to do then.
+  // paid. Gives back the row after the last. Precondition: the task has something to do then, and
+  // the episode is not over.
   template <class Show, class NoteRow>
   taskc_int64 EndTimeSteps(taskc_int64 row, taskc_int64 end, double time_step, Show show,
                            NoteRow note) {
     const taskc_event_function function = frame().plugin().events[TASKC_END_OF_TIME_STEP];
     task_.NoteTimeStep(time_step);
-    while (row < end && !is_over()) {
+    const taskc_frame& done = frame().frame();
+    while (row < end) {
       show(row);
       function(frame().Next(time_step));
-      note(row, Note().reward);
-      ++row;
+      if (HasOnlyPaid(done)) {
+        return_ += done.reward;
+        note(row++, done.reward);
+        continue;
+      }
+      note(row++, NoteIncident().reward);
+      if (is_over()) break;
     }
     return row;
   }
@@ -65,11 +72,15 @@ class Episode {
   const char* reason() const;
 
  private:
-  // What the last call has done: mostly, it has paid something.
+  // Mostly, a call has paid something, and that is all.
+  static bool HasOnlyPaid(const taskc_frame& done) {
+    return (done.end & done.violation & done.fault) == -1 &&
+           std::abs(done.reward) <= TASKC_LARGEST_REWARD;
+  }
+  // What the last call has done.
   taskc_result Note() {
     const taskc_frame& done = frame().frame();
-    const bool is_nothing_else = (done.end & done.violation & done.fault) == -1;
-    if (!is_nothing_else || !(std::abs(done.reward) <= TASKC_LARGEST_REWARD)) return NoteIncident();
+    if (!HasOnlyPaid(done)) return NoteIncident();
     return_ += done.reward;
     return {done.reward, -1, -1, -1};
   }

@@ -45,7 +45,7 @@ RecordedEpisode::RecordedEpisode(const taskc_plugin& task, const Episode& like,
       recording_(Checked(recording)),
       episode_(task),
       sensors_(episode_.frame()),
-      strides_(Bound(recording_, sensors_)),
+      rows_(Bound(recording_, episode_.frame(), sensors_)),
       first_(recording.begins_with_start != 0 ? 1 : 0),
       next_action_(first_) {
   const taskc_uint32 in_steps = ReadersOfTimeSteps(episode_.needs_measuring());
@@ -54,12 +54,12 @@ RecordedEpisode::RecordedEpisode(const taskc_plugin& task, const Episode& like,
   CopySettings(like);
 }
 
-std::vector<ptrdiff_t> RecordedEpisode::Bound(const taskc_recording& recording,
-                                              SensorSources& sensors) {
+SensorRows RecordedEpisode::Bound(const taskc_recording& recording, host::TaskFrame& frame,
+                                  SensorSources& sensors) {
   for (const taskc_column& column : std::span(recording.columns, recording.column_count))
     sensors.Bind(column.sensor, column.unit, column.view, column.time_stride);
   sensors.RequireFor(kTold);
-  return sensors.TimeStrides();
+  return {frame.sensors(), sensors.TimeStrides()};
 }
 
 void RecordedEpisode::CopySettings(const Episode& like) {
@@ -143,17 +143,26 @@ bool RecordedEpisode::IsPlain() const {
          std::ranges::none_of(kOthers, [&](int event) { return task_.events[event] != nullptr; });
 }
 
-// Those up to the last of the action, unless the episode is over before.
+// Those of `row` and up to the end of the action, unless the episode is over before. Gives back the
+// last.
 taskc_int64 RecordedEpisode::EndPlainTimeSteps(taskc_int64 row) {
-  const taskc_int64 end = std::min(next_action_, recording_.rows) - 1;
-  const auto show = [this](taskc_int64 next) { Show(next); };
-  const auto note = [this, rewards = recording_.rewards](taskc_int64 next, double reward) {
-    row_reward_ = reward;
+  double* const rewards = recording_.rewards;
+  double last_reward = 0;
+  const auto show = [this, copies = !of_time_steps_.is_empty()](taskc_int64 next) {
+    rows_.Advance();
+    if (copies) of_time_steps_.Load(next);
+  };
+  const auto note = [&](taskc_int64 next, double reward) {
+    last_reward = reward;
     if (rewards != nullptr) rewards[next] = reward;
   };
+  const taskc_int64 end = std::min(next_action_, recording_.rows);
   const taskc_int64 next = episode_.EndTimeSteps(row, end, recording_.time_step, show, note);
   time_steps_ += next - row;
-  return next;
+  // What the start of the action has paid belongs to its first row.
+  if (rewards != nullptr) rewards[row] += row_reward_;
+  row_reward_ = next - row == 1 ? row_reward_ + last_reward : last_reward;
+  return next - 1;
 }
 
 void RecordedEpisode::Evaluate(taskc_evaluation& evaluation) {
@@ -162,11 +171,15 @@ void RecordedEpisode::Evaluate(taskc_evaluation& evaluation) {
   taskc_int64 row = first_;
   while (row < recording_.rows && GoesOnAfter(row - 1)) {
     StartTimeStep(row);
-    EndTimeStep(row);
+    // The first row of all is shown already.
+    if (is_plain && row > 0 && !episode_.is_over()) {
+      row = EndPlainTimeSteps(row);
+    } else {
+      EndTimeStep(row);
+    }
     if (EndsAction(row) && !IsCutOff()) Tell(TASKC_END_OF_ACTION, 0);
     NoteRow(row);
     ++row;
-    if (is_plain && !episode_.is_over()) row = EndPlainTimeSteps(row);
   }
   End(std::max<taskc_int64>(row - 1, 0));
   Report(evaluation);

@@ -2,11 +2,8 @@
 
 #include <taskc/host.h>
 
-#include <cstddef>
-#include <span>
-#include <vector>
-
 #include "libtaskc/episode.h"
+#include "libtaskc/sensor_rows.h"
 #include "libtaskc/sensor_sources.h"
 
 namespace libtaskc {
@@ -22,18 +19,11 @@ class RecordedEpisode {
   void Evaluate(taskc_evaluation& evaluation);
 
  private:
-  static std::vector<ptrdiff_t> Bound(const taskc_recording& recording, SensorSources& sensors);
+  static SensorRows Bound(const taskc_recording& recording, host::TaskFrame& frame,
+                          SensorSources& sensors);
   void CopySettings(const Episode& like);
-  // Moves what is read where it is from one row to the next.
-  void Advance() {
-    const void** const sensors = episode_.frame().sensors().data();
-    const ptrdiff_t* const __restrict strides = strides_.data();
-    const size_t count = strides_.size();
-    for (size_t i = 0; i < count; ++i)
-      sensors[i] = static_cast<const std::byte*>(sensors[i]) + strides[i];
-  }
   void Show(taskc_int64 row) {
-    Advance();
+    rows_.Advance();
     of_time_steps_.Load(row);
   }
   void Start();
@@ -57,8 +47,8 @@ class RecordedEpisode {
   const taskc_recording& recording_;
   Episode episode_;
   SensorSources sensors_;
-  const std::vector<ptrdiff_t> strides_;  // of the sensors that are read where they are
-  SensorReadings of_time_steps_;          // the others, that are read in each time step
+  const SensorRows rows_;         // of the sensors that are read where they are
+  SensorReadings of_time_steps_;  // the others, that are read in each time step
   SensorReadings of_ends_;   // those that are read only at the start and the end of the episode
   const taskc_int64 first_;  // the row of the first time step
   taskc_int64 next_action_;  // the row in which one starts, where `action_length` says it

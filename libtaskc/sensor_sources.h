@@ -24,6 +24,7 @@ struct SensorReadings {
   std::vector<Run> runs;
   std::vector<SensorCall> calls;
 
+  bool is_empty() const { return runs.empty() && calls.empty(); }
   // As they are at a row of a recording; 0 where there is none.
   void Load(ptrdiff_t row) const {
     for (const Run& run : runs) run.CopyAt(row);

@@ -89,6 +89,8 @@ const std::vector<std::string>& PluginFlags() {
       "-g1", "-gdwarf-4", "-fvisibility=hidden", "-fno-exceptions", "-fno-rtti",
       // The same bits on every machine and at every level of optimization; no undefined overflow.
       "-ffp-contract=off", "-fno-builtin", "-fno-math-errno", "-fwrapv",
+      // Or else g++ loads all of a long sum before it adds, and runs out of registers.
+      "-fno-tree-ter",
       // Nothing of the C++ runtime is needed, and the link is faster without.
       "-nostdlib", "-fno-use-linker-plugin", "-Wl,-z,defs"};
   return flags;
