@@ -7,12 +7,12 @@
 #include <benchmark/benchmark.h>
 
 #include <cmath>
-#include <ctime>
 #include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "runtime/base/thread_seconds.h"
 #include "runtime/training/simulation/world.h"
 
 namespace runtime {
@@ -27,12 +27,6 @@ const robot::RobotDescription& RobotCalled(const std::string& name) {
   const auto known = robots.find(name);
   if (known != robots.end()) return known->second;
   return robots[name] = robot::ReadRobot(std::string(ROBOTS) + "/" + name + "/robot.toml");
-}
-
-double ThreadSeconds() {
-  timespec time;
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
 // A robot in a profile, and the time that it takes.

@@ -18,13 +18,14 @@
 #include <vector>
 
 #include "bench/random_motion.h"
+#include "runtime/base/thread_seconds.h"
 #include "runtime/training/simulation/robot_environment.h"
 
 namespace {
 
-double Now(clockid_t clock) {
+double WallSeconds() {
   timespec time;
-  clock_gettime(clock, &time);
+  clock_gettime(CLOCK_MONOTONIC, &time);
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
@@ -63,9 +64,9 @@ Spans spans;
 
 extern "C" int __real_dWorldStep(dWorldID world, dReal step);
 extern "C" int __wrap_dWorldStep(dWorldID world, dReal step) {
-  const double start = Now(CLOCK_MONOTONIC);
+  const double start = WallSeconds();
   const int result = __real_dWorldStep(world, step);
-  spans.Add(start, Now(CLOCK_MONOTONIC));
+  spans.Add(start, WallSeconds());
   return result;
 }
 
@@ -123,10 +124,10 @@ class Episode {
   }
 
   void RunTimeStep() {
-    const double start = Now(CLOCK_THREAD_CPUTIME_ID);
+    const double start = ThreadSeconds();
     environment_.RunTimeStep();
     for (const SensorIn& sensor : sensors_) benchmark::DoNotOptimize(sensor().data);
-    seconds_ += Now(CLOCK_THREAD_CPUTIME_ID) - start;
+    seconds_ += ThreadSeconds() - start;
   }
 
   double seconds() const { return seconds_; }

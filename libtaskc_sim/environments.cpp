@@ -8,11 +8,15 @@
 #include <string>
 #include <thread>
 
+#include "libtaskc_sim/ended_episode.h"
 #include "libtaskc_sim/failure.h"
 #include "runtime/trainer/environment/decision_process.h"
+#include "runtime/training/run/value_json.h"
 
 namespace {
 
+using libtaskc_sim::EndColumns;
+using libtaskc_sim::EpisodeOf;
 using libtaskc_sim::Failure;
 using libtaskc_sim::RobotInTask;
 
@@ -70,20 +74,6 @@ Value* RowOf(Value* array, size_t row, size_t size) {
   return array == nullptr ? nullptr : array + row * size;
 }
 
-taskc_int32 KindOf(runtime::EndKind kind) {
-  switch (kind) {
-    case runtime::EndKind::kSuccess:
-      return TASKC_SUCCESS;
-    case runtime::EndKind::kFailure:
-      return TASKC_FAILURE;
-    case runtime::EndKind::kTruncated:
-      return TASKC_TRUNCATED;
-    case runtime::EndKind::kDiverged:
-      break;
-  }
-  return TASKC_SIM_DIVERGED;
-}
-
 }  // namespace
 
 taskc_sim::taskc_sim(const taskc_sim_options& options)
@@ -116,6 +106,15 @@ void taskc_sim::Step(const float* actions, const taskc_sim_arrays& arrays) {
   if (arrays.ended == nullptr) return;
   *arrays.ended =
       static_cast<taskc_uint32>(std::ranges::count_if(robots_, &RobotInTask::has_ended));
+}
+
+// What one environment refuses the first one does: they are alike.
+void taskc_sim::Set(const unsigned char* which, const std::string& parameter,
+                    const std::string& value) {
+  const runtime::ParameterValue set = runtime::ParameterOfWord(value, parameter);
+  for (size_t i = 0; i < robots_.size(); ++i) {
+    if (which == nullptr || which[i] != 0) robots_[i].Set(parameter, set);
+  }
 }
 
 void taskc_sim::CheckIsReset() const {
@@ -171,19 +170,18 @@ taskc_sim_episode taskc_sim::LastEpisode(taskc_uint32 environment) const {
     throw Failure(TASKC_ERROR_WRONG_ORDER,
                   fmt::format("no episode has ended in environment {}", environment));
   }
-  const runtime::EpisodeRecord& record = robot.process().record();
-  const runtime::Evaluation& task = record.active;
-  return {record.number,
-          record.actions,
-          record.steps,
-          record.simulated_seconds,
-          task.episode_return,
-          KindOf(robot.process().end_kind()),
-          task.end_reason.c_str(),
-          task.faults,
-          task.terms.data(),
-          task.metrics.data(),
-          task.logs.data()};
+  return EpisodeOf(robot);
+}
+
+void taskc_sim::LastEnds(const taskc_sim_ends& ends) const {
+  const EndColumns columns(ends, *description().task, robots_.size());
+  for (size_t i = 0; i < robots_.size(); ++i) {
+    if (robots_[i].has_ended()) {
+      columns.Write(i, EpisodeOf(robots_[i]));
+    } else {
+      columns.Clear(i);
+    }
+  }
 }
 
 void taskc_sim::Render(taskc_uint32 environment, taskc_uint32 size, unsigned char* rgb) {

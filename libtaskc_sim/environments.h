@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <string>
 #include <vector>
 
 #include "libtaskc_sim/description.h"
@@ -21,7 +22,9 @@ struct taskc_sim {
   const taskc_sim_description& description() const { return description_.shown(); }
   void Reset(const unsigned char* which, const taskc_uint64* seeds, float* observations);
   void Step(const float* actions, const taskc_sim_arrays& arrays);
+  void Set(const unsigned char* which, const std::string& parameter, const std::string& value);
   taskc_sim_episode LastEpisode(taskc_uint32 environment) const;
+  void LastEnds(const taskc_sim_ends& ends) const;
   void Render(taskc_uint32 environment, taskc_uint32 size, unsigned char* rgb);
 
  private:

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "libtaskc_sim/failure.h"
+#include "runtime/training/learning/terminal_end.h"
 #include "runtime/training/simulation/ode_library.h"
 
 namespace libtaskc_sim {
@@ -70,8 +71,7 @@ void RobotInTask::Decide(const float* action, const Results& results) {
     process_.Step(action_);
   }
   const bool is_over = has_ended_ = !process_.is_running();
-  const bool is_terminal = is_over && (process_.end_kind() == runtime::EndKind::kSuccess ||
-                                       process_.end_kind() == runtime::EndKind::kFailure);
+  const bool is_terminal = is_over && runtime::IsTerminal(process_.end_kind());
   Write(begins ? 0 : process_.reward(), results.reward);
   Write<unsigned char>(is_terminal, results.terminated);
   Write<unsigned char>(is_over && !is_terminal, results.truncated);

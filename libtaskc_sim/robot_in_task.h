@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <exception>
+#include <string>
 
 #include "runtime/trainer/environment/decision_process.h"
 #include "runtime/trainer/setup/task_setup.h"
@@ -39,6 +40,11 @@ class RobotInTask {
   // Whether an episode has ended here, with its record; and whether one has in the last step.
   bool has_record() const { return has_record_; }
   bool has_ended() const { return has_ended_; }
+
+  // Throws as DecisionProcess::Set().
+  void Set(const std::string& parameter, const runtime::ParameterValue& value) {
+    process_.Set(parameter, value);
+  }
 
   // The number of the episode that follows without a seed.
   int64_t NextNumber() const;

@@ -78,12 +78,30 @@ taskc_status taskc_sim_step(taskc_sim* sim, const float* actions, const taskc_si
   });
 }
 
+taskc_status taskc_sim_set(taskc_sim* sim, const unsigned char* which, const char* parameter,
+                           const char* value) {
+  return Guarded(TASKC_SIM_ERROR_SETUP, [&] {
+    RequirePointer(sim, "`sim`");
+    RequirePointer(parameter, "`parameter`");
+    RequirePointer(value, "`value`");
+    sim->Set(which, parameter, value);
+  });
+}
+
 taskc_status taskc_sim_last_episode(const taskc_sim* sim, taskc_uint32 environment,
                                     taskc_sim_episode* episode) {
   return Guarded(TASKC_SIM_ERROR_EPISODE, [&] {
     RequirePointer(sim, "`sim`");
     RequirePointer(episode, "`episode`");
     *episode = sim->LastEpisode(environment);
+  });
+}
+
+taskc_status taskc_sim_last_ends(const taskc_sim* sim, const taskc_sim_ends* ends) {
+  return Guarded(TASKC_SIM_ERROR_EPISODE, [&] {
+    RequirePointer(sim, "`sim`");
+    RequirePointer(ends, "`ends`");
+    sim->LastEnds(*ends);
   });
 }
 

@@ -12,6 +12,7 @@
 #include "compiler/check/report.h"
 #include "compiler/check/target.h"
 #include "compiler/check/type.h"
+#include "compiler/syntax/words.h"
 
 namespace compiler {
 namespace {
@@ -204,15 +205,8 @@ class TestChecker {
 }  // namespace
 
 std::string EndText(EndKind kind, const std::string& reason) {
-  switch (kind) {
-    case EndKind::kSuccess:
-      return fmt::format("end_episode success \"{}\"", reason);
-    case EndKind::kFailure:
-      return fmt::format("end_episode failure \"{}\"", reason);
-    case EndKind::kTruncated:
-      return fmt::format("truncate_episode \"{}\"", reason);
-  }
-  return "";
+  if (kind == EndKind::kTruncated) return fmt::format("truncate_episode \"{}\"", reason);
+  return fmt::format("end_episode {} \"{}\"", NameOf(kind, kOutcomeNames), reason);
 }
 
 void CheckTests(const SyntaxTree& tree, const TaskScope& scope, CheckedTask& task) {

@@ -41,16 +41,9 @@ std::string RangeText(double low, double high, const Unit& unit) {
   return WithUnit(ToText(low) + " .. " + ToText(high), unit);
 }
 
-const char* NameOf(EndKind kind) {
-  switch (kind) {
-    case EndKind::kSuccess:
-      return "success";
-    case EndKind::kFailure:
-      return "failure";
-    case EndKind::kTruncated:
-      return "truncated";
-  }
-  return "";
+std::string_view WordOf(EndKind kind) {
+  const std::string_view outcome = NameOf(kind, kOutcomeNames);
+  return outcome.empty() ? "truncated" : outcome;
 }
 
 // "the end of a time step" for `end_of_time_step`.
@@ -290,7 +283,7 @@ class PageWriter {
     Table table{{"end", "why", "when", "event"}, {}};
     for (const Statements& each : statements_) {
       for (const ConditionalEnd& end : each.equations.ends) {
-        table.rows.push_back({Plain(NameOf(end.kind)), Plain(end.reason),
+        table.rows.push_back({Plain(std::string(WordOf(end.kind))), Plain(end.reason),
                               end.condition.empty() ? Plain("always") : Math(end.condition),
                               Code(each.place)});
       }

@@ -96,6 +96,11 @@ class RobotEnv(Env):
             info["task"] = about(sim.last_episode(0))
         return sim.observations[0].copy(), float(sim.rewards[0]), terminated, truncated, info
 
+    def set(self, parameter: str, value: Any) -> None:
+        """Sets a parameter, "task.weight", from the next step on, as `trainer ctl set` does: a number
+        may have its unit, "20 s"."""
+        self.sim.set(parameter, value)
+
     def render(self) -> Optional[np.ndarray]:
         """A picture, uint8 [render_size, render_size, 3], with render_mode="rgb_array"."""
         if self.render_mode is None:

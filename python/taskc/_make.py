@@ -8,7 +8,8 @@ from typing import Any, Dict, Mapping, Optional, Union
 from . import _find
 from ._environment import RobotEnv
 from ._gymnasium import AutoresetMode
-from ._sim import DISABLED, NEXT_STEP, SAME_STEP, Sim, settings_of
+from ._sim import Sim, settings_of
+from ._sim_abi import DISABLED, NEXT_STEP, SAME_STEP
 from ._task import Task, load
 from ._vector import RobotVectorEnv
 

@@ -1,77 +1,19 @@
-"""libtaskc_sim by ctypes: the structs of taskc/sim.h, and its environments."""
+"""The environments of libtaskc_sim, and the arrays that they fill."""
 
 from __future__ import annotations
 
 import ctypes
 import os
-from ctypes import (POINTER, Structure, byref, c_char_p, c_double, c_int32, c_int64, c_size_t,
-                    c_uint32, c_uint64, c_void_p)
+from ctypes import byref, c_char_p, c_uint32
 from dataclasses import dataclass
-from functools import lru_cache
-from typing import Any, Dict, Mapping, Optional, Sequence, Tuple, Union
+from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
-from . import _abi, _describe
-from ._library import Handle, load
+from . import _describe, _sim_abi
+from ._library import Handle
 
-NEXT_STEP, SAME_STEP, DISABLED = range(3)
 OUTCOMES = _describe.OUTCOMES + ("diverged",)
-
-
-class _Options(Structure):
-    _fields_ = [("struct_size", c_size_t), ("plugin", c_char_p), ("task", c_char_p),
-                ("robot", c_char_p), ("robots", c_char_p), ("agent", c_char_p),
-                ("profile", c_char_p), ("settings", POINTER(c_char_p)), ("setting_count", c_size_t),
-                ("seed", c_uint64), ("discount", c_double), ("count", c_uint32),
-                ("threads", c_uint32), ("autoreset", c_int32)]
-
-
-class _Observation(Structure):
-    _fields_ = [("name", c_char_p), ("type", c_char_p), ("unit", c_char_p), ("size", c_uint32),
-                ("minimum", c_double), ("maximum", c_double)]
-
-
-class _Description(Structure):
-    _fields_ = [("task", POINTER(_abi.Plugin)), ("robot", c_char_p), ("profile", c_char_p),
-                ("time_step", c_double), ("decision_time", c_double), ("count", c_uint32),
-                ("threads", c_uint32), ("action_size", c_uint32), ("observation_size", c_uint32),
-                ("observation_count", c_uint32), ("observations", POINTER(_Observation))]
-
-
-class _Arrays(Structure):
-    _fields_ = [(name, c_void_p) for name in ("observations", "final_observations", "rewards",
-                                              "terminated", "truncated", "term_sums",
-                                              "ended")]
-
-
-class _Episode(Structure):
-    _fields_ = [("number", c_int64), ("actions", c_int64), ("time_steps", c_int64),
-                ("seconds", c_double), ("episode_return", c_double), ("kind", c_int32),
-                ("reason", c_char_p), ("fault_count", c_int64), ("terms", POINTER(c_double)),
-                ("metrics", POINTER(c_double)), ("logs", POINTER(c_double))]
-
-
-_FUNCTIONS = {
-    "taskc_sim_new": [POINTER(_Options), POINTER(c_void_p)],
-    "taskc_sim_reset": [c_void_p, c_void_p, c_void_p, c_void_p],
-    "taskc_sim_step": [c_void_p, c_void_p, POINTER(_Arrays)],
-    "taskc_sim_last_episode": [c_void_p, c_uint32, POINTER(_Episode)],
-    "taskc_sim_render": [c_void_p, c_uint32, c_uint32, c_void_p],
-}
-_OTHERS = {
-    "taskc_sim_error": (c_char_p, []),
-    "taskc_sim_abi_version": (c_uint32, []),
-    "taskc_sim_defaults": (None, [POINTER(_Options), c_size_t]),
-    "taskc_sim_delete": (None, [c_void_p]),
-    "taskc_sim_describe": (POINTER(_Description), [c_void_p]),
-}
-
-
-@lru_cache(maxsize=None)
-def library() -> Any:
-    """libtaskc_sim, loaded once."""
-    return load("libtaskc_sim", _FUNCTIONS, _OTHERS, "taskc_sim_error", "taskc_sim_abi_version")
 
 
 @dataclass(frozen=True)
@@ -106,8 +48,8 @@ class Sim:
                  robots: "Optional[Union[str, os.PathLike[str]]]", agent: Optional[str],
                  profile: Optional[str], settings: Sequence[str], seed: int, discount: float,
                  count: int, threads: int, autoreset: int):
-        self._library = library()
-        options = _Options()
+        self._library = _sim_abi.library()
+        options = _sim_abi.Options()
         self._library.taskc_sim_defaults(byref(options), ctypes.sizeof(options))
         options.plugin, options.task = _encoded(plugin), _encoded(task)
         options.robot, options.robots = _encoded(robot), _encoded(robots)
@@ -137,7 +79,7 @@ class Sim:
         self._make_arrays()
 
     @staticmethod
-    def _observed(about: _Description) -> "Tuple[_describe.Observation, ...]":
+    def _observed(about: _sim_abi.Description) -> "Tuple[_describe.Observation, ...]":
         observed = []
         offset = 0
         for each in about.observations[:about.observation_count]:
@@ -157,7 +99,7 @@ class Sim:
         self.ended = c_uint32()  # how many episodes have ended
         self.term_sums = np.zeros((count, len(self.term_names)))
         # Their addresses: asking an array for its own takes longer than a call of the library.
-        self._arrays = _Arrays(*[
+        self._arrays = _sim_abi.Arrays(*[
             array.ctypes.data for array in (self.observations, self.final_observations, self.rewards,
                                             self.flags[0], self.flags[1], self.term_sums)])
         self._arrays.ended = ctypes.addressof(self.ended)
@@ -165,6 +107,25 @@ class Sim:
         self._actions_address = self.actions.ctypes.data
         self._observations_address = self.observations.ctypes.data
         self._step = self._library.taskc_sim_step
+
+        self._make_ends()
+
+    def _make_ends(self) -> None:
+        """What last_ends() fills: a row for each number of an episode."""
+        count = self.count
+        terms = 2 + len(self.term_names)
+        metrics = terms + len(self._metric_names)
+        values = np.zeros((metrics + len(self._log_names), count))
+        self._end_numbers = np.zeros(count, np.int64)
+        self._end_kinds = np.zeros(count, np.int32)
+        self._end_reasons = (c_char_p * count)()
+        self._end_values = values
+        self._nothing = np.full(count, None, object)
+        self._ends = _sim_abi.Ends(
+            self._end_numbers.ctypes.data, self._end_kinds.ctypes.data,
+            ctypes.addressof(self._end_reasons),
+            *[values[i:].ctypes.data for i in (0, 1, 2, terms, metrics)])
+        self._ends_pointer = byref(self._ends)
 
     def reset(self, which: Optional[np.ndarray] = None,
               seeds: Optional[Sequence[int]] = None) -> None:
@@ -180,9 +141,17 @@ class Sim:
         self.actions[...] = actions
         self._step(self._handle.pointer, self._actions_address, self._arrays_pointer)
 
+    def set(self, parameter: str, value: Any, which: Optional[np.ndarray] = None) -> None:
+        """Sets a parameter from the next decision on: in all environments, or where `which` [count]
+        is true."""
+        mask = None if which is None else np.ascontiguousarray(which, np.bool_)
+        self._library.taskc_sim_set(self._handle.pointer,
+                                    None if mask is None else mask.ctypes.data,
+                                    parameter.encode(), _text_of(value).encode())
+
     def last_episode(self, environment: int) -> Episode:
         """The one that has ended last there."""
-        episode = _Episode()
+        episode = _sim_abi.Episode()
         self._library.taskc_sim_last_episode(self._handle.pointer, environment, byref(episode))
 
         def named(names: Sequence[str], values: Any) -> Dict[str, float]:
@@ -196,6 +165,24 @@ class Sim:
             logs=named(self._log_names, episode.logs), outcome=OUTCOMES[episode.kind],
             reason=_describe.text(episode.reason), fault_count=episode.fault_count)
 
+    def last_ends(self) -> Tuple[List[int], Dict[str, Any]]:
+        """In which environments an episode has ended in the last step, and what the task says of
+        these: an array [count] for each key, with 0 or None where none has."""
+        self._library.taskc_sim_last_ends(self._handle.pointer, self._ends_pointer)
+        kinds = self._end_kinds.tolist()
+        ended = [i for i, kind in enumerate(kinds) if kind >= 0]
+        outcomes, reasons = self._nothing.copy(), self._nothing.copy()
+        for i in ended:
+            outcomes[i] = OUTCOMES[kinds[i]]
+            reasons[i] = _describe.text(self._end_reasons[i])
+        returns, seconds, *others = self._end_values.copy()
+        rows = iter(others)
+        return ended, {
+            "return": returns, "terms": dict(zip(self.term_names, rows)),
+            "metrics": dict(zip(self._metric_names, rows)),
+            "logs": dict(zip(self._log_names, rows)), "outcome": outcomes, "reason": reasons,
+            "number": self._end_numbers.copy(), "time": seconds}
+
     def render(self, environment: int, size: int) -> np.ndarray:
         """A picture, uint8 [size, size, 3]."""
         picture = np.zeros((max(size, 1), max(size, 1), 3), np.uint8)
@@ -207,16 +194,17 @@ class Sim:
         self._handle.end()
 
 
+def _text_of(value: Any) -> str:
+    """The value of a parameter as the library takes it: "true", "0.5", "[0.4, 1.2]"."""
+    if isinstance(value, (bool, np.bool_)):
+        return "true" if value else "false"
+    if isinstance(value, str):
+        return value
+    if np.ndim(value) > 0:
+        return "[" + ", ".join(_text_of(each) for each in value) + "]"
+    return repr(value.item() if isinstance(value, np.generic) else value)
+
+
 def settings_of(settings: Mapping[str, Any]) -> Sequence[str]:
     """{"environment.random_friction": [0.4, 1.2]} as the library takes it: MODULE.PARAMETER=VALUE."""
-
-    def text(value: Any) -> str:
-        if isinstance(value, (bool, np.bool_)):
-            return "true" if value else "false"
-        if isinstance(value, str):
-            return value
-        if np.ndim(value) > 0:
-            return "[" + ", ".join(text(each) for each in value) + "]"
-        return repr(value.item() if isinstance(value, np.generic) else value)
-
-    return [f"{name}={text(value)}" for name, value in settings.items()]
+    return [f"{name}={_text_of(value)}" for name, value in settings.items()]

@@ -6,33 +6,21 @@ from typing import Any, Dict, List, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
-from ._environment import (MOST_SEED, about, check_render_mode, check_seed, metadata_of,
-                           warn_of_mode)
+from ._environment import MOST_SEED, check_render_mode, check_seed, metadata_of, warn_of_mode
 from ._gymnasium import AutoresetMode, VectorEnv, limitless, unit
 from ._sim import Sim
 
 Infos = Dict[str, Any]
 
 
-def _column(values: List[Any], over: np.ndarray) -> np.ndarray:
-    """Of the environments that are over, in their order, in an array for all of them."""
-    is_text = isinstance(values[0], str)
-    column = np.full(len(over), None, object) if is_text else np.zeros(
-        len(over), np.asarray(values[0]).dtype)
-    column[over] = values
-    return column
-
-
-def _combined(infos: List[Infos], over: np.ndarray) -> Infos:
+def _masked(columns: Infos, over: np.ndarray) -> Infos:
     """One info for all, as Gymnasium has it: an array for each key, and beside it, under "_key",
     which environments have it."""
-    combined: Infos = {}
-    for key in infos[0]:
-        values = [info[key] for info in infos]
-        combined[key] = (_combined(values, over) if isinstance(values[0], dict)
-                         else _column(values, over))
-        combined["_" + key] = over
-    return combined
+    masked: Infos = {}
+    for key, column in columns.items():
+        masked[key] = _masked(column, over) if isinstance(column, dict) else column
+        masked["_" + key] = over
+    return masked
 
 
 class RobotVectorEnv(VectorEnv):
@@ -60,6 +48,7 @@ class RobotVectorEnv(VectorEnv):
         self._copies = copy
         self._keeps_last = autoreset_mode == AutoresetMode.SAME_STEP
         self._was_reset = False
+        self._no_one = np.zeros(sim.count, np.bool_)
         self._action_shape = (sim.count, sim.action_size)
 
     @property
@@ -73,12 +62,16 @@ class RobotVectorEnv(VectorEnv):
         without, the next ones, or at first some that are drawn.
         options: {"reset_mask": [num_envs] of bool}: only in these environments."""
         which = None if options is None else options.get("reset_mask")
-        if which is not None and np.shape(which) != (self.num_envs,):
-            raise ValueError(f"reset_mask has the shape {np.shape(which)}, not ({self.num_envs},)")
+        if which is not None:
+            self._check_mask("reset_mask", which)
         super().reset(seed=seed if isinstance(seed, int) else None)
         self.sim.reset(which, self._seeds(seed))
         self._was_reset = True
         return self._observations(), {}
+
+    def _check_mask(self, name: str, mask: Any) -> None:
+        if np.shape(mask) != (self.num_envs,):
+            raise ValueError(f"{name} has the shape {np.shape(mask)}, not ({self.num_envs},)")
 
     def _seeds(self, seed: "Optional[Union[int, Sequence[Optional[int]]]]") -> Optional[List[int]]:
         if seed is None and self._was_reset:
@@ -105,11 +98,18 @@ class RobotVectorEnv(VectorEnv):
         # Little is done here: after a step of the library all that Python needs is far from the
         # processor, and each further operation takes tens of microseconds.
         flags = sim.flags.copy()
-        infos = self._ends(flags[0] | flags[1]) if sim.ended.value else {}
+        infos = self._ends() if sim.ended.value else {}
         return self._observations(), sim.rewards.copy(), flags[0], flags[1], infos
 
     def _observations(self) -> np.ndarray:
         return self.sim.observations.copy() if self._copies else self.sim.observations
+
+    def set(self, parameter: str, value: Any, which: "Optional[Sequence[bool]]" = None) -> None:
+        """Sets a parameter, "task.weight", from the next step on, as `trainer ctl set` does: in all
+        environments, or where `which` [num_envs] is true. A number may have its unit, "20 s"."""
+        if which is not None:
+            self._check_mask("which", which)
+        self.sim.set(parameter, value, which)
 
     @property
     def terms(self) -> Dict[str, np.ndarray]:
@@ -117,20 +117,19 @@ class RobotVectorEnv(VectorEnv):
         of."""
         return dict(zip(self.sim.term_names, self.sim.term_sums.T.copy()))
 
-    def _ends(self, over: np.ndarray) -> Infos:
-        ended = np.flatnonzero(over)
-        task = _combined([about(self.sim.last_episode(int(i))) for i in ended], over)
-        infos: Infos = {"task": task, "_task": over}
+    def _ends(self) -> Infos:
+        ended, task = self.sim.last_ends()
+        over = self._no_one.copy()
+        for i in ended:
+            over[i] = True
+        infos = _masked({"task": task}, over)
         if not self._keeps_last:
             return infos
         last = np.full(self.num_envs, None, object)
         for i in ended:
             last[i] = self.sim.final_observations[i].copy()
-        infos["final_obs"] = last
-        infos["_final_obs"] = over
-        infos["final_info"] = {"task": infos["task"], "_task": over}
-        infos["_final_info"] = over
-        return infos
+        return {**infos, "final_obs": last, "_final_obs": over, "final_info": infos,
+                "_final_info": over}
 
     def render(self) -> Optional[Tuple[np.ndarray, ...]]:
         """A picture of each, uint8 [render_size, render_size, 3], with render_mode="rgb_array"."""

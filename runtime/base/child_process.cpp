@@ -13,8 +13,8 @@
 #include <climits>
 #include <csignal>
 #include <cstring>
-#include <utility>
 
+#include "runtime/base/pipe.h"
 #include "runtime/base/program_starter.h"
 #include "runtime/base/user_error.h"
 
@@ -26,28 +26,6 @@ using Clock = std::chrono::steady_clock;
 [[noreturn]] void Fail(const char* what) {
   throw UserError(fmt::format("cannot {}: {}", what, std::strerror(errno)));
 }
-
-class Pipe {
- public:
-  Pipe() {
-    if (pipe2(ends_, O_CLOEXEC) != 0) Fail("make a pipe");
-  }
-  Pipe(const Pipe&) = delete;
-  Pipe& operator=(const Pipe&) = delete;
-  ~Pipe() {
-    close(ends_[0]);
-    CloseInput();
-  }
-
-  int output() const { return ends_[0]; }
-  int input() const { return ends_[1]; }
-  void CloseInput() {
-    if (ends_[1] >= 0) close(std::exchange(ends_[1], -1));
-  }
-
- private:
-  int ends_[2] = {-1, -1};
-};
 
 // In the child, where only calls are allowed that a signal's handler may make. `pipe`: for what is
 // captured.

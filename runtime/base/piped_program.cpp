@@ -11,33 +11,13 @@
 #include <cstring>
 #include <utility>
 
+#include "runtime/base/pipe.h"
 #include "runtime/base/user_error.h"
 
 extern char** environ;
 
 namespace runtime {
 namespace {
-
-// A pipe of which no other program gets an end.
-struct Ends {
-  int read = -1;
-  int write = -1;
-
-  Ends() {
-    int ends[2];
-    if (pipe2(ends, O_CLOEXEC) != 0) {
-      throw UserError(fmt::format("cannot make a pipe: {}", std::strerror(errno)));
-    }
-    read = ends[0];
-    write = ends[1];
-  }
-  Ends(const Ends&) = delete;
-  Ends& operator=(const Ends&) = delete;
-  ~Ends() {
-    if (read >= 0) close(read);
-    if (write >= 0) close(write);
-  }
-};
 
 // What the child does before it becomes the program, and what it is like then.
 class Preparation {
@@ -76,17 +56,18 @@ class Preparation {
 }  // namespace
 
 PipedProgram::PipedProgram(std::vector<std::string> words) {
-  Ends input;
-  Ends output;
+  Pipe input;
+  Pipe output;
   if (AreProgramsStartedOutside()) {
     const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
-    outside_ = std::make_unique<OutsideProgram>(words, Streams{input.read, output.write, nowhere});
+    outside_ =
+        std::make_unique<OutsideProgram>(words, Streams{input.output(), output.input(), nowhere});
     close(nowhere);
   } else {
-    Start(words, input.read, output.write);
+    Start(words, input.output(), output.input());
   }
-  input_ = std::exchange(input.write, -1);
-  output_ = std::exchange(output.read, -1);
+  input_ = input.TakeInput();
+  output_ = output.TakeOutput();
 }
 
 void PipedProgram::Start(std::vector<std::string>& words, int input, int output) {

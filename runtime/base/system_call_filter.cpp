@@ -99,20 +99,11 @@ class FilterProgram {
     Refuse();
   }
   // Unless its argument `index` is `value`.
-  void AllowOnly(uint32_t call, int index, uint32_t value) {
-    If(call, 0, 4);
-    LoadArgument(index);
-    If(value, 1, 0);
-    Refuse();
-    Allow();
+  void RefuseUnless(uint32_t call, int index, uint32_t value) {
+    DecideBy(call, index, value, 1, 0);
   }
-  void RefuseOnly(uint32_t call, int index, uint32_t value) {
-    If(call, 0, 4);
-    LoadArgument(index);
-    If(value, 0, 1);
-    Refuse();
-    Allow();
-  }
+  // Where its argument `index` is `value`.
+  void RefuseIf(uint32_t call, int index, uint32_t value) { DecideBy(call, index, value, 0, 1); }
   void AllowOnlyUnixStreams() {
     constexpr uint32_t kTypeMask = 0xf;  // the rest are flags
     If(__NR_socket, 0, 7);
@@ -148,6 +139,14 @@ class FilterProgram {
   void If(uint32_t value, uint8_t if_true, uint8_t if_false) {
     Add(kIfEqual, value, if_true, if_false);
   }
+  // Refuses the call, or leaves out that step.
+  void DecideBy(uint32_t call, int index, uint32_t value, uint8_t if_equal, uint8_t if_not) {
+    If(call, 0, 4);
+    LoadArgument(index);
+    If(value, if_equal, if_not);
+    Refuse();
+    Allow();
+  }
   void Refuse() { Add(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | EPERM); }
   void Allow() { Add(BPF_RET | BPF_K, SECCOMP_RET_ALLOW); }
 
@@ -167,9 +166,9 @@ void RestrictSystemCalls(bool may_connect) {
   for (const uint32_t call : kRefused) program.RefuseCall(call);
   if (!may_connect) program.RefuseCall(__NR_connect);
   const auto self = static_cast<uint32_t>(getpid());
-  program.AllowOnly(__NR_kill, 0, self);
-  program.AllowOnly(__NR_tgkill, 0, self);
-  program.RefuseOnly(__NR_ioctl, 1, TIOCSTI);
+  program.RefuseUnless(__NR_kill, 0, self);
+  program.RefuseUnless(__NR_tgkill, 0, self);
+  program.RefuseIf(__NR_ioctl, 1, TIOCSTI);
   program.AllowOnlyUnixStreams();
   program.Enforce();
 }

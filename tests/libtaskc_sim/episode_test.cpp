@@ -126,6 +126,39 @@ TEST(SimEpisodes, OrNobodyDoes) {
   EXPECT_THAT(taskc_sim_error(), HasSubstr("environment 1: reset it first"));
 }
 
+TEST(SimEpisodes, EndInColumns) {
+  OpenedSim sim(Coarse(3));
+  sim.Reset({7, 8, 9});
+  sim.Step();
+  const unsigned char second[] = {0, 1, 0};  // which begins anew, and so ends later
+  ASSERT_EQ(taskc_sim_reset(sim.get(), second, nullptr, nullptr), TASKC_OK);
+  StepToTheEnd(sim);
+  const taskc_plugin& task = *sim.description().task;
+  std::vector<taskc_int64> numbers(3, 99);
+  std::vector<taskc_int32> kinds(3, 99);
+  std::vector<const char*> reasons(3, "");
+  std::vector<double> returns(3, 99);
+  std::vector<double> terms(size_t{task.term_count} * 3, 99);
+  std::vector<double> metrics(size_t{task.metric_count} * 3, 99);
+  const taskc_sim_ends ends = {numbers.data(), kinds.data(), reasons.data(), returns.data(),
+                               nullptr,        terms.data(), metrics.data(), nullptr};
+  ASSERT_EQ(taskc_sim_last_ends(sim.get(), &ends), TASKC_OK) << taskc_sim_error();
+  EXPECT_THAT(numbers, ElementsAre(8, 0, 10));
+  EXPECT_THAT(kinds, ElementsAre(TASKC_TRUNCATED, -1, TASKC_TRUNCATED));
+  EXPECT_EQ(reasons[1], nullptr);
+  for (const size_t i : {0, 2}) {
+    const taskc_sim_episode episode = sim.LastEpisode(static_cast<taskc_uint32>(i));
+    EXPECT_STREQ(reasons[i], episode.reason);
+    EXPECT_EQ(returns[i], episode.episode_return);
+    for (size_t k = 0; k < task.term_count; ++k) EXPECT_EQ(terms[3 * k + i], episode.terms[k]);
+    EXPECT_EQ(metrics[i], episode.metrics[0]);
+  }
+  EXPECT_EQ(returns[1], 0);
+  EXPECT_EQ(terms[1], 0);
+  EXPECT_EQ(metrics[1], 0);
+  EXPECT_EQ(taskc_sim_last_ends(sim.get(), nullptr), TASKC_ERROR_NULL);
+}
+
 TEST(SimEpisodes, AreGivenUpByAReset) {
   OpenedSim sim(Coarse(1));
   sim.Reset({7});

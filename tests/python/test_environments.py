@@ -112,6 +112,18 @@ class One(unittest.TestCase):
         self.env.reset()
         self.env.step(self.env.action_space.sample())
 
+    def test_a_parameter_counts_from_the_next_step_on(self):
+        with_settings = taskc.make("crawling", settings={**COARSE, "task.turning_cost": 1})
+        action = np.full(5, 0.1, np.float32)
+        for env in (self.env, with_settings):
+            env.reset(seed=3)
+        self.assertNotEqual(self.env.step(action)[1], with_settings.step(action)[1])
+        self.env.set("task.turning_cost", 1)
+        self.assertEqual(self.env.step(action)[1], with_settings.step(action)[1])
+        self.env.set("environment.random_friction", (0.5, 1.5))
+        with self.assertRaisesRegex(taskc.HostError, "must lie in 0 .. 1, and 2 does not"):
+            self.env.set("task.turning_cost", 2)
+
     def test_a_wrong_action(self):
         self.env.reset(seed=3)
         with self.assertRaisesRegex(ValueError, r"\(5,\)"):
@@ -250,6 +262,17 @@ class Many(unittest.TestCase):
             self.run_for(envs, 1)
         envs.reset(options={"reset_mask": np.array([True, True, True])})
         self.run_for(envs, 1)
+
+    def test_a_parameter_is_set_where_it_is_wanted(self):
+        envs = self.envs
+        envs.set("task.turning_cost", 0, which=[True, False, True])
+        envs.reset(seed=7)
+        self.run_for(envs, 2)
+        paid = envs.terms["turning"].tolist()
+        self.assertEqual((paid[0], paid[2]), (0, 0))
+        self.assertLess(paid[1], 0)
+        with self.assertRaisesRegex(ValueError, r"which has the shape \(2,\)"):
+            envs.set("task.turning_cost", 0, which=[True, False])
 
     def test_copies(self):
         kept, *_ = self.envs.reset(seed=7)

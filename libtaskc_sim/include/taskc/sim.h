@@ -126,7 +126,7 @@ typedef struct taskc_sim_description {
   const char* robot;         // "" where the task has none
   const char* profile;       // "" without a choice
   double time_step;          // [s]
-  double decision_time;      // how long an action lasts [s]; 0 where that differs
+  double decision_time;      // how long an action lasts at first [s]; 0 where that differs
   taskc_uint32 count;        // of environments
   taskc_uint32 threads;      // that step them
   taskc_uint32 action_size;
@@ -194,6 +194,31 @@ typedef struct taskc_sim_episode {
 // environment.
 TASKC_API taskc_status taskc_sim_last_episode(const taskc_sim* sim, taskc_uint32 environment,
                                               taskc_sim_episode* episode);
+
+// The episodes that have ended in the last step, in columns: one number for each environment, 0
+// where none has ended. Each may be null.
+typedef struct taskc_sim_ends {
+  taskc_int64* numbers;  // as in taskc_sim_episode
+  taskc_int32* kinds;    // -1 where none has ended
+  const char** reasons;  // null where none has ended; valid until the next step or reset
+  double* returns;
+  double* seconds;
+  double* terms;    // [term_count][count]
+  double* metrics;  // [metric_count][count]
+  double* logs;     // [log_count][count]
+} taskc_sim_ends;
+
+TASKC_API taskc_status taskc_sim_last_ends(const taskc_sim* sim, const taskc_sim_ends* ends);
+
+// ---- Parameters ---------------------------------------------------------------------------------
+
+// Sets a parameter of a module, "task.weight", in each environment, or in those for which `which`
+// is not 0: from the next decision on, and in all later episodes. `value`: as in `settings`; a
+// number may also have its unit, "20 s". Fails with TASKC_SIM_ERROR_SETUP, and changes nothing,
+// where there is no such parameter, where it has no effect any more (a profile, say), and for a
+// value of another type or unit or out of its range.
+TASKC_API taskc_status taskc_sim_set(taskc_sim* sim, const unsigned char* which,
+                                     const char* parameter, const char* value);
 
 // ---- Pictures -----------------------------------------------------------------------------------
 

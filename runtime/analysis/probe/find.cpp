@@ -12,6 +12,7 @@
 #include "runtime/analysis/behavior/robot_scale.h"
 #include "runtime/analysis/study/behavior_groups.h"
 #include "runtime/base/user_error.h"
+#include "runtime/core/module/end_kind_name.h"
 #include "runtime/training/run/body_json.h"
 #include "runtime/training/run/run_database.h"
 #include "runtime/training/run/run_files.h"

@@ -2,22 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <map>
 #include <utility>
 
 #include "runtime/analysis/robot/shaking.h"
+#include "runtime/base/thread_seconds.h"
 #include "runtime/training/simulation/ground_height.h"
 #include "runtime/training/simulation/world.h"
 
 namespace runtime {
 namespace {
-
-double CpuSeconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 std::vector<LinkFrame> FramesOf(const RobotBody& body) {
   std::vector<LinkFrame> frames;
@@ -86,7 +80,7 @@ HeldPose HoldPose(const robot::RobotDescription& robot, const Profile& profile,
   held.start = FramesOf(world.body());
   held.end = held.start;
   Shaking shaking(robot.joints.size(), world.physics_time_step(), seconds / 2);
-  const double began = CpuSeconds();
+  const double began = ThreadSeconds();
   const auto steps = static_cast<int>(std::ceil(seconds / world.physics_time_step() - 1e-6));
   try {
     for (int i = 0; i < steps; ++i) {
@@ -97,7 +91,7 @@ HeldPose HoldPose(const robot::RobotDescription& robot, const Profile& profile,
   } catch (const OdeFailure& failure) {
     held.failure = failure.what();
   }
-  held.real_time_factor = held.seconds / std::max(CpuSeconds() - began, 1e-9);
+  held.real_time_factor = held.seconds / std::max(ThreadSeconds() - began, 1e-9);
   // What a simulation is like that has diverged nobody wants to see.
   if (held.failure.empty()) held.end = FramesOf(world.body());
   Compare(held);

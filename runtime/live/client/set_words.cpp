@@ -6,6 +6,7 @@
 #include <regex>
 
 #include "runtime/base/user_error.h"
+#include "runtime/training/run/value_json.h"
 
 namespace runtime {
 namespace {
@@ -35,12 +36,6 @@ int64_t Count(const std::string& digits) {
 }
 
 }  // namespace
-
-json ValueOfWord(const std::string& word) {
-  const json value = json::parse(word, nullptr, false);
-  const bool is_meant = value.is_number() || value.is_boolean() || value.is_array();
-  return is_meant ? value : json(word);
-}
 
 json SetArguments(const std::vector<std::string>& words) {
   const std::string text = fmt::format("{}", fmt::join(words, " "));

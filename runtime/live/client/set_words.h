@@ -6,10 +6,6 @@
 
 namespace runtime {
 
-// The value that a word of the command line stands for: as JSON where it is a number, a boolean
-// or a list, otherwise a text.
-nlohmann::json ValueOfWord(const std::string& word);
-
 // The arguments of `set` from the words of the command line:
 //   task.weight 0.5
 //   task.limit = 20 s

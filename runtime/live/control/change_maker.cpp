@@ -78,8 +78,7 @@ void ChangeMaker::Apply(const UnloadShadow& change, const Circumstances&) {
 }
 
 void ChangeMaker::Apply(const SetParameter& change, const Circumstances&) {
-  const Parameter& parameter = graph_.FindParameter(change.parameter);
-  graph_.Set(change.parameter, FitTo(parameter, change.value, change.parameter));
+  graph_.Set(change.parameter, change.value);
   schedules_.Remove(change.parameter);
 }
 

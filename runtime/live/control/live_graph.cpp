@@ -6,6 +6,7 @@
 
 #include "runtime/base/suggestion.h"
 #include "runtime/core/module/connections.h"
+#include "runtime/core/module/live_parameter.h"
 #include "runtime/core/task/robot_check.h"
 
 namespace runtime {
@@ -125,33 +126,17 @@ void LiveGraph::Promote(const std::string& name) {
   MoveConnections(active.observations, task.observations);
 }
 
-LiveGraph::ParameterName LiveGraph::Split(const std::string& parameter) const {
-  const size_t dot = parameter.find('.');
-  if (dot == std::string::npos) {
-    throw UserError(fmt::format("`{}` is not a parameter: write MODULE.PARAMETER", parameter));
-  }
-  return {&graph_.Find(parameter.substr(0, dot)), parameter.substr(dot + 1)};
-}
-
 const Parameter& LiveGraph::FindParameter(const std::string& parameter) const {
-  const ParameterName name = Split(parameter);
-  return name.module->FindParameter(name.parameter);
+  return runtime::FindParameter(graph_, parameter).parameter;
 }
 
 ParameterValue LiveGraph::Get(const std::string& parameter) const {
-  const ParameterName name = Split(parameter);
-  return name.module->Get(name.parameter);
+  const NamedParameter found = runtime::FindParameter(graph_, parameter);
+  return found.module.Get(found.parameter.name);
 }
 
 void LiveGraph::Set(const std::string& parameter, const ParameterValue& value) {
-  const ParameterName name = Split(parameter);
-  if (!name.module->FindParameter(name.parameter).is_live) {
-    throw UserError(fmt::format(
-        "`{0}` has no effect any more: it is read when a run starts; set it in an agent file, or "
-        "with `--set {0}=...`, for another run",
-        parameter));
-  }
-  name.module->Set(name.parameter, value);
+  SetLive(graph_, parameter, value);
 }
 
 LiveGraph::Goal LiveGraph::FindGoal(const std::string& goal) const {

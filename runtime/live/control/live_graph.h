@@ -72,16 +72,11 @@ class LiveGraph {
   std::string WhyNotStarted(const std::string& module) const;
 
  private:
-  struct ParameterName {
-    Module* module;
-    std::string parameter;
-  };
   struct Goal {
     UniversalTask* task;
     size_t goal;
   };
   Goal FindGoal(const std::string& goal) const;
-  ParameterName Split(const std::string& parameter) const;
   void CheckIsUsable(const Port& port, const Port& by) const;
   // Whether a learner goes on seeing what it has learned from where `next`, of the task `name`,
   // takes the place of what `present` observes.

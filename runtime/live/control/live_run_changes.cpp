@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "runtime/core/module/live_parameter.h"
 #include "runtime/live/control/live_run.h"
 #include "runtime/live/control/parameter_json.h"
 #include "runtime/live/control/replies.h"

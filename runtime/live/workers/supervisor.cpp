@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "runtime/base/user_error.h"
+#include "runtime/core/module/end_kind_name.h"
 #include "runtime/training/run/return_statistics.h"
 #include "runtime/training/run/run_database.h"
 

@@ -1,6 +1,5 @@
 #include "runtime/live/workers/worker.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
@@ -10,6 +9,7 @@
 #include <csignal>
 #include <cstring>
 
+#include "runtime/base/pipe.h"
 #include "runtime/base/user_error.h"
 
 namespace runtime {
@@ -41,19 +41,14 @@ void LineReader::Close() {
 }
 
 struct Worker::Pipes {
-  int output[2] = {-1, -1};
-  int errors[2] = {-1, -1};
-
-  Pipes() {
-    if (pipe2(output, O_CLOEXEC) == 0 && pipe2(errors, O_CLOEXEC) == 0) return;
-    throw UserError(fmt::format("cannot make a pipe: {}", std::strerror(errno)));
-  }
+  Pipe output;
+  Pipe errors;
 };
 
 Worker::Worker(const std::vector<std::string>& words) : Worker(words, Pipes()) {}
 
 Worker::Worker(const std::vector<std::string>& words, Pipes pipes)
-    : output_(pipes.output[0]), errors_(pipes.errors[0]) {
+    : output_(pipes.output.TakeOutput()), errors_(pipes.errors.TakeOutput()) {
   std::string program = "trainer";
   std::vector<char*> arguments = {program.data()};
   for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
@@ -65,13 +60,11 @@ Worker::Worker(const std::vector<std::string>& words, Pipes pipes)
     setpgid(0, 0);
     prctl(PR_SET_PDEATHSIG, SIGTERM);
     if (getppid() != parent) _exit(kCannotStart);
-    dup2(pipes.output[1], STDOUT_FILENO);
-    dup2(pipes.errors[1], STDERR_FILENO);
+    dup2(pipes.output.input(), STDOUT_FILENO);
+    dup2(pipes.errors.input(), STDERR_FILENO);
     execv("/proc/self/exe", arguments.data());
     _exit(kCannotStart);
   }
-  close(pipes.output[1]);
-  close(pipes.errors[1]);
   if (process_ < 0) throw UserError(fmt::format("cannot start a worker: {}", std::strerror(errno)));
 }
 

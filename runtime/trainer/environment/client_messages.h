@@ -4,11 +4,12 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "runtime/base/local_socket.h"
+#include "runtime/core/module/module.h"
 #include "runtime/core/module/observations.h"
 #include "runtime/training/run/run_records.h"
 
@@ -18,10 +19,23 @@ struct ResetRequest {
   std::optional<uint64_t> seed;
 };
 struct StepRequest {};  // the action is in ClientMessages::action()
+struct SetRequest {
+  std::string parameter;  // "task.weight"
+  ParameterValue value;
+};
 struct ForeignRequest {
   std::string what;
 };
-using ClientRequest = std::variant<ResetRequest, StepRequest, ForeignRequest>;
+using ClientRequest = std::variant<ResetRequest, StepRequest, SetRequest, ForeignRequest>;
+
+// A param of the task, as the greeting lists it.
+struct OfferedParam {
+  std::string name;  // "task.weight"
+  std::string unit;
+  double minimum = 0;
+  double maximum = 0;
+  ParameterValue value;
+};
 
 // What is wrong with a request ends no connection in the text format, and ends it in the binary
 // one.
@@ -33,8 +47,9 @@ class ClientMessages {
 
   // All that wait for or send a message throw ClientIsGone.
 
-  // `about`: a JSON object, to which the action and the observation are added.
-  void Greet(const std::string& about, int action_size, const ObservationLayout& observation);
+  // `about`: a JSON object, to which the action, the observation and the params are added.
+  void Greet(const std::string& about, int action_size, const ObservationLayout& observation,
+             std::vector<OfferedParam> params);
   ClientRequest Wait();
   const Eigen::VectorXd& action() const { return action_; }
 
@@ -44,6 +59,8 @@ class ClientMessages {
   // Replies to the step that was the episode's last. `task`: the names of what it evaluates.
   void TellEnd(const Eigen::VectorXd& observation, double reward, const EpisodeRecord& episode,
                const TaskRecord& task);
+  // Replies to a request that has set a parameter; to a binary one nothing.
+  void TellSet(const std::string& parameter, const ParameterValue& value);
   void TellError(const std::string& what);
 
   // From any thread: who waits here is told that the client is gone.
@@ -52,12 +69,16 @@ class ClientMessages {
  private:
   ClientRequest WaitForText();
   ClientRequest WaitForBinary();
+  SetRequest ReadBinarySet();
+  template <class Value>
+  Value ReadBinary();
   void Send(const std::string& bytes);
-  void SendBinary(int kind, double reward, const Eigen::VectorXd& observation);
+  void SendBinary(uint8_t end, double reward, const Eigen::VectorXd& observation);
 
   LocalSocket socket_;
   bool is_binary_ = false;
   Eigen::VectorXd action_;
+  std::vector<OfferedParam> params_;
   std::string bytes_;
 };
 

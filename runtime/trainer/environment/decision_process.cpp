@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/command_line/command.h"
+#include "runtime/core/module/live_parameter.h"
 #include "runtime/training/run/episode.h"
 
 namespace runtime {
@@ -78,6 +79,15 @@ void DecisionProcess::Step(const Eigen::VectorXd& action) {
     ++steps_;
   }
   EndIfOver();
+}
+
+void DecisionProcess::Set(const std::string& parameter, const ParameterValue& value) {
+  SetLive(graph_, parameter, value);
+}
+
+ParameterValue DecisionProcess::Get(const std::string& parameter) const {
+  const auto [module, found] = FindParameter(graph_, parameter);
+  return module.Get(found.name);
 }
 
 void DecisionProcess::EndIfOver() {

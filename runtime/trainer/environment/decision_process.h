@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <string>
 
 #include "runtime/core/module/module_graph.h"
 #include "runtime/core/module/observations.h"
@@ -45,6 +46,11 @@ class DecisionProcess {
   // Precondition: is_running(); `action` has action_size() elements. Runs time steps until the next
   // decision is due, or the episode is over.
   void Step(const Eigen::VectorXd& action);
+
+  // Sets a parameter of a module, "task.weight", from now on. Throws as SetLive(), and changes
+  // nothing then.
+  void Set(const std::string& parameter, const ParameterValue& value);
+  ParameterValue Get(const std::string& parameter) const;
 
   bool is_running() const { return is_running_; }
   // The number of the episode that runs or ran last; 0 before the first one.

@@ -3,10 +3,27 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
+#include <span>
 #include <utility>
 #include <variant>
+#include <vector>
+
+#include "runtime/training/environment/socket_messages.h"
 
 namespace runtime {
+namespace {
+
+// What the task's own sensors are told comes behind its params, and is not among them.
+std::vector<OfferedParam> ParamsOf(const UniversalTask& task) {
+  std::vector<OfferedParam> params;
+  for (const Parameter& param : std::span(task.parameters()).first(task.plugin().param_count)) {
+    params.push_back({fmt::format("{}.{}", task.name(), param.name), param.unit, param.minimum,
+                      param.maximum, task.Get(param.name)});
+  }
+  return params;
+}
+
+}  // namespace
 
 EnvironmentSession::EnvironmentSession(const SharedEnvironment& shared, LocalSocket socket)
     : shared_(shared), messages_(std::move(socket)), process_(shared.setup, shared.discount) {}
@@ -22,12 +39,13 @@ void EnvironmentSession::Run() {
 
 void EnvironmentSession::Greet() {
   const Environment& environment = process_.environment();
-  nlohmann::ordered_json about = {{"taskc_environment", 1},
+  nlohmann::ordered_json about = {{"taskc_environment", kSocketVersion},
                                   {"task", shared_.task.task},
                                   {"robot", shared_.setup.robot.name},
                                   {"profile", environment.profile()},
                                   {"time_step", environment.time_step()}};
-  messages_.Greet(about.dump(), process_.action_size(), process_.observation_layout());
+  messages_.Greet(about.dump(), process_.action_size(), process_.observation_layout(),
+                  ParamsOf(process_.task()));
 }
 
 void EnvironmentSession::Answer(const ResetRequest& request) {
@@ -45,6 +63,15 @@ void EnvironmentSession::Answer(const StepRequest&) {
                               process_.environment().time());
   }
   messages_.TellEnd(process_.observation(), process_.reward(), process_.record(), shared_.task);
+}
+
+void EnvironmentSession::Answer(const SetRequest& request) {
+  try {
+    process_.Set(request.parameter, request.value);
+  } catch (const UserError& error) {
+    return messages_.TellError(error.what());
+  }
+  messages_.TellSet(request.parameter, process_.Get(request.parameter));
 }
 
 void EnvironmentSession::Answer(const ForeignRequest& request) {

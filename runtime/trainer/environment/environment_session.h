@@ -33,6 +33,7 @@ class EnvironmentSession {
   void Greet();
   void Answer(const ResetRequest& request);
   void Answer(const StepRequest& request);
+  void Answer(const SetRequest& request);
   void Answer(const ForeignRequest& request);
 
   const SharedEnvironment& shared_;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "runtime/base/user_error.h"
+#include "runtime/core/module/end_kind_name.h"
 #include "runtime/training/run/compression.h"
 #include "runtime/training/run/recorder.h"
 #include "runtime/training/run/tape.h"

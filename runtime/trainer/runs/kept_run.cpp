@@ -17,7 +17,7 @@ auto FromDatabase(const std::filesystem::path& folder, const char* part, Make ma
     throw UserError(
         fmt::format("{}: the table `run`: `{}`: {}; restore a copy of the file, use the trainer "
                     "that created the run, or start another run",
-                    (folder / "run.db").string(), part, error.what()));
+                    RunDatabaseFile(folder).string(), part, error.what()));
   }
 }
 

@@ -10,6 +10,7 @@
 #include "runtime/live/client/page_address.h"
 #include "runtime/training/run/return_statistics.h"
 #include "runtime/training/run/run_database.h"
+#include "runtime/training/run/run_files.h"
 
 namespace runtime {
 namespace {
@@ -66,8 +67,9 @@ Json SparklineOf(const std::vector<float>& returns) {
 void ListedRun::Refresh() {
   const Time begun_at = WrittenAt(folder_ / "control.json");
   // With the log in front of it, the database itself may not be written for long.
+  const std::filesystem::path database = RunDatabaseFile(folder_);
   const Time written_at =
-      std::max({WrittenAt(folder_ / "run.db"), WrittenAt(folder_ / "run.db-wal"), begun_at});
+      std::max({WrittenAt(database), WrittenAt(database.string() + "-wal"), begun_at});
   const bool may_have_ended = state_ == RunState::kRunning;  // a kill writes nothing
   if (written_at == written_at_ && begun_at == begun_at_ && !may_have_ended) return;
   if (begun_at != begun_at_) {

@@ -1,6 +1,5 @@
 #include "runtime/trainer/setup/apart.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
@@ -13,6 +12,7 @@
 #include <string_view>
 
 #include "base/command_line/command.h"
+#include "runtime/base/pipe.h"
 #include "runtime/base/user_error.h"
 
 namespace runtime {
@@ -85,23 +85,19 @@ std::string EndText(int status) {
 }  // namespace
 
 Words RunApart(const std::string& what, const std::function<Words()>& work) {
-  int ends[2];
-  if (pipe2(ends, O_CLOEXEC) != 0) {
-    throw UserError(fmt::format("cannot make a pipe: {}", std::strerror(errno)));
-  }
+  Pipe pipe;
   std::fflush(nullptr);  // or else both would print what waits
   const pid_t parent = getpid();
   const pid_t child = fork();
   if (child == 0) {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (getppid() != parent) _exit(1);
-    close(ends[0]);
-    Work(ends[1], work);
+    pipe.CloseOutput();
+    Work(pipe.input(), work);
   }
   const int reason = errno;
-  close(ends[1]);
-  const std::string bytes = child > 0 ? ReadToEnd(ends[0]) : "";
-  close(ends[0]);
+  pipe.CloseInput();
+  const std::string bytes = child > 0 ? ReadToEnd(pipe.output()) : "";
   if (child < 0) {
     throw UserError(fmt::format("cannot start a process: {}", std::strerror(reason)));
   }

@@ -7,6 +7,7 @@
 #include <map>
 #include <utility>
 
+#include "runtime/core/module/end_kind_name.h"
 #include "runtime/live/workers/supervisor.h"
 #include "runtime/trainer/runs/many_runs.h"
 #include "runtime/trainer/train/probe_progress.h"

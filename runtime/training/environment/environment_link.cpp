@@ -11,7 +11,8 @@
 #include <utility>
 
 #include "runtime/base/user_error.h"
-#include "runtime/core/module/values.h"
+#include "runtime/core/module/end_kind_name.h"
+#include "runtime/training/environment/socket_messages.h"
 
 namespace runtime {
 namespace {
@@ -20,12 +21,7 @@ using nlohmann::json;
 
 static_assert(std::endian::native == std::endian::little, "binary messages are little-endian");
 
-constexpr int kVersion = 1;
 constexpr std::chrono::milliseconds kPatience{5000};
-constexpr char kReset = 1;
-constexpr char kStep = 2;
-// In the order of EndKind.
-constexpr std::array kEndKinds = {"success", "failure", "truncated", "diverged"};
 
 std::string Shortened(const std::string& text) {
   constexpr size_t kMost = 100;
@@ -48,9 +44,8 @@ EnvironmentReply EndFrom(const json& reply) {
   const auto found = reply.find("end");
   if (found == reply.end() || found->is_null()) return end;
   const auto kind = found->at("kind").get<std::string>();
-  const auto* place = std::ranges::find(kEndKinds, kind);
-  if (place == kEndKinds.end()) throw json::other_error::create(0, "`kind` is no end", nullptr);
-  end.end = 1 + static_cast<int>(place - kEndKinds.begin());
+  end.end = EndKindCalled(kind);
+  if (!end.end) throw json::other_error::create(0, "`kind` is no end", nullptr);
   end.reason = found->value("reason", kind);
   return end;
 }
@@ -62,9 +57,9 @@ EnvironmentGreeting ParseGreeting(const std::string& line) {
   try {
     const json text = json::parse(line);
     const int version = text.at("taskc_environment");
-    if (version != kVersion) {
-      throw UserError(
-          fmt::format("it speaks version {}, and this program version {}", version, kVersion));
+    if (version != kSocketVersion) {
+      throw UserError(fmt::format("it speaks version {}, and this program version {}", version,
+                                  kSocketVersion));
     }
     text.at("time_step").get_to(greeting.time_step);
     greeting.limits = {VectorFrom(text.at("action").at("low")),
@@ -105,7 +100,7 @@ EnvironmentReply EnvironmentLink::Reset(int64_t episode, uint64_t seed) {
     request["reset"]["seed"] = seed;
     return Exchange(request.dump() + "\n");
   }
-  request_.assign(1, kReset);
+  request_.assign(1, kBinaryReset);
   AppendBytes(request_, seed);
   return Exchange(request_);
 }
@@ -116,7 +111,7 @@ EnvironmentReply EnvironmentLink::Step(const Eigen::VectorXd& action) {
     request["step"] = std::vector<double>(action.begin(), action.end());
     return Exchange(request.dump() + "\n");
   }
-  request_.assign(1, kStep);
+  request_.assign(1, kBinaryStep);
   for (const double element : action) AppendBytes(request_, element);
   return Exchange(request_);
 }
@@ -154,7 +149,9 @@ EnvironmentReply EnvironmentLink::ReadBinary() {
   if (end > kEndKinds.size()) ThrowForeign(fmt::format("the byte {}", end), "it is no kind of end");
   const auto bad = std::ranges::find_if(numbers_, [](double each) { return !std::isfinite(each); });
   if (bad != numbers_.end()) ThrowForeign(fmt::format("{}", *bad), "it is no number");
-  return {end, end == 0 ? "" : kEndKinds[end - 1u]};
+  if (end == kBinaryGoesOn) return {};
+  const EndKind kind = kEndKinds[end - 1u];
+  return {kind, std::string(EndKindName(kind))};
 }
 
 void EnvironmentLink::ThrowGone() const {

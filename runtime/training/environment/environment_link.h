@@ -4,12 +4,14 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "runtime/base/local_socket.h"
 #include "runtime/core/module/action_limits.h"
+#include "runtime/core/module/values.h"
 
 namespace runtime {
 
@@ -30,9 +32,8 @@ struct EnvironmentGreeting {
 
 // How an episode goes on after a reset or a step.
 struct EnvironmentReply {
-  // 0: it does; else 1 + the EndKind by which the environment has ended it
-  int end = 0;
-  std::string reason;  // "": it says none
+  std::optional<EndKind> end;  // by which the environment has ended it
+  std::string reason;          // "": it says none
 };
 
 // The greeting with all that it must have. Throws UserError, which says what is wrong with it.

@@ -128,9 +128,9 @@ void SocketEnvironment::Take(const EnvironmentReply& reply) {
       }
     }
   }
-  if (reply.end == 0) return;
+  if (!reply.end) return;
   reason_ = reply.reason;
-  EndEpisode(static_cast<EndKind>(reply.end - 1), reason_.c_str());
+  EndEpisode(*reply.end, reason_.c_str());
 }
 
 }  // namespace runtime

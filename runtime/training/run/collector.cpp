@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "runtime/base/thread_seconds.h"
 #include "runtime/training/run/episode.h"
 #include "runtime/training/run/graph_copy.h"
 

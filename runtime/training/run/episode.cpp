@@ -1,7 +1,9 @@
 #include "runtime/training/run/episode.h"
 
 #include <chrono>
-#include <ctime>
+
+#include "runtime/base/thread_seconds.h"
+#include "runtime/core/module/end_kind_name.h"
 
 namespace runtime {
 
@@ -44,12 +46,6 @@ void NoteLearner(const Learner& learner, const Environment& environment, Episode
   for (const DrawnValue& drawn : environment.drawn()) {
     episode.learner.push_back({drawn.name, drawn.value});
   }
-}
-
-double ThreadSeconds() {
-  timespec time;
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
 EpisodeRecord RunEpisode(int64_t number, const EpisodeModules& modules, const AfterStep& after_step,

@@ -40,7 +40,4 @@ EpisodeRecord RunEpisode(int64_t number, const EpisodeModules& modules, const Af
 // was random in that.
 void NoteLearner(const Learner& learner, const Environment& environment, EpisodeRecord& episode);
 
-// [s] of CPU time that this thread has used.
-double ThreadSeconds();
-
 }  // namespace runtime

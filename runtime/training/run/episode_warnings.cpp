@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <taskc/largest_reward.h>
 
+#include "runtime/core/module/end_kind_name.h"
 #include "runtime/training/run/fault_explanation.h"
 
 namespace runtime {

@@ -3,6 +3,7 @@
 #include <string>
 #include <string_view>
 
+#include "runtime/training/run/run_files.h"
 #include "runtime/training/run/sqlite.h"
 #include "runtime/training/run/table_reader.h"
 
@@ -22,7 +23,7 @@ std::vector<MachineRecord> ReadTable(const SqliteDatabase& database) {
 }  // namespace
 
 std::vector<MachineRecord> ReadMachines(const std::filesystem::path& folder) {
-  return ReadTable(SqliteDatabase(folder / "run.db", SqliteAccess::kRead));
+  return ReadTable(SqliteDatabase(RunDatabaseFile(folder), SqliteAccess::kRead));
 }
 
 MachineFacts FactsAt(const std::vector<MachineRecord>& machines, int64_t episode) {
@@ -34,7 +35,7 @@ MachineFacts FactsAt(const std::vector<MachineRecord>& machines, int64_t episode
 }
 
 void SetMachine(const std::filesystem::path& folder, const MachineRecord& machine) {
-  SqliteDatabase database(folder / "run.db", SqliteAccess::kWrite);
+  SqliteDatabase database(RunDatabaseFile(folder), SqliteAccess::kWrite);
   SqliteTransaction transaction(database, kNoting);
   SqliteStatement(database, "DELETE FROM machine WHERE episode >= ?", kNoting)
       .Bind(machine.episode)

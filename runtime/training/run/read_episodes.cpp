@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "runtime/core/module/end_kind_name.h"
 #include "runtime/training/run/table_reader.h"
 
 namespace runtime {
@@ -30,10 +31,7 @@ std::vector<EpisodeRecord> ReadHeads(const SqliteDatabase& database) {
 
 std::string ReadEndKind(TableReader& row, int column) {
   std::string kind = row.Text(column);
-  for (const EndKind each :
-       {EndKind::kSuccess, EndKind::kFailure, EndKind::kTruncated, EndKind::kDiverged}) {
-    if (kind == EndKindName(each)) return kind;
-  }
+  if (EndKindCalled(kind)) return kind;
   row.FailAt(column, fmt::format("cannot be `{}`", kind));
 }
 

@@ -1,5 +1,7 @@
 #include "runtime/training/run/read_returns.h"
 
+#include "runtime/core/module/end_kind_name.h"
+#include "runtime/training/run/run_files.h"
 #include "runtime/training/run/run_records.h"
 #include "runtime/training/run/sqlite.h"
 #include "runtime/training/run/table_reader.h"
@@ -7,7 +9,7 @@
 namespace runtime {
 
 std::vector<EpisodeReturn> ReadReturns(const std::filesystem::path& folder, int64_t episode) {
-  const SqliteDatabase database(folder / "run.db", SqliteAccess::kRead);
+  const SqliteDatabase database(RunDatabaseFile(folder), SqliteAccess::kRead);
   TableReader row(database, "episode", "number, return, end_kind, simulated_seconds, wall_seconds",
                   "JOIN evaluation ON evaluation.episode = number AND is_active = 1 "
                   "WHERE number > ? ORDER BY number");

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "runtime/core/module/end_kind_name.h"
+
 namespace runtime {
 
 bool ReturnStatistics::IsBest(const EpisodeRecord& episode) const {

@@ -21,10 +21,6 @@ constexpr int kApplicationId = 0x74736b63;  // "tskc"
 constexpr const char* kOpening = "open the run";
 constexpr const char* kMaking = "make the run";
 
-std::filesystem::path DatabaseFile(const std::filesystem::path& folder) {
-  return folder / "run.db";
-}
-
 std::span<const std::byte> Bytes(const std::string& text) {
   return std::as_bytes(std::span(text.data(), text.size()));
 }
@@ -71,8 +67,8 @@ std::unique_ptr<SqliteDatabase> OpenChecked(const std::filesystem::path& folder,
         fmt::format("{}: there is no run in this folder; `trainer train TASK --out {}` starts one",
                     folder.string(), folder.string()));
   }
-  if (access == SqliteAccess::kRead) TakeBackHalfAChange(DatabaseFile(folder));
-  auto database = std::make_unique<SqliteDatabase>(DatabaseFile(folder), access);
+  if (access == SqliteAccess::kRead) TakeBackHalfAChange(RunDatabaseFile(folder));
+  auto database = std::make_unique<SqliteDatabase>(RunDatabaseFile(folder), access);
   CheckSchema(*database);
   return database;
 }
@@ -115,7 +111,7 @@ RunDatabase::~RunDatabase() = default;
 
 bool RunDatabase::Exists(const std::filesystem::path& folder) {
   std::error_code error;
-  const auto size = std::filesystem::file_size(DatabaseFile(folder), error);
+  const auto size = std::filesystem::file_size(RunDatabaseFile(folder), error);
   return !error && size > 0;  // empty: its trainer was killed before the run was made
 }
 
@@ -124,7 +120,7 @@ bool RunDatabase::IsUnfinished(const std::filesystem::path& folder) {
   std::error_code error;
   for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
     const std::string name = entry.path().filename().string();
-    if (name.starts_with(DatabaseFile("").string()) || IsKeptPlugin(name)) return true;
+    if (name.starts_with(RunDatabaseFile("").string()) || IsKeptPlugin(name)) return true;
   }
   return false;
 }
@@ -149,7 +145,7 @@ RunDatabase RunDatabase::Create(const std::filesystem::path& folder, const RunRe
 }
 
 void RunDatabase::Impl::Make(const std::filesystem::path& folder, const RunRecord& run) {
-  const std::filesystem::path file = DatabaseFile(folder);
+  const std::filesystem::path file = RunDatabaseFile(folder);
   std::filesystem::path part = file;
   part += ".part";
   // A journal that is left from an attempt before would be taken for one of the new file.

@@ -101,6 +101,10 @@ std::string ReadText(const std::filesystem::path& file) {
   throw UserError(fmt::format("{}: cannot read this file: {}", file.string(), reading.problem));
 }
 
+std::filesystem::path RunDatabaseFile(const std::filesystem::path& folder) {
+  return folder / "run.db";
+}
+
 void MakeRunFolder(const std::filesystem::path& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);

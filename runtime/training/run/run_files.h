@@ -14,6 +14,9 @@ namespace runtime {
 // Makes the folder of a run, with those it lies in, where it is not there yet. Throws UserError.
 void MakeRunFolder(const std::filesystem::path& folder);
 
+// The run's database in its folder.
+std::filesystem::path RunDatabaseFile(const std::filesystem::path& folder);
+
 // Copies the shared object, a task's plugin or a library of modules, into `folder` (made if need
 // be) under a name that holds its hash; returns this name when the disk has it. Throws UserError
 // where it cannot be read or written.

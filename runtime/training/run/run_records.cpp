@@ -19,20 +19,6 @@ std::string_view RunStateName(RunState state) {
   std::abort();
 }
 
-std::string_view EndKindName(EndKind kind) {
-  switch (kind) {
-    case EndKind::kSuccess:
-      return "success";
-    case EndKind::kFailure:
-      return "failure";
-    case EndKind::kTruncated:
-      return "truncated";
-    case EndKind::kDiverged:
-      return "diverged";
-  }
-  std::abort();
-}
-
 const TaskRecord& TaskWithId(const RunRecord& run, int64_t id) {
   return run.tasks.at(static_cast<size_t>(id - 1));
 }

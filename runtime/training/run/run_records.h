@@ -16,7 +16,6 @@ namespace runtime {
 enum class RunState { kRunning, kInterrupted, kFinished };
 
 std::string_view RunStateName(RunState state);  // "running"
-std::string_view EndKindName(EndKind kind);     // "success"
 
 struct TermRecord {
   std::string name;

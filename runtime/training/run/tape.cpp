@@ -5,6 +5,7 @@
 
 #include "runtime/base/user_error.h"
 #include "runtime/training/run/compression.h"
+#include "runtime/training/run/run_files.h"
 #include "runtime/training/run/sqlite.h"
 #include "runtime/training/run/table_reader.h"
 
@@ -158,7 +159,7 @@ Tape Unpack(std::string_view packed) {
 }
 
 std::string ReadTape(const std::filesystem::path& folder, int64_t episode) {
-  const SqliteDatabase database(folder / "run.db", SqliteAccess::kRead);
+  const SqliteDatabase database(RunDatabaseFile(folder), SqliteAccess::kRead);
   if (!HasTable(database, "tape")) return "";
   TableReader row(database, "tape", "data", "WHERE episode = ?");
   row.Bind(episode);

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "runtime/core/module/end_kind_name.h"
+
 namespace runtime {
 namespace {
 

@@ -1,7 +1,12 @@
 #include "runtime/training/run/value_json.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <utility>
+
+#include "runtime/base/user_error.h"
 
 namespace runtime {
 namespace {
@@ -39,6 +44,25 @@ std::optional<ParameterValue> ValueFromJson(const Json& json) {
   if (json.is_number()) return json.get<double>();
   if (json.is_string()) return json.get<std::string>();
   return json.is_array() ? ListFromJson(json) : std::nullopt;
+}
+
+ParameterValue ValueFromJson(const Json& json, const std::string& name) {
+  std::optional<ParameterValue> value = ValueFromJson(json);
+  if (value) return *std::move(value);
+  if (!json.is_array()) throw UserError(fmt::format("`{}` cannot be {}", name, json.dump()));
+  const auto wrong = std::ranges::find_if_not(json, &Json::is_number);
+  throw UserError(
+      fmt::format("`{}`: a list holds numbers only, and {} is not one", name, wrong->dump()));
+}
+
+Json ValueOfWord(const std::string& word) {
+  const Json value = Json::parse(word, nullptr, false);
+  const bool is_meant = value.is_number() || value.is_boolean() || value.is_array();
+  return is_meant ? value : Json(word);
+}
+
+ParameterValue ParameterOfWord(const std::string& word, const std::string& name) {
+  return ValueFromJson(ValueOfWord(word), name);
 }
 
 std::string NumbersJson(const std::vector<double>& numbers) { return Json(numbers).dump(); }

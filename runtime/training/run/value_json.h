@@ -19,8 +19,16 @@ nlohmann::json ToJson(const WrittenNumber& number);
 
 // Nothing where no parameter can have it, such as null. Numbers that no int64_t holds are reals.
 std::optional<ParameterValue> ValueFromJson(const nlohmann::json& json);
+// The same of a parameter that a UserError calls `name`.
+ParameterValue ValueFromJson(const nlohmann::json& json, const std::string& name);
 // Nothing where it is not a number.
 std::optional<WrittenNumber> NumberFromJson(const nlohmann::json& json);
+
+// The value that a word stands for which a user has written: as JSON where it is a number, a
+// boolean or a list, otherwise a text.
+nlohmann::json ValueOfWord(const std::string& word);
+// The same of a parameter that a UserError calls `name`.
+ParameterValue ParameterOfWord(const std::string& word, const std::string& name);
 
 // A list of numbers as the run's record holds it, and back; nothing where it is no such list.
 std::string NumbersJson(const std::vector<double>& numbers);

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "runtime/training/run/value_json.h"
 #include "tests/runtime/training/run/error_of.h"
 
 namespace runtime {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "runtime/core/module/live_parameter.h"
 #include "runtime/training/run/value_json.h"
 #include "tests/runtime/live/control/small_agent.h"
 #include "tests/runtime/training/run/error_of.h"

@@ -8,6 +8,7 @@
 #include <cstring>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <thread>
 
@@ -96,11 +97,11 @@ TEST_F(EnvironmentLinkTest, SpeaksTextToWhoKnowsNothingElse) {
   EXPECT_EQ(link.greeting().sensors[0].unit, "m");
   EXPECT_FALSE(link.greeting().speaks_binary);
   link.ExpectNumbers(3);
-  EXPECT_EQ(link.Reset(12, 99).end, 0);
+  EXPECT_EQ(link.Reset(12, 99).end, std::nullopt);
   EXPECT_THAT(Numbers(link), ElementsAre(1, 2, 0));
   const EnvironmentReply reply = link.Step(Eigen::VectorXd::Constant(1, 0.5));
   thread_.join();
-  EXPECT_EQ(reply.end, 1 + static_cast<int>(EndKind::kFailure));
+  EXPECT_EQ(reply.end, EndKind::kFailure);
   EXPECT_EQ(reply.reason, "left");
   EXPECT_THAT(Numbers(link), ElementsAre(3, 4, 1));
   EXPECT_THAT(requests, ElementsAre(R"({"reset":{"episode":12,"seed":99}})", R"({"step":[0.5]})"));
@@ -126,10 +127,10 @@ TEST_F(EnvironmentLinkTest, SpeaksBinaryToWhoUnderstandsIt) {
       kGreeting.substr(0, kGreeting.size() - 1) + R"(, "formats": ["json", "binary"]})");
   EnvironmentLink link(path());
   link.ExpectNumbers(3);
-  EXPECT_EQ(link.Reset(12, 99).end, 0);
+  EXPECT_EQ(link.Reset(12, 99).end, std::nullopt);
   const EnvironmentReply reply = link.Step(Eigen::VectorXd::Constant(1, 0.5));
   thread_.join();
-  EXPECT_EQ(reply.end, 1 + static_cast<int>(EndKind::kTruncated));
+  EXPECT_EQ(reply.end, EndKind::kTruncated);
   EXPECT_THAT(Numbers(link), ElementsAre(1, 2, 0));
   EXPECT_EQ(line, R"({"format":"binary"})");
   uint64_t seed = 0;

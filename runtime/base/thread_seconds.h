@@ -1,0 +1,8 @@
+#pragma once
+
+namespace runtime {
+
+// CPU time of this thread so far [s].
+double ThreadSeconds();
+
+}  // namespace runtime
