@@ -17,8 +17,8 @@ std::string BashReply(const std::string& program, const CompletedValue& value) {
   std::vector<std::string> replies;
   if (!value.words.empty()) replies.push_back(BashWords(value.words));
   if (!value.names.empty()) {
-    replies.push_back(
-        fmt::format("compgen -W \"$({})\" -- \"$current\"", NamesCommand(program, value.names)));
+    replies.push_back(fmt::format("compgen -W \"$({})\" -- \"$current\"",
+                                  NamesCommand(program, value.names, "\"${COMP_WORDS[*]}\"")));
   }
   for (const std::string& suffix : value.suffixes) {
     replies.push_back(fmt::format("compgen -f -X '!*{}' -- \"$current\"", suffix));

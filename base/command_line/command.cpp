@@ -218,6 +218,10 @@ void Command::OnWords(std::function<void(const std::vector<std::string>&)> set) 
   app_->parse_complete_callback([app = app_, set = std::move(set)] { set(app->remaining()); });
 }
 
+void Command::FirstWord(const std::string& name, const std::string& description) {
+  first_word_ = {name, description};
+}
+
 void Command::OnRun(std::function<int()> action) { action_ = std::move(action); }
 
 std::function<int()> Command::Parse(int argc, const char* const* argv) {

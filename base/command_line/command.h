@@ -13,8 +13,10 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CLI {
@@ -125,6 +127,12 @@ class Command {
   // CallError.
   void OnWords(std::function<void(const std::vector<std::string>&)> set);
 
+  // What these words begin with, for completion and the manual.
+  void FirstWord(const std::string& name, const std::string& description);
+  const std::optional<std::pair<std::string, std::string>>& first_word() const {
+    return first_word_;
+  }
+
   // What the command does; returns the exit status.
   void OnRun(std::function<int()> action);
 
@@ -145,6 +153,7 @@ class Command {
   CLI::App* const app_;
   std::vector<std::unique_ptr<Command>> commands_;
   CommandNotes notes_;
+  std::optional<std::pair<std::string, std::string>> first_word_;  // name and description
   std::function<int()> action_;
 };
 

@@ -28,7 +28,15 @@ std::vector<std::string> NamesOf(const std::set<CLI::Option*>& options) {
   return names;
 }
 
-OptionEntry EntryOf(const CLI::Option& option, const ValueLists& lists) {
+// What the argument of one command is, or that of any command.
+CompletedValue ArgumentCalled(const std::string& name, const std::string& path,
+                              const ValueLists& lists) {
+  const std::string full_name = path + " " + name;
+  return lists.names.contains(full_name) ? CompletedValue{.names = full_name}
+                                         : ValueCalled(name, lists);
+}
+
+OptionEntry EntryOf(const CLI::Option& option, const std::string& path, const ValueLists& lists) {
   OptionEntry entry;
   for (const std::string& name : option.get_snames()) entry.names.push_back("-" + name);
   for (const std::string& name : option.get_lnames()) entry.names.push_back("--" + name);
@@ -48,7 +56,8 @@ OptionEntry EntryOf(const CLI::Option& option, const ValueLists& lists) {
   if (!option.get_positional()) entry.value = value;
   // An argument's own name, unless it has choices: "FILE.stl|FILE.obj".
   const bool by_name = option.get_positional() && value.find('|') == std::string::npos;
-  entry.completed = ValueCalled(by_name ? entry.names.front() : value, lists);
+  entry.completed =
+      by_name ? ArgumentCalled(entry.names.front(), path, lists) : ValueCalled(value, lists);
   return entry;
 }
 
@@ -60,7 +69,14 @@ void AddEntries(const Command& command, const std::string& path, const ValueList
   for (const CLI::Option* option : app.get_options()) {
     if (option->get_group().empty()) continue;  // hidden
     auto& list = option->get_positional() ? entry.arguments : entry.options;
-    list.push_back(EntryOf(*option, lists));
+    list.push_back(EntryOf(*option, path, lists));
+  }
+  if (const auto& word = command.first_word()) {
+    OptionEntry& first = entry.arguments.emplace_back();
+    first.names = {word->first};
+    first.description = word->second;
+    first.is_required = true;
+    first.completed = ArgumentCalled(word->first, path, lists);
   }
   std::vector<const Command*> below;
   for (const auto& each : command.commands()) {

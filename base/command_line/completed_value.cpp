@@ -46,4 +46,13 @@ CompletedValue ValueCalled(const std::string& name, const ValueLists& lists) {
   return value;
 }
 
+std::string ValueOf(const std::string& option, const std::vector<std::string>& line) {
+  std::string value;
+  for (size_t i = 0; i < line.size(); ++i) {
+    if (line[i] == option && i + 1 < line.size()) value = line[i + 1];
+    if (line[i].starts_with(option + "=")) value = line[i].substr(option.size() + 1);
+  }
+  return value;
+}
+
 }  // namespace command_line

@@ -18,8 +18,11 @@ struct CompletedValue {
 
 // What the declarations cannot say, by the names of values: {"CODE", {"E0101"}}.
 using ValueWords = std::map<std::string, std::vector<std::string>>;
-// The same for what is not known before the tab key is pressed: {"ROBOT", RobotNames}.
-using ValueNames = std::map<std::string, std::function<std::vector<std::string>()>>;
+// The same for what is not known before the tab key is pressed: {"ROBOT", RobotNames}; or of one
+// command alone: {"ctl swap NAME", TaskModules}. Each gets the words of the line so far.
+using ValueNames =
+    std::map<std::string,
+             std::function<std::vector<std::string>(const std::vector<std::string>& line)>>;
 
 struct ValueLists {
   ValueWords words{};
@@ -29,5 +32,8 @@ struct ValueLists {
 // By the name that the help shows for the value, or for an argument: "text|json" are these words,
 // "FILE.task" and "PLAN.task" files that end so, "DIR" folders, "ROBOT|FILE.toml" either.
 CompletedValue ValueCalled(const std::string& name, const ValueLists& lists);
+
+// The value of the option `name` among the words of a line, also as "--run=DIR"; "" without.
+std::string ValueOf(const std::string& option, const std::vector<std::string>& line);
 
 }  // namespace command_line

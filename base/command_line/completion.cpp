@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <iterator>
 #include <memory>
+#include <sstream>
+#include <vector>
 
 #include "base/command_line/shell_script.h"
 #include "base/text/print.h"
@@ -13,12 +16,18 @@ namespace {
 struct CompletionOptions {
   std::string shell;
   std::string names;
+  std::string line;
 };
 
-void PrintNames(const std::string& list, const ValueLists& lists) {
+std::vector<std::string> WordsOf(const std::string& line) {
+  std::istringstream stream(line);
+  return {std::istream_iterator<std::string>(stream), {}};
+}
+
+void PrintNames(const std::string& list, const std::string& line, const ValueLists& lists) {
   const auto known = lists.names.find(list);
   if (known == lists.names.end()) throw CallError(fmt::format("there are no names `{}`", list));
-  for (const std::string& name : known->second()) text::Print("{}\n", name);
+  for (const std::string& name : known->second(WordsOf(line))) text::Print("{}\n", name);
 }
 
 std::string Examples(const std::string& program) {
@@ -43,10 +52,11 @@ std::function<void()> DeclareCompletion(Command& command, ValueLists lists) {
   command.AddOption("SHELL", options->shell, "for which shell").OneOf({"bash", "zsh", "fish"});
   // What the scripts ask.
   command.AddOption("--names", options->names, "").Hidden();
+  command.AddOption("--line", options->line, "").Hidden();
   command.Examples(Examples(command.program().name()));
   command.Notes("Where the program was installed for all users, the shells have it already.");
   return [options, &program = command.program(), lists = std::move(lists)] {
-    if (!options->names.empty()) return PrintNames(options->names, lists);
+    if (!options->names.empty()) return PrintNames(options->names, options->line, lists);
     if (options->shell.empty()) throw CallError("for which shell: bash, zsh or fish?");
     text::Print("{}", Completion(options->shell, program, lists));
   };

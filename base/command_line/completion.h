@@ -11,7 +11,8 @@ namespace command_line {
 
 // The script with which `shell`, one of bash, zsh and fish, completes the command line of
 // `program`: commands, options, and the values that are words, names, files or folders. Names it
-// asks the program for: `PROGRAM completion --names ROBOT`, for each key of `lists.names`.
+// asks the program for: `PROGRAM completion --names ROBOT --line "the line"`, for each key of
+// `lists.names`.
 std::string Completion(const std::string& shell, const Command& program,
                        const ValueLists& lists = {});
 

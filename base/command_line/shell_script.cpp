@@ -42,8 +42,9 @@ std::vector<std::string> OptionNames(const CommandEntry& command) {
   return names;
 }
 
-std::string NamesCommand(const std::string& program, const std::string& list) {
-  return fmt::format("{} completion --names {} 2>/dev/null", program, list);
+std::string NamesCommand(const std::string& program, const std::string& list, const char* line) {
+  return fmt::format("{} completion --names {} --line {} 2>/dev/null", program,
+                     text::ShellWord(list), line);
 }
 
 }  // namespace command_line

@@ -23,8 +23,9 @@ std::vector<std::string> OptionsWithValue(const std::vector<CommandEntry>& comma
 
 std::vector<std::string> OptionNames(const CommandEntry& command);
 
-// The command line that prints the names of a list, and nothing where that fails.
-std::string NamesCommand(const std::string& program, const std::string& list);
+// The command line that prints the names of a list, and nothing where that fails. `line`: what the
+// shell reads as one word, with the words of the line so far.
+std::string NamesCommand(const std::string& program, const std::string& list, const char* line);
 
 std::string Joined(const std::vector<std::string>& words, const char* separator = " ");
 

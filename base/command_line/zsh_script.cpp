@@ -18,7 +18,8 @@ std::string ZshAction(const std::string& program, const CompletedValue& value) {
   std::vector<std::string> steps;
   if (!value.words.empty()) steps.push_back("compadd -- " + Joined(value.words));
   if (!value.names.empty()) {
-    steps.push_back(fmt::format("compadd -- $({})", NamesCommand(program, value.names)));
+    steps.push_back(
+        fmt::format("compadd -- $({})", NamesCommand(program, value.names, "\"$whole\"")));
   }
   if (!value.suffixes.empty()) {
     steps.push_back(fmt::format("_files -g \"{}\"", ZshPattern(value.suffixes)));
@@ -78,7 +79,7 @@ std::string ZshScript(const std::string& program, const Commands& commands) {
       "#compdef {0}\n"
       "# Completion of {0} for zsh.\n"
       "_{0}() {{\n"
-      "  local command='' option='' state='' at=1 i\n"
+      "  local command='' option='' state='' whole=\"${{words[*]}}\" at=1 i\n"
       "  local -a names\n"
       "  for ((i = 2; i < CURRENT; ++i)); do\n"
       "    if [[ -n $option ]]; then option=''; continue; fi\n"

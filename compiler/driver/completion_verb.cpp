@@ -11,7 +11,7 @@ namespace {
 command_line::ValueLists Lists() {
   std::vector<std::string> codes;
   for (const DiagnosticKind& kind : kDiagnosticTable) codes.emplace_back(kind.code);
-  const auto robots = [] { return robot::RobotNames(robot::RobotFolders({"."}, {})); };
+  const auto robots = [](const auto&) { return robot::RobotNames(robot::RobotFolders({"."}, {})); };
   return {.words = {{"CODE", std::move(codes)}}, .names = {{"ROBOT", robots}}};
 }
 

@@ -2,9 +2,12 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <ostream>
 #include <sstream>
+#include <thread>
 
 #include "tests/runtime/trainer/child_process.h"
 #include "tests/runtime/training/run/temporary_folder.h"
@@ -26,6 +29,9 @@ struct Shell {
   const char* script;  // of the programs, with `@` for their name
 };
 
+// Otherwise tests are named by the bytes, which are addresses.
+void PrintTo(const Shell& shell, std::ostream* stream) { *stream << shell.name; }
+
 constexpr Shell kShells[] = {{"bash", "bash", "bash/@"},
                              {"zsh", "zsh -f", "zsh/_@"},
                              {"fish", "fish --no-config", "fish/@.fish"}};
@@ -43,6 +49,8 @@ class CompletionTest : public testing::TestWithParam<Shell> {
       std::ofstream(folder_.path() / name);
     }
   }
+
+  std::string Path(const char* name) const { return (folder_.path() / name).string(); }
 
   // What the shell offers when the tab key is pressed behind `line`, sorted; folders without `/`.
   std::vector<std::string> Completed(const std::string& line) const {
@@ -122,6 +130,24 @@ TEST_P(CompletionTest, OffersFilesAndFoldersInTheirPlaces) {
   EXPECT_THAT(Completed("taskc check --robots "), ElementsAre("runs"));
   EXPECT_THAT(Completed("trainer ctl swap task n"), ElementsAre("notes.txt"));
   EXPECT_THAT(Completed("trainer ctl swap n"), IsEmpty());
+}
+
+TEST_P(CompletionTest, OffersWhatTheRunIsMadeOf) {
+  runtime::ChildProcess trainer({PROGRAMS "/trainer", "train", TASKS "/crawling.task", "--out",
+                                 Path("run"), "--profile", "fast-tree", "--quiet", "--episodes",
+                                 "1000000"});
+  const std::string ctl = "trainer ctl --run run ";
+  for (int i = 0; i < 600 && Completed(ctl + "swap ").empty(); ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  }
+  EXPECT_THAT(Completed(ctl + "swap "), ElementsAre("task"));
+  EXPECT_THAT(Completed(ctl + "set task."), ElementsAre("task.fall_penalty", "task.turning_cost"));
+  EXPECT_THAT(Completed(ctl + "get learner"), IsSupersetOf({"learner", "learner.temperature"}));
+  EXPECT_THAT(Completed(ctl + "connect task.rew"), ElementsAre("task.reward"));
+  EXPECT_THAT(Completed(ctl + "connect task.reward learner.rew"), ElementsAre("learner.reward"));
+  EXPECT_THAT(Completed(ctl + "module remove fea"), ElementsAre("features"));
+  EXPECT_THAT(Completed(ctl + "release "), IsEmpty());  // it has no goals
+  EXPECT_THAT(Completed("trainer ctl --run runs set "), IsEmpty());
 }
 
 INSTANTIATE_TEST_SUITE_P(, CompletionTest, testing::ValuesIn(kShells),

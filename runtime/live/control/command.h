@@ -11,11 +11,15 @@ namespace runtime {
 // kTaskFile: a text, the file of a task, which is built and loaded before the command is done.
 enum class ArgumentType { kText, kTaskFile, kWhole, kNumber, kFlag, kValue, kObject };
 
+// Which part of a run a text is the name of.
+enum class NamedPart { kNone, kModule, kTaskModule, kParameter, kModuleOrParameter, kGoal, kPort };
+
 struct ArgumentSpec {
   const char* name;
   ArgumentType type;
   bool is_required;
   const char* doc;
+  NamedPart names = NamedPart::kNone;
 };
 
 struct CommandSpec {

@@ -13,7 +13,8 @@ constexpr bool kRequired = true;
 constexpr bool kOptional = false;
 
 // What several commands take.
-constexpr ArgumentSpec kTaskModule = {"name", kText, kRequired, "name of the task module"};
+constexpr ArgumentSpec kTaskModule = {"name", kText, kRequired, "name of the task module",
+                                      NamedPart::kTaskModule};
 constexpr ArgumentSpec kFileOfTask = {"file", kTaskFile, kRequired,
                                       "a .task file, or a .so built by taskc"};
 constexpr ArgumentSpec kTextOfTask = {"text", kText, kOptional,
@@ -22,9 +23,10 @@ constexpr ArgumentSpec kNow = {"now", kFlag, kOptional,
                                "between two time steps; by default when the next episode starts"};
 constexpr ArgumentSpec kForget = {"forget", kFlag, kOptional,
                                   "forget what was learned and start over"};
-constexpr ArgumentSpec kFirstPort = {"first", kText, kRequired, "a port: `task.reward`"};
+constexpr ArgumentSpec kFirstPort = {"first", kText, kRequired, "a port: `task.reward`",
+                                     NamedPart::kPort};
 constexpr ArgumentSpec kSecondPort = {"second", kText, kRequired,
-                                      "a port that fits it: `learner.reward`"};
+                                      "a port that fits it: `learner.reward`", NamedPart::kPort};
 
 using ArgumentList = std::initializer_list<ArgumentSpec>;
 

@@ -10,6 +10,7 @@
 
 #include "runtime/base/user_error.h"
 #include "runtime/live/client/set_words.h"
+#include "runtime/training/run/value_json.h"
 
 namespace runtime {
 namespace {
@@ -18,11 +19,6 @@ using command_line::CallError;
 using command_line::Command;
 using nlohmann::json;
 
-std::string UpperCase(std::string text) {
-  std::ranges::transform(text, text.begin(), [](unsigned char byte) { return std::toupper(byte); });
-  return text;
-}
-
 // The trainer may have been started in another folder.
 std::string Absolute(const std::string& file) {
   return std::filesystem::absolute(file).lexically_normal().string();
@@ -30,7 +26,7 @@ std::string Absolute(const std::string& file) {
 
 template <class Value, class Set>
 void AddValue(Command& command, const ArgumentSpec& spec, const Set& set) {
-  const std::string word = UpperCase(spec.name);
+  const std::string word = CtlWord(spec);
   if (spec.is_required) {
     command.OnOption<Value>(word, set, spec.doc).Required().ValueName("");
   } else {
@@ -87,7 +83,8 @@ void DeclareLoad(Command& command, const CommandSpec& spec, json& arguments) {
 }
 
 // set NAME VALUE; what follows may begin with `-`, or be an arrow.
-void DeclareSet(Command& command, const CommandSpec&, json& arguments) {
+void DeclareSet(Command& command, const CommandSpec& spec, json& arguments) {
+  command.FirstWord(CtlWord(spec.arguments[0]), spec.arguments[0].doc);
   command.Notes(
       "  trainer ctl set NAME VALUE\n"
       "  trainer ctl set NAME = FROM to TO over N episodes\n"
@@ -102,7 +99,8 @@ void DeclareSet(Command& command, const CommandSpec&, json& arguments) {
 }
 
 // hold NAME NUMBER...; a number may begin with `-`.
-void DeclareHold(Command& command, const CommandSpec&, json& arguments) {
+void DeclareHold(Command& command, const CommandSpec& spec, json& arguments) {
+  command.FirstWord(CtlWord(spec.arguments[0]), spec.arguments[0].doc);
   command.Notes(
       "  trainer ctl hold NAME NUMBER...\n"
       "As many numbers as the goal has elements, in SI units: `hold task.velocity 0.5 -0.1`.");
@@ -167,6 +165,18 @@ void AddCtlArguments(Command& command, const CommandSpec& spec, json& arguments)
   const auto special = std::ranges::find(kSpecial, std::string_view(spec.name), &Special::command);
   const auto declare = special == std::end(kSpecial) ? DeclareByTable : special->declare;
   declare(command, spec, arguments);
+}
+
+std::string CtlWords(const CommandSpec& spec) {
+  std::string words = spec.name;
+  std::ranges::replace(words, '_', ' ');
+  return words;
+}
+
+std::string CtlWord(const ArgumentSpec& spec) {
+  std::string word = spec.name;
+  std::ranges::transform(word, word.begin(), [](unsigned char byte) { return std::toupper(byte); });
+  return word;
 }
 
 }  // namespace runtime

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <string>
 
 #include "base/command_line/command.h"
 #include "runtime/live/control/command_table.h"
@@ -12,5 +13,9 @@ namespace runtime {
 // parsed; it must live until then.
 void AddCtlArguments(command_line::Command& command, const CommandSpec& spec,
                      nlohmann::json& arguments);
+
+// How `trainer ctl` calls a command, "module add", and a required argument of it, "NAME".
+std::string CtlWords(const CommandSpec& spec);
+std::string CtlWord(const ArgumentSpec& spec);
 
 }  // namespace runtime

@@ -52,22 +52,21 @@ int AskAndPrint(const CtlOptions& options, const Request& request) {
   return reply.ok ? kSuccess : kFailed;
 }
 
-// "module_add" is `module add`.
 Command& AddSubcommand(Command& ctl, const CommandSpec& spec) {
-  const std::string name = spec.name;
-  const size_t underscore = name.find('_');
-  if (underscore == std::string::npos) {
+  const std::string name = CtlWords(spec);
+  const size_t space = name.find(' ');
+  if (space == std::string::npos) {
     Command& command = ctl.AddCommand(name, spec.doc);
     command.Group(spec.changes() ? kChangingGroup : kLookingGroup);
     return command;
   }
-  const std::string first = name.substr(0, underscore);
+  const std::string first = name.substr(0, space);
   Command* parent = ctl.FindCommand(first);
   if (parent == nullptr) {
     parent = &ctl.AddCommand(first, "adds and removes modules");
     parent->Group(kChangingGroup);
   }
-  return parent->AddCommand(name.substr(underscore + 1), spec.doc);
+  return parent->AddCommand(name.substr(space + 1), spec.doc);
 }
 
 void AddSpecified(Command& ctl, const CommandSpec& spec, const Options& options) {

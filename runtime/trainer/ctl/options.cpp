@@ -6,7 +6,7 @@ namespace runtime {
 
 void CtlOptions::AddTo(command_line::Command& command) {
   command
-      .AddOption("--run", run,
+      .AddOption(kRun, run,
                  "folder of the run; by default the one under runs/ that is being trained")
       .ValueName("RUN");
   command.AddFlag("--json", json, "print JSON, one object per line");

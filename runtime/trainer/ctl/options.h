@@ -9,6 +9,8 @@
 namespace runtime {
 
 struct CtlOptions {
+  static constexpr const char* kRun = "--run";
+
   std::filesystem::path run;  // empty: the one under runs/ that answers
   bool json = false;
 

@@ -8,8 +8,9 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-const ValueLists kLists = {.words = {{"CODE", {"E1", "E2"}}},
-                           .names = {{"ROBOT", [] { return std::vector<std::string>(); }}}};
+const ValueLists kLists = {
+    .words = {{"CODE", {"E1", "E2"}}},
+    .names = {{"ROBOT", [](const auto&) { return std::vector<std::string>(); }}}};
 
 TEST(CompletedValue, IsWordsWhereTheHelpShowsThem) {
   EXPECT_THAT(ValueCalled("text|json", kLists).words, ElementsAre("text", "json"));
