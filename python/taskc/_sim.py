@@ -136,10 +136,11 @@ class Sim:
             self._handle.pointer, None if mask is None else mask.ctypes.data,
             None if numbers is None else numbers.ctypes.data, self._observations_address)
 
-    def step(self, actions: Any) -> None:
-        """A decision in each environment: [count, action_size], or whatever fits into that."""
+    def step(self, actions: Any, arrays: Any = None) -> None:
+        """A decision in each environment: [count, action_size], or whatever fits into that. `arrays`:
+        a pointer to those that are filled instead of this object's."""
         self.actions[...] = actions
-        self._step(self._handle.pointer, self._actions_address, self._arrays_pointer)
+        self._step(self._handle.pointer, self._actions_address, arrays or self._arrays_pointer)
 
     def set(self, parameter: str, value: Any, which: Optional[np.ndarray] = None) -> None:
         """Sets a parameter from the next decision on: in all environments, or where `which` [count]

@@ -8,6 +8,7 @@ import numpy as np
 
 from ._environment import MOST_SEED, check_render_mode, check_seed, metadata_of, warn_of_mode
 from ._gymnasium import AutoresetMode, VectorEnv, limitless, unit
+from ._outputs import Outputs, OutputsInTurn
 from ._sim import Sim
 
 Infos = Dict[str, Any]
@@ -46,6 +47,11 @@ class RobotVectorEnv(VectorEnv):
         self.action_space = unit((sim.count, sim.action_size))
         self.closed = False
         self._copies = copy
+        # Without autoreset the caller may reset some environments, and gets what the others have shown
+        # last: what was handed out may have been changed.
+        takes_turns = copy and autoreset_mode != AutoresetMode.DISABLED
+        self._turns = OutputsInTurn(sim) if takes_turns else None
+        self._outputs: Optional[Outputs] = None  # of the last step, unless the sim's own
         self._keeps_last = autoreset_mode == AutoresetMode.SAME_STEP
         self._was_reset = False
         self._no_one = np.zeros(sim.count, np.bool_)
@@ -65,6 +71,8 @@ class RobotVectorEnv(VectorEnv):
         if which is not None:
             self._check_mask("reset_mask", which)
         super().reset(seed=seed if isinstance(seed, int) else None)
+        if self._outputs:
+            self.sim.observations[...] = self._outputs.arrays[0]
         self.sim.reset(which, self._seeds(seed))
         self._was_reset = True
         return self._observations(), {}
@@ -94,11 +102,14 @@ class RobotVectorEnv(VectorEnv):
                 np.shape(actions) != self._action_shape):
             raise ValueError(f"actions have the shape {self._action_shape}, and these have "
                              f"{np.shape(actions)}")
-        sim.step(actions)
         # Little is done here: after a step of the library all that Python needs is far from the
         # processor, and each further operation takes tens of microseconds.
-        flags = sim.flags.copy()
+        outputs = self._outputs = self._turns.next() if self._turns else None
+        sim.step(actions, outputs and outputs.pointer)
         infos = self._ends() if sim.ended.value else {}
+        if outputs:
+            return (*outputs.arrays, infos)
+        flags = sim.flags.copy()
         return self._observations(), sim.rewards.copy(), flags[0], flags[1], infos
 
     def _observations(self) -> np.ndarray:

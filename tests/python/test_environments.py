@@ -274,6 +274,32 @@ class Many(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, r"which has the shape \(2,\)"):
             envs.set("task.turning_cost", 0, which=[True, False])
 
+    def test_what_is_kept_stays(self):
+        def keep(steps):
+            return [[array.tolist() for array in step[:4]] for step in steps]
+
+        self.envs.reset(seed=7)
+        alone = [keep([step])[0] for step in (self.run_for(self.envs, 1)[0] for _ in range(6))]
+        self.envs.reset(seed=7)
+        steps = [self.run_for(self.envs, 1)[0] for _ in range(6)]  # all arrays are held
+        views = [step[0][1, :3] for step in steps]
+        self.assertEqual(keep(steps), alone)
+        del steps
+        self.run_for(self.envs, 6)
+        self.assertEqual([view.tolist() for view in views], [step[0][1][:3] for step in alone])
+
+    def test_arrays_that_nobody_keeps_are_used_again(self):
+        self.envs.reset(seed=7)
+        places = {self.run_for(self.envs, 1)[0][0].ctypes.data for _ in range(6)}
+        self.assertEqual(len(places), 1)
+
+    def test_a_reset_of_some_shows_the_others_as_they_are(self):
+        self.envs.reset(seed=7)
+        before = self.run_for(self.envs, 1)[0][0]
+        after, _ = self.envs.reset(options={"reset_mask": np.array([False, True, False])})
+        self.assertEqual(after[0].tolist(), before[0].tolist())
+        self.assertNotEqual(after[1].tolist(), before[1].tolist())
+
     def test_copies(self):
         kept, *_ = self.envs.reset(seed=7)
         again, *_ = self.envs.reset(seed=8)
