@@ -13,7 +13,8 @@ std::string FishValue(const std::string& program, const CompletedValue& value) {
   std::vector<std::string> sources;
   if (!value.words.empty()) sources.push_back(Joined(value.words));
   if (!value.names.empty()) {
-    sources.push_back("(" + NamesCommand(program, value.names, "\"$(commandline -cp)\"") + ")");
+    sources.push_back(
+        "(" + NamesCommand(program, value.names, "(commandline -cp | string collect)") + ")");
   }
   for (const std::string& suffix : value.suffixes) {
     sources.push_back(fmt::format("(__fish_complete_suffix {})", suffix));

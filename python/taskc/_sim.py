@@ -119,7 +119,7 @@ class Sim:
         self._end_numbers = np.zeros(count, np.int64)
         self._end_kinds = np.zeros(count, np.int32)
         self._end_reasons = (c_char_p * count)()
-        self._end_values = values
+        self._end_rows = list(values)
         self._nothing = np.full(count, None, object)
         self._ends = _sim_abi.Ends(
             self._end_numbers.ctypes.data, self._end_kinds.ctypes.data,
@@ -176,7 +176,8 @@ class Sim:
         for i in ended:
             outcomes[i] = OUTCOMES[kinds[i]]
             reasons[i] = _describe.text(self._end_reasons[i])
-        returns, seconds, *others = self._end_values.copy()
+        # One after the other: small arrays get memory that was used before.
+        returns, seconds, *others = [row.copy() for row in self._end_rows]
         rows = iter(others)
         return ended, {
             "return": returns, "terms": dict(zip(self.term_names, rows)),
