@@ -19,8 +19,9 @@ json ValueOf(const std::filesystem::path& run, const Request& request) {
 
 // The task modules, or their goals.
 Names NamesOfTasks(const std::filesystem::path& run, NamedPart part) {
+  const json list = ValueOf(run, {"list", json::object()});
   Names names;
-  for (const json& task : ValueOf(run, {"list", json::object()})["tasks"]) {
+  for (const json& task : list["tasks"]) {
     if (part == NamedPart::kTaskModule) names.push_back(task["module"]);
     if (part != NamedPart::kGoal) continue;
     for (const json& goal : task["goals"]) names.push_back(goal["name"]);
