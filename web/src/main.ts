@@ -30,6 +30,7 @@ function showCharts(report: Report, replay: (recording: Recording) => void): Lea
       chart: byId("curve", HTMLElement),
       readout: byId("curve-readout", HTMLElement),
       key: byId("curve-key", HTMLElement),
+      exports: byId("curve-export", HTMLElement),
     },
     window,
     replay,
@@ -40,6 +41,7 @@ function showCharts(report: Report, replay: (recording: Recording) => void): Lea
       chart: byId("terms", HTMLElement),
       legend: byId("term-legend", HTMLElement),
       caption: byId("term-caption", HTMLElement),
+      exports: byId("terms-export", HTMLElement),
     },
     window,
   );

@@ -8,6 +8,7 @@ import { pathToFileURL } from "node:url";
 
 import type { Browser, BrowserContextOptions, Page } from "playwright-core";
 
+import { savesItsCharts } from "./chart_checks.ts";
 import {
   fitsItsWidth,
   hasNoSeriousFault,
@@ -448,7 +449,7 @@ async function checkFullPage(browser: Browser): Promise<void> {
     for (const check of timeline) await check(page);
     const replays = [drawsTheStrip, playsByKeys, scrubs, replaysAMark];
     const views = [drawsWhatIsSwitchedOn, showsTheJointsOfALink, picksALinkByAClick, replaysTwoInStep, savesAFilm];
-    const charts = [showsValuesOfAnEpisode, hidesATerm, showsNoChanges];
+    const charts = [savesItsCharts, showsValuesOfAnEpisode, hidesATerm, showsNoChanges];
     for (const check of [showsTheRun, ...views, ...replays, ...charts, fitsItsWidth]) await check(page);
     await hasNoSeriousFault(page);
   });

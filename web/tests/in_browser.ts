@@ -1,7 +1,7 @@
 // What the tests in a real browser have in common. CHROMIUM names the browser.
 
 import assert from "node:assert/strict";
-import { existsSync, mkdirSync } from "node:fs";
+import { existsSync, mkdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 
 import axe from "axe-core";
@@ -41,12 +41,13 @@ export interface Address {
   isOwn: (url: string) => boolean;
 }
 
-/** Opens it, runs `check`, and fails for anything on the console and for any other request. */
+/** Opens it after `prepare`, runs `check`, and fails for anything on the console and for any other request. */
 export async function onPage(
   browser: Browser,
   { url, isOwn }: Address,
   options: BrowserContextOptions,
   check: Check,
+  prepare: Check = () => Promise.resolve(),
 ): Promise<void> {
   const page = await browser.newPage({ viewport: kDesktop, ...options });
   page.setDefaultTimeout(kPatience);
@@ -60,6 +61,7 @@ export async function onPage(
     const isOfThePage = /^(data|blob):/.test(request.url()) || isOwn(request.url());
     if (!isOfThePage) complaints.push(`request: ${request.url()}`);
   });
+  await prepare(page);
   await page.goto(url);
   await page.locator("html[data-ready=true]").waitFor({ state: "attached" });
   await check(page);
@@ -87,6 +89,37 @@ export function screenshotsIn(folder: string): (page: Page, name: string, whole?
   return async (page, name, whole = false) => {
     await page.screenshot({ path: join(folder, `${name}.png`), fullPage: whole });
   };
+}
+
+/** The file that a button of a chart's `host` saves. */
+export async function savedBy(page: Page, host: string, format: "SVG" | "PNG" | "CSV"): Promise<{ name: string; text: string }> {
+  const [file] = await Promise.all([
+    page.waitForEvent("download"),
+    page.locator(host).first().getByRole("button", { name: format, exact: true }).click(),
+  ]);
+  return { name: file.suggestedFilename(), text: readFileSync(await file.path(), "utf8") };
+}
+
+const kGuises: [string, BrowserContextOptions][] = [
+  ["", { colorScheme: "light" }],
+  ["-dark", { colorScheme: "dark" }],
+  ["-narrow", { colorScheme: "light", viewport: kPhone }],
+  ["-narrow-dark", { colorScheme: "dark", viewport: kPhone }],
+];
+
+/** Light and dark, on a wide screen and on a phone; `check` is told what it is called then. */
+export async function inEveryGuise(
+  browser: Browser,
+  address: Address,
+  name: string,
+  check: (page: Page, name: string) => Promise<void>,
+): Promise<void> {
+  for (const [guise, options] of kGuises) {
+    await onPage(browser, address, { ...options, bypassCSP: true }, async (page) => {
+      await check(page, name + guise);
+      await hasNoSeriousFault(page);
+    });
+  }
 }
 
 /** Of those that keep people from using the page. The page's own policy lets in no script of axe-core:

@@ -14,14 +14,14 @@ function download(name: string, content: Blob): void {
 }
 
 export class ExportButtons {
-  readonly element = element("span", { class: "export", role: "group", "aria-label": "save the chart" });
+  readonly element: HTMLElement;
 
-  /** `name`: of the files, without an ending. `namesOf`: those of the chart's series. */
+  /** `name`: what the chart shows; of the files, too. */
   constructor(
     private readonly name: string,
     private readonly chartOf: () => EpisodeChart | undefined,
-    private readonly namesOf: () => string[],
   ) {
+    this.element = element("span", { class: "export", role: "group", "aria-label": `save ${name}` });
     for (const format of kFormats) {
       const button = element("button", { type: "button", class: "text" }, format);
       button.addEventListener("click", () => void this.save(format));
@@ -33,17 +33,17 @@ export class ExportButtons {
     const chart = this.chartOf();
     if (!chart) return;
     const content = await this.contentOf(chart, format);
-    download(`${this.name}.${format.toLowerCase()}`, content);
+    download(`${this.name.replace(/[^\w.-]+/g, "_")}.${format.toLowerCase()}`, content);
   }
 
   private contentOf(chart: EpisodeChart, format: (typeof kFormats)[number]): Promise<Blob> | Blob {
     switch (format) {
       case "SVG":
-        return new Blob([chartToSvg(chart.picture, this.namesOf())], { type: "image/svg+xml" });
+        return new Blob([chartToSvg(chart.picture)], { type: "image/svg+xml" });
       case "PNG":
         return chartToPng(chart.picture);
       case "CSV":
-        return new Blob([chartToCsv(chart.picture, this.namesOf())], { type: "text/csv" });
+        return new Blob([chartToCsv(chart.picture)], { type: "text/csv" });
     }
   }
 }

@@ -19,11 +19,8 @@ export interface ChartPicture {
 const quoted = (text: string): string => (/[",\n]/.test(text) ? `"${text.replace(/"/g, '""')}"` : text);
 
 /** All episodes, also those out of the view; a row for each, empty where there is no value. */
-export function chartToCsv(
-  { episode, series }: Pick<ChartPicture, "episode" | "series">,
-  names: string[],
-): string {
-  const rows = [["episode", ...names].map(quoted).join(",")];
+export function chartToCsv({ episode, series }: Pick<ChartPicture, "episode" | "series">): string {
+  const rows = [["episode", ...series.map(({ name }) => name)].map(quoted).join(",")];
   episode.forEach((number, i) => {
     const values = series.map(({ values }) => values[i] ?? NaN);
     rows.push([number, ...values.map((value) => (Number.isFinite(value) ? value : ""))].join(","));
@@ -63,7 +60,6 @@ const escaped = (text: string): string =>
 /** What is in view, with its axes and a key. `colorOf`: the value of a color of the style sheet. */
 export function chartToSvg(
   picture: Omit<ChartPicture, "canvas">,
-  names: string[],
   colorOf: (name: string) => string = themeColor,
 ): string {
   const { width, height } = kSize;
@@ -94,7 +90,7 @@ export function chartToSvg(
   parts.push(...picture.bands.map((band) => bandOf(picture, band, x, y, colorOf)));
   picture.series.forEach((series, i) => {
     if (!picture.isVisible[i] || series.width === 0) return;
-    parts.push(`<g><title>${escaped(names[i] ?? "")}</title>${seriesOf(picture.episode, series, x, y, colorOf)}</g>`);
+    parts.push(`<g><title>${escaped(series.name)}</title>${seriesOf(picture.episode, series, x, y, colorOf)}</g>`);
   });
   return parts.join("\n") + "\n</g>\n</svg>\n";
 }

@@ -7,15 +7,15 @@ import { EpisodeChart } from "./episode_chart.ts";
 import { addValueCard } from "./value_card.ts";
 
 function addChart(episode: Float32Array, curve: LearnerCurve, host: HTMLElement): void {
-  const card = addValueCard(host, curve, curve.doc);
+  const card = addValueCard(host, curve, curve.doc, () => chart);
   const showValue = (index: number | null): void => {
     const at = index ?? episode.length - 1;
     const value = formatNumber(curve.values[at]);
     card.value.textContent = `episode ${formatCount(episode[at] ?? 0)}: ${value}`;
   };
-  const chart = new EpisodeChart(card.chart, {
+  const chart: EpisodeChart = new EpisodeChart(card.chart, {
     episode,
-    series: [{ values: curve.values, color: "--accent", kind: "line", hasGaps: true }],
+    series: [{ name: curve.name, values: curve.values, color: "--accent", kind: "line", hasGaps: true }],
     height: 190,
     label: `${curve.name} in each episode.`,
     onHover: showValue,

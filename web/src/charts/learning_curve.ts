@@ -10,6 +10,7 @@ import { endInWords, formatCount, formatNumber } from "../data/words.ts";
 import { element, leaveAfterClick, onThemeChange } from "../page/dom.ts";
 import { ChangeMarks } from "./change_marks.ts";
 import { EpisodeChart } from "./episode_chart.ts";
+import { ExportButtons } from "./export_buttons.ts";
 import { shadowColor } from "./series.ts";
 
 const kHint = "Point at an episode for its values; drag to zoom, double-click to see all.";
@@ -24,7 +25,7 @@ export class LearningCurve {
 
   constructor(
     private readonly report: Report,
-    private readonly parts: { chart: HTMLElement; readout: HTMLElement; key: HTMLElement },
+    private readonly parts: Record<"chart" | "readout" | "key" | "exports", HTMLElement>,
     window: number,
     private readonly replay: (recording: Recording) => void,
   ) {
@@ -37,9 +38,10 @@ export class LearningCurve {
     this.chart = new EpisodeChart(parts.chart, {
       episode: report.episode,
       series: [
-        { values: report.returns, color: "--point", kind: "points" },
-        { values: this.mean, color: "--accent", kind: "line", hasGaps: true, starts },
+        { name: "return", values: report.returns, color: "--point", kind: "points" },
+        { name: "mean", values: this.mean, color: "--accent", kind: "line", hasGaps: true, starts },
         ...this.shadowMeans.map((values, i) => ({
+          name: `${report.shadows[i]?.module ?? ""}, mean`,
           values,
           color: shadowColor(i),
           kind: "line" as const,
@@ -55,6 +57,7 @@ export class LearningCurve {
         this.placeMarks(plot);
       },
     });
+    parts.exports.append(new ExportButtons("returns", () => this.chart).element);
     onThemeChange(() => this.chart.redraw());
     this.showValues(null);
   }

@@ -16,21 +16,22 @@ function padded(values: Float32Array, length: number): Float32Array {
 export function chartOfRuns(
   episode: Float32Array,
   { mean, low, high }: MeanCurve,
-  runs: { values: Float32Array; color: string }[],
+  runs: { name: string; values: Float32Array; color: string }[],
 ): Pick<ChartOptions, "episode" | "series" | "bands"> {
   const invisible = { color: "--none", kind: "line" as const, width: 0 };
   return {
     episode,
     series: [
-      { ...invisible, values: low },
-      { ...invisible, values: high },
-      ...runs.map(({ values, color }) => ({
+      { ...invisible, name: "95 % low", values: low },
+      { ...invisible, name: "95 % high", values: high },
+      ...runs.map(({ name, values, color }) => ({
+        name,
         values: padded(values, episode.length),
         color,
         kind: "line" as const,
         width: 1.25,
       })),
-      { values: mean, color: "--ink", kind: "line", width: 2.5 },
+      { name: "mean", values: mean, color: "--ink", kind: "line", width: 2.5 },
     ],
     bands: [{ upper: 1, lower: 0, color: "--band" }],
   };

@@ -1,5 +1,6 @@
 /** A curve of a chart. Colors are names of the style sheet, so that they follow the theme. */
 export interface ChartSeries {
+  name: string; // in what is saved of the chart
   values: Float32Array;
   color: string;
   kind: "line" | "points";

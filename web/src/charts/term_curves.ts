@@ -7,6 +7,7 @@ import { formatCount, formatNumber } from "../data/words.ts";
 import { element, onThemeChange } from "../page/dom.ts";
 import { ChangeMarks } from "./change_marks.ts";
 import { EpisodeChart } from "./episode_chart.ts";
+import { ExportButtons } from "./export_buttons.ts";
 import { seriesColor } from "./series.ts";
 
 export class TermCurves {
@@ -16,7 +17,7 @@ export class TermCurves {
 
   constructor(
     private readonly report: Report,
-    private readonly parts: { chart: HTMLElement; legend: HTMLElement; caption: HTMLElement },
+    private readonly parts: Record<"chart" | "legend" | "caption" | "exports", HTMLElement>,
     window: number,
   ) {
     this.means = this.meansOf(window);
@@ -25,6 +26,7 @@ export class TermCurves {
     this.chart = new EpisodeChart(parts.chart, {
       episode: report.episode,
       series: this.means.map((values, i) => ({
+        name: report.terms[i]?.name ?? "",
         values,
         color: seriesColor(i),
         kind: "line",
@@ -36,6 +38,7 @@ export class TermCurves {
       onHover: (index) => this.showValues(index),
       onDraw: (plot) => changes.place(plot),
     });
+    parts.exports.append(new ExportButtons("terms", () => this.chart).element);
     onThemeChange(() => this.chart.redraw());
     this.showValues(null);
   }

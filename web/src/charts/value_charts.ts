@@ -30,14 +30,14 @@ class ValueChart {
   ) {
     this.mean = this.meanOf(window);
     const words = [kReductionWords[curve.reduction] ?? curve.reduction, curve.doc];
-    const card = addValueCard(host, curve, words.filter(Boolean).join(" — "));
+    const card = addValueCard(host, curve, words.filter(Boolean).join(" — "), () => this.chart);
     this.value = card.value;
     const changes = new ChangeMarks(report.changes, true);
     this.chart = new EpisodeChart(card.chart, {
       episode: report.episode,
       series: [
-        { values: curve.values, color: "--point", kind: "points" },
-        { values: this.mean, color: "--accent", kind: "line", hasGaps: true },
+        { name: curve.name, values: curve.values, color: "--point", kind: "points" },
+        { name: "mean", values: this.mean, color: "--accent", kind: "line", hasGaps: true },
       ],
       height: 190,
       label: `${curve.name} of each episode and its running mean.`,

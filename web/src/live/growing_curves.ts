@@ -23,7 +23,7 @@ const kKinds = { term: "reward term", metric: "metric", learner: "learner", shad
 /** Draws the values and their running mean; replaced where another set of series is needed. */
 class GrowingChart {
   private chart: EpisodeChart | undefined;
-  private count = 0; // of its series
+  private names = ""; // of its series
 
   constructor(
     private readonly host: HTMLElement,
@@ -37,13 +37,14 @@ class GrowingChart {
 
   draw(episode: Float32Array, series: ChartSeries[]): void {
     if (episode.length === 0) return;
-    if (this.chart && this.count === series.length) {
+    const names = series.map(({ name }) => name).join("\n");
+    if (this.chart && this.names === names) {
       this.chart.extend(episode, series.map(({ values }) => values));
       return;
     }
     this.chart?.destroy();
     this.chart = new EpisodeChart(this.host, { episode, series, ...this.options });
-    this.count = series.length;
+    this.names = names;
   }
 
   redraw(): void {
@@ -66,7 +67,7 @@ class CurveCard {
     private readonly record: GrowingRecord,
   ) {
     const words = [kKinds[curve.kind], curve.doc].filter(Boolean).join(": ");
-    const card = addValueCard(host, curve, words);
+    const card = addValueCard(host, curve, words, () => this.chart.drawn);
     this.value = card.value;
     this.chart = new GrowingChart(card.chart, {
       height: 150,
@@ -82,8 +83,8 @@ class CurveCard {
   draw(episode: Float32Array, window: number): void {
     const values = Float32Array.from(this.curve.values);
     this.chart.draw(episode, [
-      { values, color: "--point", kind: "points" },
-      { values: runningMean(values, window), color: "--accent", kind: "line", hasGaps: true },
+      { name: this.curve.name, values, color: "--point", kind: "points" },
+      { name: "mean", values: runningMean(values, window), color: "--accent", kind: "line", hasGaps: true },
     ]);
     this.showValue();
   }
@@ -126,13 +127,8 @@ export class GrowingCurves {
       onDraw: (plot) => this.marks.place(plot),
     });
     onThemeChange(() => this.curve.redraw());
-    const names = (): string[] => [
-      "return",
-      "mean",
-      ...record.curvesOf("shadow").map(({ name }) => `${name}, mean`),
-    ];
     byId("curve-export", HTMLElement).append(
-      new ExportButtons("returns", () => this.curve.drawn, names).element,
+      new ExportButtons("returns", () => this.curve.drawn).element,
     );
   }
 
@@ -147,9 +143,10 @@ export class GrowingCurves {
     this.mean = runningMean(returns, window);
     const shadows = record.curvesOf("shadow");
     this.curve.draw(episode, [
-      { values: returns, color: "--point", kind: "points" },
-      { values: this.mean, color: "--accent", kind: "line", hasGaps: true },
-      ...shadows.map(({ values }, i): ChartSeries => ({
+      { name: "return", values: returns, color: "--point", kind: "points" },
+      { name: "mean", values: this.mean, color: "--accent", kind: "line", hasGaps: true },
+      ...shadows.map(({ name, values }, i): ChartSeries => ({
+        name: `${name}, mean`,
         values: runningMeanWhereThere(values, window),
         color: shadowColor(i),
         kind: "line",

@@ -43,10 +43,7 @@ export class Comparison {
       this.isWindowChosen = true;
       this.draw();
     });
-    const names = (): string[] => ["95 % low", "95 % high", ...this.chosen.map(({ name }) => name), "mean"];
-    byId("curves-export", HTMLElement).append(
-      new ExportButtons("runs", () => this.chart, names).element,
-    );
+    byId("curves-export", HTMLElement).append(new ExportButtons("runs", () => this.chart).element);
     onThemeChange(() => this.chart?.redraw());
   }
 
@@ -98,7 +95,11 @@ export class Comparison {
   }
 
   private drawChart(episode: Float32Array, isOther: boolean): void {
-    const colored = this.curves.map(({ mean }, i) => ({ values: mean, color: seriesColor(i) }));
+    const colored = this.curves.map(({ mean }, i) => ({
+      name: this.chosen[i]?.name ?? "",
+      values: mean,
+      color: seriesColor(i),
+    }));
     const options = chartOfRuns(episode, this.common, colored);
     if (this.chart && !isOther) {
       this.chart.extend(episode, options.series.map(({ values }) => values));

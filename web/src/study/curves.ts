@@ -1,6 +1,7 @@
 // The curves of all runs of an experiment, and their mean with its confidence interval.
 
 import { EpisodeChart } from "../charts/episode_chart.ts";
+import { ExportButtons } from "../charts/export_buttons.ts";
 import { chartOfRuns, kBeforeRuns } from "../charts/run_curves.ts";
 import { formatCount, formatNumber } from "../data/words.ts";
 import { element, onThemeChange } from "../page/dom.ts";
@@ -18,8 +19,9 @@ export class Curves {
   ) {
     const { curve, runs } = experiment;
     const chart = element("div", { class: "chart" });
-    host.append(this.key(), chart, this.readout);
-    const colored = runs.map((run) => ({ values: run.curve, color: colorOf(run.group) }));
+    const exports = new ExportButtons(experiment.name, () => this.chart).element;
+    host.append(this.key(), chart, element("div", { class: "card-note" }, this.readout, exports));
+    const colored = runs.map((run) => ({ name: run.name, values: run.curve, color: colorOf(run.group) }));
     this.chart = new EpisodeChart(chart, {
       ...chartOfRuns(curve.episodes, curve, colored),
       height: 330,

@@ -1,6 +1,7 @@
 // One figure of all experiments from episode to episode: their means, and the intervals around them.
 
 import { EpisodeChart } from "../charts/episode_chart.ts";
+import { ExportButtons } from "../charts/export_buttons.ts";
 import { formatCount, formatNumber } from "../data/words.ts";
 import { element, onThemeChange } from "../page/dom.ts";
 import type { Figure } from "./comparison.ts";
@@ -51,7 +52,8 @@ export class Overlay {
     this.switches = experiments.map((experiment, i) => this.switchOf(experiment, i));
     const legend = element("div", { class: "switches", role: "group", "aria-label": "Experiments" });
     legend.append(...this.switches);
-    host.append(legend, this.host, this.readout);
+    const exports = new ExportButtons("experiments", () => this.chart).element;
+    host.append(legend, this.host, element("div", { class: "card-note" }, this.readout, exports));
     onThemeChange(() => this.chart?.redraw());
   }
 
@@ -61,17 +63,18 @@ export class Overlay {
       const own = figure.curveIn(experiment);
       const at = (values: Float32Array | undefined): Float32Array =>
         valuesAt(this.episodes, experiment.curve.episodes, values ?? new Float32Array());
-      return { low: at(own?.low), high: at(own?.high), mean: at(own?.mean), isThere: own !== undefined };
+      const { name } = experiment;
+      return { name, low: at(own?.low), high: at(own?.high), mean: at(own?.mean), isThere: own !== undefined };
     });
     this.means = curves.map(({ mean }) => mean);
     this.switches.forEach((each, i) => (each.hidden = !curves[i]?.isThere));
     const line = { kind: "line" as const, hasGaps: true };
     this.chart = new EpisodeChart(this.host, {
       episode: this.episodes,
-      series: curves.flatMap(({ low, high, mean }, i) => [
-        { ...line, values: low, color: "--none", width: 0 },
-        { ...line, values: high, color: "--none", width: 0 },
-        { ...line, values: mean, color: colorOf(i), width: 2.25 },
+      series: curves.flatMap(({ name, low, high, mean }, i) => [
+        { ...line, name: `${name}, 95 % low`, values: low, color: "--none", width: 0 },
+        { ...line, name: `${name}, 95 % high`, values: high, color: "--none", width: 0 },
+        { ...line, name: `${name}, mean`, values: mean, color: colorOf(i), width: 2.25 },
       ]),
       bands: curves.map((_, i) => ({
         upper: 3 * i + 1,
