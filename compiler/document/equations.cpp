@@ -4,122 +4,17 @@
 #include <functional>
 #include <utility>
 
-#include "compiler/syntax/words.h"
+#include "compiler/check/names.h"
+#include "compiler/document/payments.h"
+#include "compiler/document/reads.h"
 
 namespace compiler {
 namespace {
 
-std::string OncePer(MemoryScope scope) {
-  return "once per " + std::string(NameOf(scope, kScopeNames));
-}
-
-// ---- Rewards: sums of what is paid --------------------------------------------------------------
-
 // "r" and the term's name; the anonymous reward has none.
-std::string TermName(const std::string& name) {
-  return name.empty() ? "r_{0}" : "r_{" + TextToLatex(name) + "}";
+std::string TermName(const std::string& term) {
+  return term == kReward ? "r_{0}" : "r_{" + TextToLatex(term) + "}";
 }
-
-struct Payment {
-  std::string term;
-  Formula amount;
-};
-
-std::optional<Payment> PaymentOf(const Statement& statement) {
-  if (const auto* reward = std::get_if<RewardStatement>(&statement.node)) {
-    Formula amount = ToFormula(reward->value);
-    if (reward->is_rate) amount = Product(amount, {"\\Delta t"});
-    return Payment{reward->name.text, amount};
-  }
-  const auto* assign = std::get_if<AssignStatement>(&statement.node);
-  if (assign != nullptr && assign->target.name.text == "reward") {
-    return Payment{"", ToFormula(assign->value)};
-  }
-  return std::nullopt;
-}
-
-struct Row {
-  Formula condition;
-  Formula amount;
-};
-
-Formula Cases(const std::vector<Row>& rows, const Formula& otherwise) {
-  std::string text = "\\begin{cases} ";
-  for (const Row& row : rows) {
-    text += row.amount.text + " & \\text{if } " + row.condition.text + " \\\\ ";
-  }
-  return {text + otherwise.text + " & \\text{otherwise} \\end{cases}"};
-}
-
-// What one term is paid in a block.
-class TermCollector {
- public:
-  explicit TermCollector(std::string term) : term_(std::move(term)) {}
-
-  // Nothing: this block pays the term nothing.
-  std::optional<Formula> Collect(const Block& block) const {
-    std::vector<Formula> summands;
-    for (const Statement& statement : block) {
-      if (auto summand = Collect(statement)) summands.push_back(*summand);
-    }
-    if (summands.empty()) return std::nullopt;
-    return Sum(summands);
-  }
-
- private:
-  std::optional<Formula> Collect(const Statement& statement) const {
-    if (const auto payment = PaymentOf(statement); payment && payment->term == term_) {
-      return payment->amount;
-    }
-    if (const auto* branch = std::get_if<IfStatement>(&statement.node)) return Collect(*branch);
-    if (const auto* loop = std::get_if<ForStatement>(&statement.node)) return Collect(*loop);
-    if (const auto* once = std::get_if<OnceStatement>(&statement.node)) return Collect(*once);
-    return std::nullopt;
-  }
-
-  std::optional<Formula> Collect(const IfStatement& statement) const {
-    std::vector<Row> rows;
-    bool is_paid = false;
-    for (const IfBranch& branch : statement.branches) {
-      const auto amount = Collect(branch.body);
-      is_paid |= amount.has_value();
-      rows.push_back({ToFormula(branch.condition), amount.value_or(Formula{"0"})});
-    }
-    const auto otherwise =
-        statement.otherwise ? Collect(*statement.otherwise) : std::optional<Formula>();
-    if (!is_paid && !otherwise) return std::nullopt;
-    if (!otherwise) {
-      while (rows.back().amount.text == "0") rows.pop_back();
-    }
-    return Cases(rows, otherwise.value_or(Formula{"0"}));
-  }
-
-  std::optional<Formula> Collect(const ForStatement& loop) const {
-    const auto amount = Collect(loop.body);
-    if (!amount) return std::nullopt;
-    return Formula{"\\sum_{" + NameToLatex(loop.variable.text) + " \\in " +
-                       ToFormula(loop.items).text + "} " + AtLeast(Binding::kProduct, *amount),
-                   Binding::kProduct};
-  }
-
-  std::optional<Formula> Collect(const OnceStatement& once) const {
-    std::vector<Row> rows;
-    bool is_paid = false;
-    for (const IfBranch& branch : once.branches) {
-      const auto amount = Collect(branch.body);
-      is_paid |= amount.has_value();
-      Formula condition{TextToLatex(OncePer(once.scope) + ", ") + ToFormula(branch.condition).text};
-      rows.push_back({condition, amount.value_or(Formula{"0"})});
-    }
-    if (!is_paid) return std::nullopt;
-    while (rows.back().amount.text == "0") rows.pop_back();
-    return Cases(rows, {"0"});
-  }
-
-  std::string term_;
-};
-
-// ---- All else: statements and their conditions --------------------------------------------------
 
 // The conditions under which a statement runs, from the outside in.
 using Conditions = std::vector<Formula>;
@@ -191,7 +86,8 @@ void AddStatement(const Statement& statement, const Conditions& conditions,
                   EventEquations& equations) {
   const std::string condition = ToText(conditions);
   if (const auto* let = std::get_if<LetStatement>(&statement.node)) {
-    equations.locals.push_back({NameToLatex(let->name.text), ToFormula(let->value).text});
+    equations.locals.push_back(
+        {NameToLatex(let->name.text), ToFormula(let->value).text, ReadsOf(let->value)});
   } else if (const auto* log = std::get_if<LogStatement>(&statement.node)) {
     equations.logs.push_back(
         {{NameToLatex(log->name.text), ToFormula(log->value).text}, condition});
@@ -205,7 +101,7 @@ void AddStatement(const Statement& statement, const Conditions& conditions,
   } else if (const auto* next = std::get_if<NextStatement>(&statement.node)) {
     equations.next.push_back({next->phase.text, condition});
   } else if (const auto* assign = std::get_if<AssignStatement>(&statement.node);
-             assign != nullptr && !PaymentOf(statement)) {
+             assign != nullptr && !PaidTerm(statement)) {
     equations.memory.push_back(
         {{ToFormula(assign->target).text, NewValue(*assign).text}, condition});
   }
@@ -217,20 +113,16 @@ EventEquations EquationsOf(const std::vector<const Block*>& blocks, EventEquatio
   for (const Block* block : blocks) {
     Visit(*block, {}, [&](const Statement& statement, const Conditions& conditions) {
       AddStatement(statement, conditions, equations);
-      const auto payment = PaymentOf(statement);
-      if (payment && std::ranges::find(terms, payment->term) == terms.end()) {
-        terms.push_back(payment->term);
-      }
+      const auto term = PaidTerm(statement);
+      if (term && std::ranges::find(terms, *term) == terms.end()) terms.push_back(*term);
     });
   }
   std::vector<Formula> names;
   for (const std::string& term : terms) {
     names.push_back({TermName(term)});
-    std::vector<Formula> parts;
-    for (const Block* block : blocks) {
-      if (auto part = TermCollector(term).Collect(*block)) parts.push_back(std::move(*part));
-    }
-    equations.terms.push_back({TermName(term), Sum(parts).text});
+    Payment payment = PaymentOf(term, blocks);
+    equations.terms.push_back(
+        {term, {TermName(term), payment.amount.text, std::move(payment.reads)}});
   }
   equations.total = Sum(names);
   return equations;

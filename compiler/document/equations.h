@@ -14,6 +14,13 @@ namespace compiler {
 struct Equation {
   std::string left;
   std::string right;
+  std::vector<std::string> reads{};  // the names in it, of a term's and a local's (reads.h)
+};
+
+// What a reward term is paid.
+struct TermEquation {
+  std::string term;
+  Equation equation;
 };
 
 // A statement that is not a sum: it happens under a condition.
@@ -44,8 +51,8 @@ struct ConditionalNext {
 struct EventEquations {
   std::string name;  // of the event, or of the phase
   std::string doc;
-  std::vector<Equation> terms;  // of the rewards, in the order of their first statements
-  Formula total;                // the sum of all terms
+  std::vector<TermEquation> terms;  // in the order of their first statements
+  Formula total;                    // the sum of all terms
   std::vector<Equation> locals;
   std::vector<ConditionalEquation> memory;
   std::vector<ConditionalEquation> logs;

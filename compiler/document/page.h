@@ -36,6 +36,8 @@ struct Formulas {
     std::string left;
     std::string sign;  // "=", "\\leftarrow"
     std::string right;
+    std::string term{};                // the reward term that is paid this; "": none
+    std::vector<std::string> reads{};  // names of what it is computed from (reads.h)
   };
   std::vector<Line> lines;
 };

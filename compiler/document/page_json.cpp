@@ -33,7 +33,14 @@ struct BlockWriter {
     return {{"kind", "paragraph"}, {"text", PiecesOf(paragraph.text)}};
   }
   nlohmann::json operator()(const Formulas& formulas) const {
-    return {{"kind", "formulas"}, {"latex", ToLatex(formulas)}};
+    nlohmann::json lines = nlohmann::json::array();
+    for (const Formulas::Line& line : formulas.lines) {
+      nlohmann::json& json = lines.emplace_back(
+          nlohmann::json{{"left", line.left}, {"sign", line.sign}, {"right", line.right}});
+      if (!line.term.empty()) json["term"] = line.term;
+      if (!line.reads.empty()) json["reads"] = line.reads;
+    }
+    return {{"kind", "formulas"}, {"lines", std::move(lines)}};
   }
   nlohmann::json operator()(const Table& table) const {
     nlohmann::json rows = nlohmann::json::array();

@@ -12,6 +12,7 @@
 #include "compiler/check/unit.h"
 #include "compiler/document/automaton.h"
 #include "compiler/document/equations.h"
+#include "compiler/document/reads.h"
 #include "compiler/syntax/words.h"
 #include "compiler/weights/weights.h"
 
@@ -208,9 +209,14 @@ class PageWriter {
   }
 
   static Formulas RewardFormulas(const EventEquations& event) {
-    if (event.terms.size() == 1) return {{{"r", "=", event.terms[0].right}}};
-    Formulas formulas{{{"r", "=", event.total.text}}};
-    for (const Equation& term : event.terms) formulas.lines.push_back({term.left, "=", term.right});
+    Formulas formulas;
+    for (const auto& [term, equation] : event.terms)
+      formulas.lines.push_back({equation.left, "=", equation.right, term, equation.reads});
+    if (formulas.lines.size() == 1) {
+      formulas.lines.front().left = "r";
+    } else {
+      formulas.lines.insert(formulas.lines.begin(), {"r", "=", event.total.text});
+    }
     return formulas;
   }
 
@@ -218,7 +224,8 @@ class PageWriter {
     Formulas formulas;
     for (const PotentialDeclaration* potential : All<PotentialDeclaration>(tree_)) {
       const std::string name = TextToLatex(potential->name.text);
-      formulas.lines.push_back({"\\Phi_{" + name + "}", "=", ToFormula(potential->value).text});
+      formulas.lines.push_back({"\\Phi_{" + name + "}", "=", ToFormula(potential->value).text,
+                                potential->name.text, ReadsOf(potential->value)});
     }
     if (formulas.lines.empty()) return;
     AddHeading("Potentials");
@@ -240,8 +247,8 @@ class PageWriter {
   // Says what the signs of the formulas above mean.
   void Signs(const EventEquations& event) {
     const auto contains = [&](std::string_view sign) {
-      return std::ranges::any_of(event.terms, [&](const Equation& term) {
-        return term.right.find(sign) != std::string::npos;
+      return std::ranges::any_of(event.terms, [&](const TermEquation& term) {
+        return term.equation.right.find(sign) != std::string::npos;
       });
     };
     if (!contains("\\Delta t")) return;
@@ -543,7 +550,7 @@ class PageWriter {
   void AddFormulas(const std::vector<Equation>& equations) {
     Formulas formulas;
     for (const Equation& equation : equations) {
-      formulas.lines.push_back({equation.left, "=", equation.right});
+      formulas.lines.push_back({equation.left, "=", equation.right, "", equation.reads});
     }
     page_.blocks.push_back(std::move(formulas));
   }

@@ -8,11 +8,11 @@ import type { Page } from "playwright-core";
 
 import {
   fitsItsWidth,
-  hasNoSeriousFault,
   inBrowser,
-  kPhone,
+  inEveryGuise,
   numberIn,
   onPage,
+  savedBy,
   screenshotsIn,
   sleep,
   textOf,
@@ -37,10 +37,11 @@ async function showsTheRun(page: Page): Promise<void> {
 
 /** A paused run: what the page says is what the API says. */
 async function numbersAreThoseOfTheApi(page: Page, run: Trainer): Promise<void> {
-  await page.getByRole("button", { name: "Pause" }).click();
+  await page.locator("#pause").click();
   await page.locator('#state[data-state="paused"]').waitFor();
   await page.locator("#step").click();
   await page.locator("#shown", { hasText: "paused here" }).waitFor();
+  await page.locator("#scrub[disabled]").waitFor({ state: "attached" });
   const status = await run.ask("status");
   // Half of the time steps of 5 ms end where two digits may be rounded up or down.
   await page.waitForFunction((time) => {
@@ -64,7 +65,7 @@ async function numbersAreThoseOfTheApi(page: Page, run: Trainer): Promise<void> 
     if (different.length > 0) await sleep(100);
   }
   assert.deepEqual(different, []);
-  await page.getByRole("button", { name: "Resume" }).click();
+  await page.locator("#pause").click();
   await page.locator('#state[data-state="running"]').waitFor();
 }
 
@@ -144,6 +145,58 @@ async function anEpisodeIsJudged(page: Page, run: Trainer): Promise<void> {
   assert.equal(await rows.count(), 1 + namesOf("terms").size + namesOf("metrics").size);
 }
 
+/** At the equations stand the numbers of the moment that one has gone to. */
+async function equationsSayTheMoment(page: Page, run: Trainer): Promise<void> {
+  const slider = page.locator("#editor-scrub:not([disabled])");
+  const read = (name: string): Promise<string> => textOf(page, `#editor-page [data-read="${name}"] .value`);
+  const [{ terms, params }] = (await run.ask("list")).tasks;
+  const areThoseOfTheRewards = (names: string[]): boolean =>
+    names.every((term) => {
+      const textsIn = (selector: string): (string | null)[] =>
+        [...document.querySelectorAll(selector)].map(({ textContent }) => textContent);
+      const [rate, , sum] = textsIn(`#rewards tr[data-term="${term}"] output`);
+      const said = textsIn(`#editor-page [data-term="${term}"] .value`);
+      return said.length === 2 && said[0] === rate && said[1] === sum;
+    });
+  for (const [key, isMoment] of [
+    ["End", (time: number) => time > 0],
+    ["PageDown", (time: number) => time > 0],
+    ["Home", (time: number) => time === 0],
+  ] as const) {
+    await slider.focus();
+    await page.keyboard.press(key);
+    await page.locator("#shown", { hasText: "held at this moment" }).waitFor();
+    await page.waitForFunction(areThoseOfTheRewards, Object.keys(terms));
+    await page.waitForFunction(() => {
+      const said = document.querySelector('#editor-page [data-read="time"] .value')?.textContent;
+      return said === undefined || document.querySelector("#shown")?.textContent?.includes(`, ${said} s`);
+    });
+    assert.ok(isMoment(Number(await slider.inputValue())));
+  }
+  for (const { name, value } of params) {
+    if (await page.locator(`#editor-page [data-read="${name}"]`).count()) {
+      assert.ok(isAbout(numberIn(await read(name)), value), name);
+    }
+  }
+  await page.locator("#editor-page").scrollIntoViewIfNeeded();
+  await screenshot(page, "live-equations");
+  await page.locator("#editor-play").click();
+  await page.locator("#shown", { hasText: "in real time" }).waitFor();
+}
+
+/** What is saved of a card is what the trainer has recorded. */
+async function aCardIsSaved(page: Page, run: Trainer): Promise<void> {
+  await page.locator("#curves").scrollIntoViewIfNeeded();
+  await page.locator("#curves article canvas").first().waitFor();
+  const [{ terms }] = (await run.ask("list")).tasks;
+  const term = await textOf(page, "#curves article h3");
+  assert.ok(Object.keys(terms).includes(term));
+  const { name, text } = await savedBy(page, "#curves article", "CSV");
+  assert.equal(name, `${term}.csv`);
+  assert.match(text, new RegExp(`^episode,${term},mean\\n1,`));
+  assert.match((await savedBy(page, "#curves article", "SVG")).text, /^<svg .*<\/svg>\n$/s);
+}
+
 /** A term that the episode was not paid: what it would have brought, at once. */
 async function anEditIsJudgedAtOnce(page: Page): Promise<void> {
   await page.locator("#what-if-follow").check();
@@ -181,25 +234,19 @@ await inBrowser(async (browser) =>
         await aRewiringIsRefusedWithAReason(page, run);
         await aTaskIsEdited(page, run);
         await anEpisodeIsJudged(page, run);
+        await equationsSayTheMoment(page, run);
         await anEditIsJudgedAtOnce(page);
+        await aCardIsSaved(page, run);
         await screenshot(page, "live-whole", true);
       });
-      for (const [name, options] of [
-        ["live-light", { colorScheme: "light" }],
-        ["live-dark", { colorScheme: "dark" }],
-        ["live-narrow", { colorScheme: "light", viewport: kPhone }],
-        ["live-narrow-dark", { colorScheme: "dark", viewport: kPhone }],
-      ] as const) {
-        await onPage(browser, run.page, { ...options, bypassCSP: true }, async (page) => {
-          await showsTheRun(page);
-          await sleep(4000);
-          await screenshot(page, name);
-          await page.locator("#editor-open").click();
-          await page.locator("#editor-page .katex").first().waitFor();
-          await screenshot(page, `${name}-whole`, true);
-          await hasNoSeriousFault(page);
-        });
-      }
+      await inEveryGuise(browser, run.page, "live-seen", async (page, name) => {
+        await showsTheRun(page);
+        await sleep(4000);
+        await screenshot(page, name);
+        await page.locator("#editor-open").click();
+        await page.locator("#editor-page .katex").first().waitFor();
+        await screenshot(page, `${name}-whole`, true);
+      });
     } finally {
       run.kill();
     }

@@ -99,3 +99,16 @@ test("a term's rate is what it has paid in a third of a second, its action's sum
   assert.equal(history.entries[0]?.startsEpisode, true);
   assert.equal(history.entries[1]?.startsEpisode, false);
 });
+
+test("who goes back in an episode sees what was before, as if it had just passed", () => {
+  const layout = decodeLayout(kText);
+  const times = [0, 1, 2, 3, 4, 5].map((i): [number, number, number] => [i / 10, 0, i]);
+  const clip = decodeClip(layout, bytesOf(true, times, layout.size));
+  const history = new History();
+  for (let i = 0; i < 6; ++i) history.add(new Frame(clip, i));
+  for (let i = 0; i < 4; ++i) history.add(new Frame(clip, i));
+  assert.deepEqual(history.entries.map(({ frame }) => frame.index), [0, 1, 2, 3]);
+  assert.deepEqual(history.entries.map(({ startsEpisode }) => startsEpisode), [true, false, false, false]);
+  const [rate] = history.last?.rates.values() ?? [];
+  assert.ok(Math.abs((rate ?? 0) - 10) < 1e-3);
+});

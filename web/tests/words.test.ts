@@ -6,7 +6,7 @@ import {
   formatCount,
   formatDate,
   formatDuration,
-  formatLength,
+  formatThousandths,
   formatNumber,
   formatRatio,
   formatTick,
@@ -31,8 +31,8 @@ test("numbers on an axis lose zeros that say nothing, but none of an exponent", 
 });
 
 test("lengths have millimeters and no negative zero", () => {
-  assert.equal(formatLength(-2.57e-9), "0.000");
-  assert.equal(formatLength(-0.0336), "\u22120.034");
+  assert.equal(formatThousandths(-2.57e-9), "0.000");
+  assert.equal(formatThousandths(-0.0336), "\u22120.034");
 });
 
 test("counts are grouped from five digits on", () => {

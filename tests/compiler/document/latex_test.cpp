@@ -2,29 +2,14 @@
 
 #include <gtest/gtest.h>
 
-#include "compiler/document/equations.h"
-#include "compiler/syntax/parse.h"
+#include "tests/compiler/document/parsed.h"
 
 namespace compiler {
 namespace {
 
-SyntaxTree Parsed(const std::string& text) {
-  SourceFile source("t.task", text);
-  Diagnostics diagnostics;
-  std::optional<SyntaxTree> tree = Parse(source, diagnostics);
-  if (!tree) throw std::runtime_error("no task: " + text);
-  return std::move(*tree);
-}
-
 // LaTeX of an expression as it is written in a task.
 std::string Latex(const std::string& expression) {
-  SyntaxTree tree = Parsed("task t\nmetric value = " + expression + "\n");
-  return ToFormula(std::get<MetricDeclaration>(tree.declarations.front().node).value).text;
-}
-
-EventEquations Equations(const std::string& body) {
-  SyntaxTree tree = Parsed("task t\non end_of_time_step {\n" + body + "\n}\n");
-  return EquationsOf(std::get<EventDeclaration>(tree.declarations.front().node));
+  return OfExpression(expression, [](const Expression& node) { return ToFormula(node).text; });
 }
 
 TEST(Latex, WritesNumbersWithTheirUnits) {
@@ -100,24 +85,25 @@ TEST(Equations, SumTheTermsAndGiveTheirCases) {
       "if p { reward b = 1 } else if q { reward c = 2 } else { reward b = 3 }");
   EXPECT_EQ(equations.total.text, "r_{\\text{a}} + r_{\\text{b}} + r_{\\text{c}}");
   ASSERT_EQ(equations.terms.size(), 3u);
-  EXPECT_EQ(equations.terms[0].right, "x\\,\\Delta t");
-  EXPECT_EQ(equations.terms[1].right,
+  EXPECT_EQ(equations.terms[0].equation.right, "x\\,\\Delta t");
+  EXPECT_EQ(equations.terms[1].equation.right,
             "\\begin{cases} 1 & \\text{if } p \\\\ 0 & \\text{if } q \\\\ 3 & \\text{otherwise} "
             "\\end{cases}");
-  EXPECT_EQ(equations.terms[2].right,
+  EXPECT_EQ(equations.terms[2].equation.right,
             "\\begin{cases} 0 & \\text{if } p \\\\ 2 & \\text{if } q \\\\ 0 & \\text{otherwise} "
             "\\end{cases}");
 }
 
 TEST(Equations, SumOverLoops) {
   EventEquations equations = Equations("for i in 0..3 { reward a = x[i] + 1 }");
-  EXPECT_EQ(equations.terms[0].right, "\\sum_{i \\in 0\\ldots 3} \\left(x_{i} + 1\\right)");
+  EXPECT_EQ(equations.terms[0].equation.right,
+            "\\sum_{i \\in 0\\ldots 3} \\left(x_{i} + 1\\right)");
 }
 
 TEST(Equations, AddSeveralPaymentsOfATerm) {
   EventEquations equations = Equations("reward a = x\nreward a = -y\nreward += z");
-  EXPECT_EQ(equations.terms[0].right, "x + \\left(-y\\right)");
-  EXPECT_EQ(equations.terms[1].left, "r_{0}");
+  EXPECT_EQ(equations.terms[0].equation.right, "x + \\left(-y\\right)");
+  EXPECT_EQ(equations.terms[1].equation.left, "r_{0}");
 }
 
 TEST(Equations, GiveEachEndItsConditions) {

@@ -24,8 +24,15 @@ TEST(PageOfTask, HasTheEquations) {
   Editor editor;
   const Json page = PageIn(editor, kTask);
   EXPECT_EQ(page["title"], "crawling");
-  EXPECT_THAT(BlockOf(page, "formulas")["latex"].get<std::string>(),
-              HasSubstr("r_{\\text{fall}} &= \\begin{cases} -\\mathrm{fall\\_penalty}"));
+  const Json lines = BlockOf(page, "formulas")["lines"];
+  EXPECT_FALSE(lines[0].contains("term")) << "the sum of all terms";
+  const Json& fall = lines[2];
+  EXPECT_EQ(fall["term"], "fall");
+  EXPECT_EQ(fall["left"], "r_{\\text{fall}}");
+  EXPECT_EQ(fall["sign"], "=");
+  EXPECT_THAT(fall["right"].get<std::string>(),
+              HasSubstr("\\begin{cases} -\\mathrm{fall\\_penalty}"));
+  EXPECT_EQ(fall["reads"][0], "fall_penalty");
   const Json table = BlockOf(page, "table");
   EXPECT_EQ(table["header"][0], "term");
   EXPECT_EQ(table["rows"][0][0][0], Json({{"face", "code"}, {"text", "forward"}}));

@@ -22,8 +22,8 @@ export function formatTick(value: number): string {
   return formatNumber(value).replace(/(\.\d*?)0+(?=e|$)/, "$1").replace(/\.(?=e|$)/, "");
 }
 
-/** A length [m] to the millimeter. */
-export const formatLength = (value: number): string =>
+/** Such as a length [m] to the millimeter. */
+export const formatThousandths = (value: number): string =>
   (Math.round(value * 1000) / 1000 + 0).toFixed(3).replace("-", kMinus);
 
 /** `value` (a whole number) with its thousands set apart. */

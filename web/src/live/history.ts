@@ -2,7 +2,7 @@
 
 import type { Frame, Layout, ViewValue } from "./view_frames.ts";
 
-const kLength = 240; // frames: eight seconds at thirty a second
+export const kPast = 240; // frames that are remembered: eight seconds at thirty a second
 const kPayWindow = 0.3; // what was paid is a rate over so long [s]
 const kDense = 0.1; // between two frames, if no action is to be missed [s]
 
@@ -33,6 +33,7 @@ export class History {
       this.terms = layout.values.filter(({ kind }) => kind === "term");
       this.entries.length = 0;
     }
+    if (this.last && isBehind(frame, this.last.frame)) this.entries.length = 0;
     const before = this.last?.frame;
     const startsEpisode =
       before?.clip.episode !== frame.clip.episode || before.time > frame.time + 1e-6;
@@ -43,7 +44,7 @@ export class History {
       rates: this.ratesAt(frame, startsEpisode),
       ofAction: this.isDense ? this.paidForAction(frame) : new Map(),
     });
-    if (this.entries.length > kLength) this.entries.shift();
+    if (this.entries.length > kPast) this.entries.shift();
     return isOther;
   }
 
@@ -80,3 +81,7 @@ export class History {
     );
   }
 }
+
+/** Somebody has gone back in an episode. */
+const isBehind = (frame: Frame, last: Frame): boolean =>
+  frame.clip === last.clip && frame.index < last.index;

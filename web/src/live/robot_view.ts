@@ -5,7 +5,8 @@ import { formatCount, formatRatio } from "../data/words.ts";
 import { byId, hasWebGl, onThemeChange } from "../page/dom.ts";
 import { AidSwitches } from "../replay/aid_switches.ts";
 import { jointsInWords } from "../replay/joints.ts";
-import { Stage } from "../replay/stage.ts";
+import { mountStage } from "../replay/mount_stage.ts";
+import type { Stage } from "../replay/stage.ts";
 import { placeInWords } from "../replay/stage_words.ts";
 import { forcesIn, goalsIn, poseSize, torquesIn, type Clip, type Frame } from "./view_frames.ts";
 import type { Shown, ViewSource } from "./view_source.ts";
@@ -25,7 +26,6 @@ function motionOf(clip: Clip): { frames: number; interval: number; poses: Float3
 
 export class RobotView {
   private readonly stage: Stage | undefined;
-  private readonly host = byId("stage", HTMLElement);
   private readonly place = byId("place", HTMLElement);
   private readonly told = byId("told", HTMLElement);
   private readonly joints = byId("joints", HTMLElement);
@@ -33,6 +33,7 @@ export class RobotView {
   private readonly aids = new AidSwitches(() => (this.mustDraw = true));
   private clip: Clip | undefined;
   private mustDraw = true;
+  private wasHeld = false;
 
   constructor(
     private readonly scenery: Scenery,
@@ -48,21 +49,10 @@ export class RobotView {
         "This browser offers no WebGL, so the robot cannot be drawn here.";
       return undefined;
     }
-    const stage = new Stage(scenery, () => (this.mustDraw = true));
-    stage.canvas.setAttribute("role", "img");
-    stage.canvas.setAttribute("aria-label", "The robot as it is now");
-    stage.canvas.tabIndex = 0;
-    stage.canvas.addEventListener("focus", () => stage.setZoomable(true));
-    stage.canvas.addEventListener("blur", () => stage.setZoomable(false));
-    stage.canvas.addEventListener("pointerdown", () => stage.canvas.focus({ preventScroll: true }));
-    stage.setZoomable(false);
-    this.host.prepend(stage.canvas);
-    this.aids.connect(stage);
     const redraw = (): void => void (this.mustDraw = true);
-    new ResizeObserver(() => {
-      stage.setSize(this.host.clientWidth, this.host.clientHeight);
-      stage.draw();
-    }).observe(this.host);
+    const stage = mountStage(scenery, byId("stage", HTMLElement), redraw);
+    stage.canvas.setAttribute("aria-label", "The robot as it is now");
+    this.aids.connect(stage);
     onThemeChange(() => {
       stage.updateTheme();
       redraw();
@@ -79,7 +69,9 @@ export class RobotView {
   /** Draws what is shown, if that or the camera has changed. */
   draw({ frame, time, passed }: Shown, state: string): void {
     const isNew = passed.length > 0;
-    if (isNew) this.describe(frame, state);
+    const { isHeld } = this.source;
+    if (isNew || isHeld !== this.wasHeld) this.describe(frame, state);
+    this.wasHeld = isHeld;
     if (!this.stage || !(isNew || this.mustDraw || this.source.isPlaying)) return;
     const { clip } = frame;
     if (clip.layout.links === 0) return;
@@ -130,6 +122,7 @@ export class RobotView {
   private howShown(state: string): string {
     if (state === "paused") return "the run is paused here";
     if (this.source.showsInstants) return "this instant of the training";
+    if (this.source.isHeld) return "held at this moment; the training goes on";
     const rate = this.source.rate;
     const pace = rate === 1 ? "in real time" : `at ${rate < 1 ? rate : formatRatio(rate)} × real time`;
     return `a whole episode ${pace}; the training is ahead`;

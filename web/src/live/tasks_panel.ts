@@ -6,10 +6,12 @@ import { lastValues } from "../data/statistics.ts";
 import { formatNumber } from "../data/words.ts";
 import { byId, element } from "../page/dom.ts";
 import { TaskEditor } from "./editor/task_editor.ts";
-import { showTaskPage } from "./editor/task_page.ts";
+import { TaskPageView } from "./editor/task_page.ts";
 import type { GrowingRecord } from "./growing_record.ts";
+import type { History } from "./history.ts";
 import type { Listing, TaskModule } from "./parameters.ts";
 import { ask } from "./trainer.ts";
+import type { Layout } from "./view_frames.ts";
 import { WhatIf } from "./what_if.ts";
 
 const kMeanOf = 20; // episodes
@@ -33,9 +35,11 @@ export class TasksPanel {
   private readonly tryButton = byId("editor-try", HTMLButtonElement);
   private readonly revert = byId("editor-revert", HTMLButtonElement);
   private editor: TaskEditor | undefined;
+  private readonly equations = new TaskPageView(byId("editor-page", HTMLElement));
   private readonly whatIf = new WhatIf(() => ({ file: this.taskFile, text: this.editor?.text ?? "" }));
   private file = "";
   private listing: Listing | undefined;
+  private layout: Layout | undefined;
   private returns: { module: string; output: HTMLElement }[] = [];
 
   constructor(
@@ -57,6 +61,24 @@ export class TasksPanel {
     this.returns = [];
     this.cards.replaceChildren(...listing.tasks.map((task) => this.makeCard(task)));
     this.refreshReturns();
+    this.renewNumbers();
+  }
+
+  /** The frames are those of another task. */
+  showLayout(layout: Layout): void {
+    this.layout = layout;
+    this.renewNumbers();
+  }
+
+  /** What the equations are worth at the moment that is shown. */
+  showMoment({ last }: History): void {
+    if (this.editor && last) this.equations.update(last);
+  }
+
+  private renewNumbers(): void {
+    const { layout, listing } = this;
+    const params = listing?.tasks.find(({ module }) => module === layout?.module)?.params;
+    if (layout && params) this.equations.setTask({ layout, params });
   }
 
   /** The means of what the tasks say of the last episodes. */
@@ -120,7 +142,7 @@ export class TasksPanel {
         else this.say(isEdited ? "edited" : "as the active task has it");
       },
       onPage: (page) => {
-        showTaskPage(page, byId("editor-page", HTMLElement));
+        this.equations.show(page);
         this.whatIf.noteEdit();
       },
     });

@@ -2,11 +2,10 @@
 
 import { clearedContext } from "../page/canvas.ts";
 import { element, themeColor } from "../page/dom.ts";
-import type { Entry } from "./history.ts";
+import { kPast, type Entry } from "./history.ts";
 
 const kHeight = 30; // [CSS pixels]
 const kMostLines = 24;
-const kSlots = 240; // as many as the history has entries
 
 export type NumberAt = (entry: Entry, line: number) => number;
 
@@ -53,7 +52,7 @@ export class Trace {
     let isDrawing = false;
     entries.forEach((entry, i) => {
       const value = this.numberAt(entry, line);
-      const x = width * (1 - (entries.length - 1 - i) / (kSlots - 1));
+      const x = width * (1 - (entries.length - 1 - i) / (kPast - 1));
       if (!Number.isFinite(value) || entry.startsEpisode) isDrawing = false;
       if (!Number.isFinite(value)) return;
       if (isDrawing) context.lineTo(x, y(value));

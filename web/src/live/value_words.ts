@@ -1,15 +1,20 @@
 // What a frame's values are, as text.
 
-import { formatNumber, formatTick } from "../data/words.ts";
+import { formatCount, formatNumber, formatTick } from "../data/words.ts";
 import type { Frame, ViewValue } from "./view_frames.ts";
 
-const isFlag = ({ type }: ViewValue): boolean => type.startsWith("bool");
+export const isFlag = ({ type }: ViewValue): boolean => type.startsWith("bool");
+const isWhole = ({ type }: ViewValue): boolean => type.startsWith("int");
 
 /** "true", "0.312", "(0.1, 0, 1)"; of many numbers how many there are. */
-export function valueInWords(value: ViewValue, numbers: Float32Array): string {
+export function valueInWords(
+  value: ViewValue,
+  numbers: Float32Array,
+  numberInWords = formatNumber,
+): string {
   const format = (number: number): string => {
     if (isFlag(value) && Number.isFinite(number)) return number === 1 ? "true" : "false";
-    return formatNumber(number);
+    return isWhole(value) && Number.isFinite(number) ? formatCount(number) : numberInWords(number);
   };
   if (value.size === 1) return format(numbers[0] ?? NaN);
   if (isFlag(value)) {

@@ -2,6 +2,8 @@
 // eyes can follow, one after the other.
 
 import { decodeClip, decodeLayout, Frame, type Clip, type Layout } from "./view_frames.ts";
+import type { Moment } from "../replay/scrubber.ts";
+import { kPast } from "./history.ts";
 import { LastingSocket } from "./trainer.ts";
 
 /** "instants", or how many times real time. */
@@ -12,7 +14,7 @@ const kAhead = 3; // the next episode is asked for so long before this one is ov
 export interface Shown {
   frame: Frame;
   time: number; // of the picture, which may lie between two frames [s]
-  passed: Frame[]; // those that came since the last call, this one the last; none: it is the same
+  passed: Frame[]; // since the last call, this one the last; none: it is the same
 }
 
 export class ViewSource {
@@ -21,6 +23,7 @@ export class ViewSource {
   private pace: Pace = 1;
   private isPaused = false;
   private isHidden = false;
+  private stands = false; // the episode, where somebody looks at it
   private clip: Clip | undefined;
   private next: Clip | undefined;
   private isAsked = false;
@@ -38,6 +41,24 @@ export class ViewSource {
   setPace(pace: Pace): void {
     this.pace = pace;
     this.askAgain();
+  }
+
+  /** Lets the episode that is shown stand still, or go on. */
+  toggle(): void {
+    this.stands = !this.stands;
+  }
+
+  /** Stands still at a time of the episode that is shown. */
+  seek(time: number): void {
+    this.stands = true;
+    this.time = Math.min(Math.max(time, 0), this.duration);
+  }
+
+  /** Of the whole episode that is shown. */
+  get moment(): (Moment & { interval: number }) | undefined {
+    const { clip, duration, isPlaying } = this;
+    if (this.showsInstants || !clip?.isEpisode) return undefined;
+    return { time: Math.min(this.time, duration), duration, isPlaying, interval: clip.interval };
   }
 
   /** While the run is paused, the instant is shown at which it is, whatever the pace. */
@@ -66,29 +87,41 @@ export class ViewSource {
   get rate(): number {
     return this.pace === "instants" ? 1 : this.pace;
   }
+  get isHeld(): boolean {
+    return this.stands;
+  }
   get isPlaying(): boolean {
-    return !this.showsInstants && this.clip !== undefined;
+    return !this.showsInstants && !this.stands && this.clip !== undefined;
   }
 
   /** `seconds` of the viewer's time have passed; what is to be seen now. */
   advance(seconds: number): Shown | undefined {
     if (this.isPlaying) this.time += seconds * this.rate;
-    if (!this.showsInstants) this.changeEpisode();
+    if (!this.showsInstants && !this.stands) this.changeEpisode();
     const { clip } = this;
     if (!clip) return undefined;
     const index = clip.isEpisode ? Math.floor(this.time / clip.interval + 1e-6) : 0;
     const frame = new Frame(clip, Math.min(index, clip.frames - 1));
-    const first = this.shown?.clip === clip ? this.shown.index + 1 : 0;
     const passed: Frame[] = [];
-    for (let i = first; i <= frame.index; ++i) passed.push(new Frame(clip, i));
+    for (let i = this.firstBefore(frame); i <= frame.index; ++i) passed.push(new Frame(clip, i));
     this.shown = frame;
     return { frame, time: clip.isEpisode ? this.time : 0, passed };
   }
 
+  /** Of what has passed up to `frame`: what was not shown yet, or what was before it all. */
+  private firstBefore({ clip, index }: Frame): number {
+    const { shown } = this;
+    if (shown?.clip !== clip) return 0;
+    return index >= shown.index ? shown.index + 1 : Math.max(0, index + 1 - kPast);
+  }
+
+  /** Of the episode that is shown [s]. */
+  private get duration(): number {
+    return this.clip?.isEpisode ? (this.clip.frames - 1) * this.clip.interval : 0;
+  }
+
   private get left(): number {
-    const { clip } = this;
-    if (!clip?.isEpisode) return 0;
-    return ((clip.frames - 1) * clip.interval - this.time) / this.rate;
+    return this.clip?.isEpisode ? (this.duration - this.time) / this.rate : 0;
   }
 
   private changeEpisode(): void {
@@ -103,6 +136,7 @@ export class ViewSource {
 
   private askAgain(): void {
     this.next = undefined;
+    if (this.showsInstants) this.stands = false;
     this.isAsked = !this.showsInstants;
     const wish = this.showsInstants ? "instants" : "episode";
     this.socket.send(this.isHidden ? "nothing" : wish);

@@ -4,7 +4,8 @@ import type { Scenery } from "../data/report_data.ts";
 import { byId } from "../page/dom.ts";
 import type { AidSwitches } from "./aid_switches.ts";
 import { durationOf, type Replay } from "./motion.ts";
-import { Stage } from "./stage.ts";
+import { mountStage } from "./mount_stage.ts";
+import type { Stage } from "./stage.ts";
 import { StageWords } from "./stage_words.ts";
 
 /** Something that can be shown beside a replay. */
@@ -72,18 +73,10 @@ export class Companion {
 
   private makeStage(scenery: Scenery): Stage {
     this.scenery = scenery;
-    const stage = new Stage(scenery, () => {
+    const stage = mountStage(scenery, this.host, () => {
       if (this.stage) this.onView(this.stage); // and not while it is made
     });
-    stage.canvas.setAttribute("role", "img");
-    stage.setZoomable(false);
-    this.host.prepend(stage.canvas);
     this.aids.connect(stage);
-    new ResizeObserver(() => {
-      if (this.host.clientWidth === 0) return;
-      stage.setSize(this.host.clientWidth, this.host.clientHeight);
-      stage.draw();
-    }).observe(this.host);
     return stage;
   }
 }

@@ -1,17 +1,21 @@
-// Sky and sun of the picture, as large as the robot needs them.
+// Sky, haze and sun of the picture, as large as the robot needs them.
 
-import { Color, DirectionalLight, HemisphereLight, PCFShadowMap, Vector3, type Scene, type WebGLRenderer } from "three";
+import { Color, DirectionalLight, Fog, HemisphereLight, PCFShadowMap, Vector3, type Scene, type WebGLRenderer } from "three";
 
 import { themeColor } from "../page/dom.ts";
 
 const kPlace = new Vector3(-3.3, -4.3, 7.6); // seen from the robot, in its radii
 const kLit = 2.9; // half the width of what has shadows, likewise
+const kFog = { near: 7.6, far: 24 }; // likewise
 
 export class Light {
   private readonly sky = new HemisphereLight(0xffffff, 0xffffff, 2.3);
   private readonly sun = new DirectionalLight(0xffffff, 1.9);
 
-  constructor(renderer: WebGLRenderer, scene: Scene) {
+  constructor(
+    renderer: WebGLRenderer,
+    private readonly scene: Scene,
+  ) {
     renderer.shadowMap.enabled = true;
     renderer.shadowMap.type = PCFShadowMap;
     this.sun.castShadow = true;
@@ -35,7 +39,10 @@ export class Light {
     this.sun.position.copy(target).addScaledVector(kPlace, radius);
   }
 
-  updateTheme(): void {
+  updateTheme(radius: number): void {
+    const background = new Color(themeColor("--stage"));
+    this.scene.background = background;
+    this.scene.fog = new Fog(background, kFog.near * radius, kFog.far * radius);
     this.sky.groundColor = new Color(themeColor("--stage-bounce"));
   }
 }

@@ -1,9 +1,8 @@
 // The 3-D picture: robot, floor, light and a camera that follows the base. Draws when asked to.
 
-import { Color, Fog, Raycaster, Scene, Vector2, Vector3, WebGLRenderer } from "three";
+import { Raycaster, Scene, Vector2, Vector3, WebGLRenderer } from "three";
 
 import type { BodyLink, Scenery } from "../data/report_data.ts";
-import { themeColor } from "../page/dom.ts";
 import { Aids, kFirstAids, type AidSettings } from "./aids.ts";
 import { CameraRig } from "./camera_rig.ts";
 import { framingOf, type Framing } from "./framing.ts";
@@ -25,7 +24,6 @@ import { Terrain } from "./terrain.ts";
 const kFollowSmoothing = 0.3; // half the time over which the followed path is averaged [s]
 const kNothing: Motion = { frames: 0, interval: 1, poses: new Float32Array() };
 const kNothingFramed: Framing = { anchor: 0, height: 0, radius: 0.2 };
-const kFog = { near: 7.6, far: 24 }; // in radii of the robot
 
 export class Stage {
   readonly canvas: HTMLCanvasElement;
@@ -84,7 +82,10 @@ export class Stage {
   continueWith(motion: Motion): void {
     const isFirst = this.framing === kNothingFramed;
     this.motion = motion;
-    this.framing = motion.frames > 0 ? this.frame(motion) : kNothingFramed;
+    this.framing = kNothingFramed;
+    if (motion.frames > 0) {
+      this.framing = framingOf(this.links, motion, (x, y) => this.terrain.heightAt(x, y));
+    }
     this.path = smoothPath(motion, this.framing.anchor, kFollowSmoothing);
     this.rig.fit(this.framing.radius);
     this.light.fit(this.framing.radius);
@@ -185,11 +186,8 @@ export class Stage {
   }
 
   updateTheme(): void {
-    const background = new Color(themeColor("--stage"));
-    this.scene.background = background;
     const { radius } = this.framing;
-    this.scene.fog = new Fog(background, kFog.near * radius, kFog.far * radius);
-    this.light.updateTheme();
+    this.light.updateTheme(radius);
     this.robot.updateColors();
     for (const part of [this.ground, this.aids]) {
       if (part) this.scene.remove(part.object);
@@ -235,10 +233,6 @@ export class Stage {
   /** Those of the robot: not the things around it, which come after them. */
   private get links(): BodyLink[] {
     return this.scenery.body.filter((part) => !part.thing);
-  }
-
-  private frame(motion: Motion): Framing {
-    return framingOf(this.links, motion, (x, y) => this.terrain.heightAt(x, y));
   }
 
   private follow(): void {

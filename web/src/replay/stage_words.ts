@@ -2,7 +2,7 @@
 
 import type { BodyLink } from "../data/report_data.ts";
 import { sampleAt } from "../data/timeline.ts";
-import { formatLength } from "../data/words.ts";
+import { formatThousandths } from "../data/words.ts";
 import { byId } from "../page/dom.ts";
 import { jointsInWords } from "./joints.ts";
 import type { Replay } from "./motion.ts";
@@ -10,7 +10,7 @@ import type { Stage } from "./stage.ts";
 import { toldAt } from "./told.ts";
 
 export const placeInWords = (place: number[]): string => {
-  const [x, y, z] = place.map(formatLength);
+  const [x, y, z] = place.map(formatThousandths);
   return `x ${x}  y ${y}  z ${z} m`;
 };
 

@@ -1,14 +1,15 @@
 // The replay with its controls: buttons, slider, keys, and the loop that draws while it plays.
 
 import type { Scenery } from "../data/report_data.ts";
-import { formatTime } from "../data/words.ts";
 import { byId, onThemeChange } from "../page/dom.ts";
 import { AidSwitches } from "./aid_switches.ts";
 import { Companion, type Other } from "./companion.ts";
 import { FilmRecorder } from "./film_recorder.ts";
 import { durationOf, type Replay } from "./motion.ts";
+import { mountStage } from "./mount_stage.ts";
 import { Player } from "./player.ts";
-import { Stage } from "./stage.ts";
+import { Scrubber } from "./scrubber.ts";
+import type { Stage } from "./stage.ts";
 import { StageWords } from "./stage_words.ts";
 import { Strip } from "./strip.ts";
 
@@ -18,10 +19,11 @@ export class Viewer {
   private readonly player = new Player();
   private readonly stage: Stage;
   private readonly strip: Strip;
-  private readonly frame = byId("stage", HTMLElement);
-  private readonly playButton = byId("play", HTMLButtonElement);
-  private readonly slider = byId("scrub", HTMLInputElement);
-  private readonly clock = byId("clock", HTMLElement);
+  private readonly scrubber = new Scrubber(
+    "",
+    () => this.player.toggle(),
+    (time) => this.player.seek(time),
+  );
   private readonly title = byId("stage-title", HTMLElement);
   private readonly words = new StageWords();
   private readonly aids = new AidSwitches(() => this.planDraw());
@@ -37,10 +39,7 @@ export class Viewer {
   private settleTimer = 0;
 
   constructor(private scenery: Scenery) {
-    this.stage = new Stage(scenery, () => this.onView());
-    this.stage.canvas.tabIndex = 0;
-    this.stage.canvas.setAttribute("role", "img");
-    this.frame.prepend(this.stage.canvas);
+    this.stage = mountStage(scenery, byId("stage", HTMLElement), () => this.onView());
     this.aids.connect(this.stage);
     this.strip = new Strip(
       byId("strip", HTMLElement),
@@ -49,7 +48,7 @@ export class Viewer {
       this.player,
     );
     this.connectControls();
-    this.connectView();
+    this.connectTheme();
     document.addEventListener("keydown", (event) => this.onKey(event));
     this.player.onChange(() => this.update());
   }
@@ -58,7 +57,7 @@ export class Viewer {
   show(recording: Replay, opening = 0, title = `episode ${recording.episode}`): void {
     this.recording = recording;
     const duration = durationOf(recording);
-    this.slider.step = String(recording.interval);
+    this.scrubber.setInterval(recording.interval);
     this.stage.canvas.setAttribute(
       "aria-label",
       `The robot in episode ${recording.episode}, ${duration.toFixed(1)} seconds`,
@@ -130,8 +129,6 @@ export class Viewer {
     const { player, stage } = this;
     const follow = byId("follow", HTMLInputElement);
     const speed = byId("speed", HTMLSelectElement);
-    this.playButton.addEventListener("click", () => player.toggle());
-    this.slider.addEventListener("input", () => this.slide(this.slider.valueAsNumber));
     speed.addEventListener("change", () => player.setSpeed(Number(speed.value)));
     follow.addEventListener("change", () => {
       stage.setFollowing(follow.checked);
@@ -141,24 +138,7 @@ export class Viewer {
     byId("reset-view", HTMLButtonElement).addEventListener("click", () => stage.resetView());
   }
 
-  /** The last step of the slider leads to the end of the episode, which may be less than a step. */
-  private slide(time: number): void {
-    const { duration } = this.player;
-    const step = this.recording?.interval ?? 0;
-    this.player.seek(time + step > duration + 1e-6 ? duration : time);
-  }
-
-  private connectView(): void {
-    const { canvas } = this.stage;
-    canvas.addEventListener("focus", () => this.stage.setZoomable(true));
-    canvas.addEventListener("blur", () => this.stage.setZoomable(false));
-    canvas.addEventListener("pointerdown", () => canvas.focus({ preventScroll: true }));
-    canvas.addEventListener("dblclick", () => this.stage.resetView());
-    this.stage.setZoomable(false);
-    new ResizeObserver(() => {
-      this.stage.setSize(this.frame.clientWidth, this.frame.clientHeight);
-      this.stage.draw();
-    }).observe(this.frame);
+  private connectTheme(): void {
     onThemeChange(() => {
       this.stage.updateTheme();
       this.companion.updateTheme();
@@ -171,7 +151,7 @@ export class Viewer {
   private onKey(event: KeyboardEvent): void {
     if (!this.recording || event.ctrlKey || event.metaKey || event.altKey) return;
     const target = event.target as Element;
-    const isSlider = target === this.slider;
+    const isSlider = target === this.scrubber.slider;
     if (target.closest("button, select, summary, a, textarea, pre, .scroll, .chart")) return;
     if (target instanceof HTMLInputElement && !(isSlider && event.key === " ")) return;
     if (!this.command(event.key, event.shiftKey ? 10 : 1)) return;
@@ -195,16 +175,7 @@ export class Viewer {
   /** Shows the player's state in the controls and in the picture. */
   private update(): void {
     const { time, duration, playing } = this.player;
-    this.playButton.setAttribute("aria-label", playing ? "Pause" : "Play");
-    this.playButton.dataset["state"] = playing ? "playing" : "paused";
-    this.slider.max = String(duration);
-    this.slider.value = String(time);
-    this.slider.setAttribute(
-      "aria-valuetext",
-      `${time.toFixed(2)} of ${duration.toFixed(2)} seconds`,
-    );
-    this.slider.style.setProperty("--done", `${duration > 0 ? (100 * time) / duration : 0}%`);
-    this.clock.textContent = `${formatTime(time, duration)} / ${duration.toFixed(2)} s`;
+    this.scrubber.show({ time, duration, isPlaying: playing });
     if (!playing) this.lastFrame = undefined;
     this.planDraw();
   }

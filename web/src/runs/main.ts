@@ -9,6 +9,7 @@ import "../style/runs.css";
 
 import { seriesColor } from "../charts/series.ts";
 import { formatCount } from "../data/words.ts";
+import { showNotice } from "../live/notice.ts";
 import { ask } from "../live/trainer.ts";
 import { byId, onThemeChange } from "../page/dom.ts";
 import { Comparison } from "./comparison.ts";
@@ -89,13 +90,11 @@ class RunsPage {
   }
 
   private async attempt(action: () => Promise<unknown>): Promise<void> {
-    const notice = byId("notice", HTMLElement);
     try {
       await action();
-      notice.hidden = true;
+      showNotice("");
     } catch (error) {
-      notice.textContent = (error as Error).message;
-      notice.hidden = false;
+      showNotice((error as Error).message);
     }
   }
 }
