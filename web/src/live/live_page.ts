@@ -22,7 +22,6 @@ import { Values } from "./values.ts";
 import { ViewSource } from "./view_source.ts";
 
 const kBetweenDrawings = 1000 / 30 - 4; // [ms]; a screen's own pictures do not come exactly in time
-const kStatusEvery = 1000; // [ms]
 const kTracesEvery = 120; // [ms]
 const kCurvesEvery = 1000; // [ms]
 const kOtherTask = ["load", "unload", "swap", "rollback", "promote"]; // changes of what is shown
@@ -79,7 +78,7 @@ export class LivePage {
       () => void this.refreshListing(),
     );
     showChanges(this.record.changes);
-    window.setInterval(() => void this.refreshStatus(), kStatusEvery);
+    void this.run.follow();
     document.addEventListener("visibilitychange", () => this.source.setHidden(document.hidden));
     onThemeChange(() => (this.lastTraces = 0));
     requestAnimationFrame((now) => this.draw(now));
@@ -96,7 +95,7 @@ export class LivePage {
   }
 
   async begin(): Promise<void> {
-    await this.refreshStatus();
+    await this.run.refresh();
     await this.refreshListing();
     const { status } = this.run;
     if (status && status.speed > 0 && status.speed < kSlow) this.moment.setPace("instants");
@@ -106,21 +105,12 @@ export class LivePage {
   /** What has happened while nothing was heard. */
   async catchUp(): Promise<void> {
     await this.rereadRecord();
-    await this.refreshStatus();
+    await this.run.refresh();
     await this.refreshListing();
   }
 
   showLost(): void {
     this.run.showLost();
-  }
-
-  private async refreshStatus(): Promise<void> {
-    if (document.hidden) return;
-    try {
-      await this.run.refresh();
-    } catch {
-      this.run.showLost();
-    }
   }
 
   private async refreshListing(): Promise<void> {
@@ -164,7 +154,7 @@ export class LivePage {
     } else if (event.event === "missed") {
       void this.rereadRecord();
     } else if (event.event === "state") {
-      void this.refreshStatus();
+      void this.run.refresh();
     }
   }
 

@@ -25,6 +25,7 @@ export interface Status {
 
 const kStateWords = { running: "running", paused: "paused", finished: "all episodes are done" };
 const kSpark = 120; // episodes
+const kBetweenLooks = 1000; // [ms]
 
 interface Figure {
   value: HTMLElement;
@@ -95,7 +96,19 @@ export class RunPanel {
   }
 
   async refresh(): Promise<void> {
-    this.show(await ask<Status>("status"));
+    try {
+      this.show(await ask<Status>("status"));
+    } catch {
+      this.showLost();
+    }
+  }
+
+  /** Asks again only when there is an answer: of a trainer that takes its time nothing piles up. */
+  async follow(): Promise<void> {
+    for (;;) {
+      await new Promise((done) => window.setTimeout(done, kBetweenLooks));
+      if (!document.hidden) await this.refresh();
+    }
   }
 
   drawSpark(): void {
