@@ -36,7 +36,7 @@ export class Rewards {
     for (const row of this.rows) body.append(this.rowElement(row));
     const foot = element("tfoot", {}, this.sumRow("return", layout.task, "what the learner is paid", this.total));
     for (const { value, sum } of this.shadows) {
-      foot.append(this.sumRow(value.name, value.name, "shadow, on the same motion", sum));
+      foot.append(this.sumRow(value.name, value.name, "shadow, same motion", sum));
     }
     this.host.replaceChildren(element("table", { class: "rewards-table" }, this.head(), body, foot));
   }
