@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # A study on a real Slurm cluster of two nodes on this machine, of which one dies and the other has to
-# make room: what comes of it is what this machine's own engine comes to, bit for bit.
+# make room, and with a disk that is full for one of the runs: what comes of it is what this machine's
+# own engine comes to, bit for bit.
 #
 #   tests/slurm/study.sh [BIN]     BIN: the folder of trainer and taskc; build/bin by default
 #
@@ -24,9 +25,11 @@ chmod 0755 "$folder"
 source "$here/cluster.sh"
 # shellcheck source=tests/run_record.sh
 source "$here/../run_record.sh"
+small_disk=
 finish() {
   local status=$?
   stop_cluster
+  [ -z "$small_disk" ] || umount "$small_disk"
   if [ $status -eq 0 ]; then rm -rf "$folder"; else echo "left behind: $folder" >&2; fi
   exit $status
 }
@@ -65,9 +68,24 @@ hurry() {
 echo "== This machine's engine"
 "$bin/trainer" study "$folder/study.toml" --out "$folder/local" --quiet
 
-echo "== A cluster of two nodes"
+# A run's folder on a disk of its own, with room for little more than what it has.
+put_on_small_disk() {
+  local kilobytes
+  kilobytes=$(du -s --apparent-size "$1" | cut -f1)
+  mv "$1" "$1.moved"
+  mkdir "$1"
+  mount -t tmpfs -o "size=$((kilobytes + 400))k" none "$1"
+  small_disk=$1
+  cp -a "$1.moved/." "$1"
+  rm -r "$1.moved"
+}
+
+echo "== A cluster of two nodes, and a disk that will be full"
 start_cluster
+scontrol update partitionname=low state=down  # nothing starts yet
 "$bin/trainer" study "$folder/study.toml" --engine slurm --out "$folder/slurm"
+put_on_small_disk "$folder/slurm/crawling/seed1"
+scontrol update partitionname=low state=up
 until [ "$(count running)" -ge 2 ] && [ -n "$(tasks_on n1)" ]; do sleep 0.5; done
 sleep "${BEFORE_KILL:-4}"
 
@@ -75,7 +93,11 @@ echo "== n1 dies with $(squeue -h -r -w n1 -t RUNNING | wc -l) runs"
 kill_node n1
 "$bin/trainer" report "$folder/slurm" -o "$folder/report.html" >/dev/null
 echo "   a report of the runs as they are: $(stat -c %s "$folder/report.html") bytes"
-until squeue -h -r -w n2 -t RUNNING | grep -q .; do hurry; sleep 0.5; done
+until squeue -h -r -w n2 -t RUNNING | grep -q .; do
+  squeue -h -r | grep -q . || { echo "error: the runs ended too early; try more EPISODES" >&2; exit 1; }
+  hurry
+  sleep 0.5
+done
 sleep 1
 echo "== n2 makes room for another job, from $(squeue -h -r -w n2 -p low -t RUNNING | wc -l) runs"
 sbatch --parsable -p high -w n2 --exclusive --output=/dev/null --wrap 'sleep 2' >/dev/null
@@ -87,18 +109,28 @@ scontrol update nodename=n1 state=resume 2>/dev/null || true
 # Called again, it submits nothing that is in the queue.
 "$bin/trainer" study "$folder/study.toml" --engine slurm --out "$folder/slurm"
 
-started=$SECONDS
-until [ "$(count finished)" -eq 12 ]; do
-  hurry
-  sleep 1
-  if [ $((SECONDS - started)) -gt "${PATIENCE:-900}" ]; then
-    echo "error: the runs were not finished in time" >&2
-    status_of >&2
-    squeue -r >&2
-    tail -n 5 "$folder"/slurm/slurm/*.out >&2
-    exit 1
-  fi
-done
+# Until so many are finished, and nothing is left in the queue.
+wait_for_finished() {
+  local started=$SECONDS
+  until [ "$(count finished)" -eq "$1" ] && ! squeue -h -r -p low | grep -q .; do
+    hurry
+    sleep 1
+    if [ $((SECONDS - started)) -gt "${PATIENCE:-900}" ]; then
+      echo "error: $1 runs were not finished in time" >&2
+      status_of >&2
+      squeue -r >&2
+      tail -n 5 "$folder"/slurm/slurm/*.out >&2
+      exit 1
+    fi
+  done
+}
+wait_for_finished 11
+grep -h 'disk' "$folder"/slurm/slurm/*.out | sort -u | sed 's/^/   /' ||
+  { echo "error: no task says that its disk is full" >&2; exit 1; }
+echo "== The disk has room again, and the study is submitted again"
+mount -o remount,size=64m "$small_disk"
+"$bin/trainer" study "$folder/study.toml" --engine slurm --out "$folder/slurm"
+wait_for_finished 12
 "$bin/trainer" study status "$folder/slurm"
 requeued=$(grep -c 'requeue' "$cluster/slurmctld.log" || true)
 
