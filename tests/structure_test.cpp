@@ -178,7 +178,7 @@ const std::map<std::string, Folders> kMayInclude = {
       "runtime/training/run"}},
     {"runtime/trainer/reproduce",
      {"base/command_line", "base/text", "plugins/host", "runtime/base", "runtime/core/agent",
-      "runtime/core/task", "runtime/live/control", "runtime/trainer", "runtime/trainer/runs",
+      "runtime/live/control", "runtime/trainer", "runtime/trainer/runs", "runtime/trainer/setup",
       "runtime/training/run"}},
     {"runtime/trainer/rescore",
      {"base/text", "plugins/robot", "runtime/base", "runtime/core/module", "runtime/core/task",

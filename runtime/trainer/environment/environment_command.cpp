@@ -9,12 +9,15 @@
 #include <optional>
 #include <string>
 #include <thread>
+#include <utility>
 
 #include "base/text/print.h"
+#include "runtime/base/file_remover.h"
 #include "runtime/base/local_socket.h"
 #include "runtime/core/task/universal_task.h"
 #include "runtime/trainer/commands.h"
 #include "runtime/trainer/environment/environment_session.h"
+#include "runtime/trainer/setup/sandbox_rules.h"
 #include "runtime/trainer/setup/start_check.h"
 #include "runtime/trainer/setup/task_setup.h"
 #include "runtime/training/run/stop_request.h"
@@ -60,14 +63,22 @@ class ServedClient {
 int Serve(const EnvironmentOptions& options) {
   const BuiltTask task(options.task);
   if (!task.plugin()) return kFailed;
-  TaskSetup setup(options.task, *task.plugin(), options.seed);
+  // Before it is in the sandbox, which lets it neither listen at this place nor tidy it up.
+  const LocalListener listener(options.socket);
+  const FileRemover remover(options.socket);
+  std::optional<CommandSandbox> sandbox;
+  TaskSetup setup(options.task, *task.plugin(), options.seed, ProgramModuleTypes(),
+                  [&](const TaskSetup& known) {
+                    SandboxRules rules = RulesOf(known);
+                    task.AddTo(rules.files);
+                    sandbox.emplace(std::move(rules));
+                  });
   CheckCanBeOutside(setup);
   const std::string& module = setup.graph.FindOnly<UniversalTask>().name();
   const SharedEnvironment shared{setup, DescribeTask(setup.plugin->table(), module),
                                  options.discount};
   setup.graph.Start();  // what is wrong is said before anybody connects
   WarnOfStart(setup);
-  const LocalListener listener(options.socket);
   const StopRequest stop;
   text::Print("{}: task {} listens ... Ctrl-C to stop\n", options.socket.string(),
               shared.task.task);
@@ -104,6 +115,7 @@ void AddEnvironmentCommand(command_line::Command& program) {
                  "of the learner outside, for a task that pays a potential")
       .Range(0, 1)
       .ShowDefault();
+  AddSandboxOption(command);
   command.OnRun([options] { return Serve(*options); });
 }
 

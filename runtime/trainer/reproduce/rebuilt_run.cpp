@@ -14,7 +14,7 @@
 #include "runtime/base/build_task.h"
 #include "runtime/base/user_error.h"
 #include "runtime/core/agent/agent.h"
-#include "runtime/core/task/plugin.h"
+#include "runtime/trainer/setup/plugin_facts.h"
 #include "runtime/training/run/recorded_sources.h"
 #include "runtime/training/run/run_database.h"
 #include "runtime/training/run/run_files.h"
@@ -96,9 +96,9 @@ std::filesystem::path Build(const TaskRecord& task, const std::filesystem::path&
   std::string messages;
   if (!BuildTask({.task = sources.task, .plugin = plugin, .robots = robots}, &messages))
     FailToBuild(task, messages);
-  const Plugin built(plugin);
-  if (built.table().source_hash != task.task_hash) {
-    FailToBuild(task, fmt::format("it is of another version, {:.8}", built.table().source_hash));
+  const std::string hash = ReadPluginFacts(plugin).source_hash;
+  if (hash != task.task_hash) {
+    FailToBuild(task, fmt::format("it is of another version, {:.8}", hash));
   }
   return plugin;
 }
@@ -134,7 +134,7 @@ RebuiltRun Rebuild(const std::filesystem::path& old_folder, const RunRecord& run
         plugins == Plugins::kKept ? FindKeptPlugin(old_folder, old.plugin)
                                   : Build(old, robots, folder / fmt::format("task{}", id));
     task.plugin = KeepPlugin(plugin, folder);
-    task.compiler = Plugin(plugin).table().compiler;
+    task.compiler = ReadPluginFacts(plugin).compiler;
     rebuilt.compilers.push_back(
         {id, CompilerText(old, old_folder / old.plugin), CompilerText(task, folder / task.plugin)});
   }

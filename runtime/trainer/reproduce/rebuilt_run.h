@@ -30,7 +30,8 @@ struct RebuiltRun {
 
 // Makes in `folder`, which is empty, all that the run in `old_folder` with the record `run` needs
 // to be trained again with these changes. Tasks that come with no change but such as were taken
-// back are left out. Throws UserError where the record does not have all that it takes.
+// back are left out. None of their code runs in this process. Throws UserError where the record
+// does not have all that it takes.
 RebuiltRun Rebuild(const std::filesystem::path& old_folder, const RunRecord& run,
                    const std::vector<ChangeRecord>& changes, Plugins plugins,
                    const std::filesystem::path& folder);

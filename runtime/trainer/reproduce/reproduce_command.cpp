@@ -7,6 +7,7 @@
 #include "runtime/trainer/reproduce/reproduction_text.h"
 #include "runtime/trainer/runs/many_runs.h"
 #include "runtime/trainer/runs/run_session.h"
+#include "runtime/trainer/setup/sandbox_rules.h"
 
 namespace runtime {
 namespace {
@@ -54,6 +55,7 @@ void AddReproduceCommand(command_line::Command& program) {
   command.ExitStatus(
       "0 no episode differs, 1 one does, or the run failed, 2 the command line is wrong, 128 + n "
       "stopped by signal n.");
+  AddSandboxOption(command);
   command.OnRun([options] { return Reproduce(*options); });
 }
 

@@ -10,6 +10,7 @@
 #include "runtime/live/control/live_run.h"
 #include "runtime/trainer/runs/kept_run.h"
 #include "runtime/trainer/runs/many_runs.h"
+#include "runtime/trainer/setup/sandbox_rules.h"
 #include "runtime/training/run/compression.h"
 #include "runtime/training/run/machine_record.h"
 #include "runtime/training/run/module_types.h"
@@ -147,6 +148,7 @@ Reproduction ReproduceRun(const ReproduceOptions& options) {
                      .changes = std::ranges::count_if(recorded.changes, [&](const auto& change) {
                        return change.episode <= plan.episodes_planned;
                      })};
+  const CommandSandbox sandbox(RulesOf(ParseAgent(rebuilt.run.agent, "agent"), scratch.path()));
   RunDatabase database = RunDatabase::Open(folder);
   KeptRun kept(folder, rebuilt.run, folder, ProgramModuleTypes());
   kept.graph.Start();

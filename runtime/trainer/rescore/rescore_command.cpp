@@ -51,9 +51,7 @@ int Rescore(const RescoreOptions& options) {
   if (!built.plugin()) return kFailed;
   // Who reads a run's database writes beside it.
   SandboxRules rules{.files = {.readable = {options.task.task}, .writable = {options.folder}}};
-  if (options.task.task != *built.plugin()) {
-    rules.files.writable.push_back(built.plugin()->parent_path());
-  }
+  built.AddTo(rules.files);
   const CommandSandbox sandbox(rules);
   const auto new_task = std::make_shared<const Plugin>(*built.plugin(), options.task.task);
   const StopRequest stop;

@@ -14,7 +14,10 @@
 #include "runtime/trainer/results/learned_policy.h"
 #include "runtime/trainer/results/motion_agent.h"
 #include "runtime/trainer/results/recorded_episode.h"
+#include "runtime/trainer/runs/kept_run.h"
 #include "runtime/trainer/runs/many_runs.h"
+#include "runtime/trainer/setup/apart.h"
+#include "runtime/trainer/setup/sandbox_rules.h"
 #include "runtime/training/run/run_files.h"
 
 namespace runtime {
@@ -70,13 +73,23 @@ void WriteTables(const ExportOptions& options, Files& files) {
   if (!options.tensorboard.empty()) WriteEvents(options.tensorboard, runs, files);
 }
 
-void WritePolicy(const ExportOptions& options, Files& files) {
+// As ONNX, as C and as decisions, each empty where it is not wanted. In the sandbox: a policy is
+// found by the run's own code.
+Words PolicyTexts(const ExportOptions& options) {
+  const RunRecord run = RunDatabase::OpenToRead(options.folder).ReadRun();
+  const CommandSandbox sandbox(RulesOf(AgentOfRun(options.folder, run), options.folder));
   LearnedPolicy policy(options.folder);
-  if (!options.onnx.empty()) Write(options.onnx, "the policy", OnnxOf(policy.exported()), files);
-  if (!options.c_header.empty())
-    Write(options.c_header, "the policy", CHeaderOf(policy.exported()), files);
-  if (!options.decisions.empty())
-    Write(options.decisions, "the decisions", policy.RunEpisode(), files);
+  return {options.onnx.empty() ? "" : OnnxOf(policy.exported()),
+          options.c_header.empty() ? "" : CHeaderOf(policy.exported()),
+          options.decisions.empty() ? "" : policy.RunEpisode()};
+}
+
+void WritePolicy(const ExportOptions& options, Files& files) {
+  WarnWhereSandboxIsWeak();
+  const Words texts = RunApart(options.folder.string(), [&] { return PolicyTexts(options); });
+  if (!options.onnx.empty()) Write(options.onnx, "the policy", texts[0], files);
+  if (!options.c_header.empty()) Write(options.c_header, "the policy", texts[1], files);
+  if (!options.decisions.empty()) Write(options.decisions, "the decisions", texts[2], files);
 }
 
 std::string ReadMcap(const std::filesystem::path& folder, int64_t wanted) {
@@ -165,6 +178,7 @@ void AddExportCommand(command_line::Command& program) {
                  "values, to check what runs elsewhere")
       .ValueName("FILE");
   command.AddFlag("--json", options->json, "print the files' names as JSON");
+  AddSandboxOption(command);
   command.OnRun([options] {
     Export(*options);
     return kSuccess;

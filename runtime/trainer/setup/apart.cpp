@@ -6,10 +6,12 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <charconv>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <string_view>
+#include <system_error>
 
 #include "base/command_line/command.h"
 #include "runtime/base/pipe.h"
@@ -27,7 +29,7 @@ constexpr std::string_view kComplete = "complete";
 void Say(int pipe, Words words) {
   words.emplace_back(kComplete);
   std::string bytes;
-  for (const std::string& word : words) bytes.append(word).push_back('\0');
+  for (const std::string& word : words) bytes += fmt::format("{}:{}", word.size(), word);
   for (std::string_view rest = bytes; !rest.empty();) {
     const ssize_t count = write(pipe, rest.data(), rest.size());
     if (count > 0) rest.remove_prefix(static_cast<size_t>(count));
@@ -60,14 +62,18 @@ std::string ReadToEnd(int pipe) {
   return bytes;
 }
 
-// Nothing where it was ended before it had said all.
+// Each word behind its size, "6:result". Nothing where it was ended before it had said all.
 Words SplitComplete(std::string_view bytes) {
   Words words;
   while (!bytes.empty()) {
-    const size_t end = bytes.find('\0');
-    if (end == std::string_view::npos) return {};
-    words.emplace_back(bytes.substr(0, end));
-    bytes.remove_prefix(end + 1);
+    size_t size = 0;
+    const char* const end = bytes.data() + bytes.size();
+    const auto [colon, error] = std::from_chars(bytes.data(), end, size);
+    if (error != std::errc() || colon == end || *colon != ':') return {};
+    bytes.remove_prefix(static_cast<size_t>(colon + 1 - bytes.data()));
+    if (size > bytes.size()) return {};
+    words.emplace_back(bytes.substr(0, size));
+    bytes.remove_prefix(size);
   }
   if (words.size() < 2 || words.back() != kComplete) return {};
   words.pop_back();

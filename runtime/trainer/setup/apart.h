@@ -7,7 +7,7 @@
 
 namespace runtime {
 
-using Words = std::vector<std::string>;
+using Words = std::vector<std::string>;  // of any bytes
 
 // Forks, and returns what `work` returns there. Throws what it throws there, UserError and
 // CallError as such; UserError, which names `what`, where the process ended otherwise. To be called

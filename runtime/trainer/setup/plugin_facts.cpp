@@ -15,7 +15,7 @@ Words TellFacts(const std::filesystem::path& file) {
   setrlimit(RLIMIT_CPU, &limit);
   EnterSandbox({.files = {.readable = {file}, .writable = {}}});
   const PluginFacts facts = FactsOf(Plugin(file));
-  Words words = {facts.robot};
+  Words words = {facts.robot, facts.source_hash, facts.compiler};
   words.insert(words.end(), facts.sources.begin(), facts.sources.end());
   return words;
 }
@@ -24,7 +24,7 @@ Words TellFacts(const std::filesystem::path& file) {
 
 PluginFacts FactsOf(const Plugin& plugin) {
   const taskc_plugin& table = plugin.table();
-  PluginFacts facts{table.robot, {}};
+  PluginFacts facts{table.robot, table.source_hash, table.compiler, {}};
   for (uint32_t i = 0; i < table.source_count; ++i)
     facts.sources.emplace_back(table.sources[i].file);
   return facts;
@@ -32,7 +32,7 @@ PluginFacts FactsOf(const Plugin& plugin) {
 
 PluginFacts ReadPluginFacts(const std::filesystem::path& plugin) {
   const Words words = RunApart(plugin.string(), [&] { return TellFacts(plugin); });
-  return {words.front(), {words.begin() + 1, words.end()}};
+  return {words[0], words[1], words[2], {words.begin() + 3, words.end()}};
 }
 
 }  // namespace runtime

@@ -1,4 +1,4 @@
-// What must be known of a task before its plugin is loaded: what files it needs.
+// What must be known of a task before its plugin is loaded here.
 #pragma once
 
 #include <filesystem>
@@ -10,7 +10,9 @@
 namespace runtime {
 
 struct PluginFacts {
-  std::string robot;                           // "": none
+  std::string robot;  // "": none
+  std::string source_hash;
+  std::string compiler;
   std::vector<std::filesystem::path> sources;  // the task's files
 };
 

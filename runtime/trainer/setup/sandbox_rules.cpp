@@ -39,17 +39,9 @@ bool TalksToAProgram(const Agent& agent) {
          });
 }
 
-}  // namespace
-
-void AddSandboxOption(command_line::Command& command) {
-  command.OnFlag("--no-sandbox", DoWithoutSandbox,
-                 "let the code of tasks and modules reach all files and the network, as you can");
-}
-
-SandboxRules RulesOf(const Agent& agent, const fs::path& folder) {
+SandboxRules RulesOf(const Agent& agent) {
   SandboxRules rules{.files = {}, .may_connect = TalksToAProgram(agent)};
   AddFilesNamedIn(agent, rules.files.readable);
-  rules.files.writable = {folder};
   if (const std::optional<fs::path> nets = cache::NetFolder()) {
     std::error_code ignored;  // a cache that cannot be had costs time only
     fs::create_directories(*nets, ignored);
@@ -58,8 +50,28 @@ SandboxRules RulesOf(const Agent& agent, const fs::path& folder) {
   return rules;
 }
 
+SandboxRules With(SandboxRules rules, const fs::path& folder) {
+  rules.files.writable.insert(rules.files.writable.begin(), folder);
+  return rules;
+}
+
+}  // namespace
+
+void AddSandboxOption(command_line::Command& command) {
+  command.OnFlag("--no-sandbox", DoWithoutSandbox,
+                 "let the code of tasks and modules reach all files and the network, as you can");
+}
+
+SandboxRules RulesOf(const Agent& agent, const fs::path& folder) {
+  return With(RulesOf(agent), folder);
+}
+
 SandboxRules RulesOf(const TaskSetup& known, const fs::path& folder) {
-  SandboxRules rules = RulesOf(known.agent, folder);
+  return With(RulesOf(known), folder);
+}
+
+SandboxRules RulesOf(const TaskSetup& known) {
+  SandboxRules rules = RulesOf(known.agent);
   rules.files.readable.push_back(known.plugin_file);
   if (!known.robot_file.empty()) rules.files.readable.push_back(known.robot_file.parent_path());
   return rules;

@@ -15,8 +15,11 @@ namespace runtime {
 void AddSandboxOption(command_line::Command& command);
 
 // To read: the plugin, the robot's folder, the agent's libraries, and files that its parameters
-// name. To write: `folder`, which exists, and the cache of nets. To
-// connect to: the program that is the environment, if the agent has such a one.
+// name. To write: the cache of nets. To connect to: the program that is the environment, if the
+// agent has such a one.
+SandboxRules RulesOf(const TaskSetup& known);
+
+// The same, and to write: `folder`, which exists, the first of those that can be written.
 SandboxRules RulesOf(const TaskSetup& known, const std::filesystem::path& folder);
 
 // The same of a run, whose `folder` has all that its agent needs.

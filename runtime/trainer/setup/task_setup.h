@@ -11,6 +11,7 @@
 
 #include "base/command_line/command.h"
 #include "plugins/robot/robot_description.h"
+#include "runtime/base/landlock.h"
 #include "runtime/base/scratch_folder.h"
 #include "runtime/core/agent/agent.h"
 #include "runtime/core/module/context.h"
@@ -47,6 +48,11 @@ class BuiltTask {
 
   // Nothing where the task has errors: the compiler has said which.
   const std::optional<std::filesystem::path>& plugin() const { return plugin_; }
+
+  // What a sandbox has to let this object do in which it ends.
+  void AddTo(FileRules& rules) const {
+    if (scratch_) rules.writable.push_back(scratch_->path());
+  }
 
  private:
   std::optional<ScratchFolder> scratch_;

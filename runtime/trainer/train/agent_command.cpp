@@ -13,6 +13,8 @@
 #include "runtime/core/task/task_instance.h"
 #include "runtime/trainer/commands.h"
 #include "runtime/trainer/setup/agent_presets.h"
+#include "runtime/trainer/setup/apart.h"
+#include "runtime/trainer/setup/sandbox_rules.h"
 #include "runtime/trainer/setup/task_setup.h"
 
 namespace runtime {
@@ -53,7 +55,13 @@ std::string Show(const TaskSetup& setup, const AgentOptions& options) {
 int ShowAgent(const AgentOptions& options) {
   const BuiltTask task(options.task);
   if (!task.plugin()) return kFailed;
-  text::Print("{}", Show(TaskSetup(options.task, *task.plugin(), 0), options));
+  WarnWhereSandboxIsWeak();
+  const Words shown = RunApart(options.task.task.string(), [&]() -> Words {
+    const TaskSetup setup(options.task, *task.plugin(), 0, ProgramModuleTypes(),
+                          [](const TaskSetup& known) { EnterSandbox(RulesOf(known)); });
+    return {Show(setup, options)};
+  });
+  text::Print("{}", shown.front());
   return kSuccess;
 }
 
@@ -110,6 +118,7 @@ void AddAgentCommand(command_line::Command& program) {
           .OneOf({"toml", "text", "json", "dot"})
           .ValueName("toml|text|dot");
   show.AddFlag("--json", options->json, "print JSON").Excludes(format);
+  AddSandboxOption(show);
   show.OnRun([options] { return ShowAgent(*options); });
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "base/text/print.h"
 #include "runtime/analysis/probe/find.h"
@@ -10,7 +12,10 @@
 #include "runtime/analysis/probe/probe_page.h"
 #include "runtime/trainer/commands.h"
 #include "runtime/trainer/runs/many_runs.h"
+#include "runtime/trainer/setup/apart.h"
 #include "runtime/trainer/setup/create_run.h"
+#include "runtime/trainer/setup/made_folder.h"
+#include "runtime/trainer/setup/sandbox_rules.h"
 #include "runtime/trainer/setup/task_setup.h"
 #include "runtime/trainer/train/prepare_runs.h"
 #include "runtime/trainer/train/probe_search.h"
@@ -49,28 +54,54 @@ std::vector<TaskOptions> KindsOfSearches(const TaskOptions& options) {
   return {options, all_joints};
 }
 
-// Makes the searches that are not there yet; returns the folders of all, by their seeds.
-std::vector<std::filesystem::path> PrepareSearches(const ProbeOptions& options,
-                                                   const std::filesystem::path& plugin,
-                                                   std::filesystem::path& folder) {
-  const std::vector<TaskOptions> kinds = KindsOfSearches(options.task);
-  std::vector<std::filesystem::path> runs(static_cast<size_t>(options.searches));
-  for (size_t kind = 0; kind < std::min(kinds.size(), runs.size()); ++kind) {
-    TaskSetup setup(WithDefaults(kinds[kind]), plugin, options.seed);
-    const RunRecord run = RecordOf(setup, {.episodes = 1, .seed = options.seed, .record_every = 0});
-    setup.graph.Start();
-    if (folder.empty()) {
-      const TaskRecord& task = run.tasks.front();
-      folder = std::filesystem::path("runs") /
-               fmt::format("probe-{}-{}", task.task, task.task_hash.substr(0, 8));
-    }
-    for (size_t i = kind; i < runs.size(); i += kinds.size()) {
-      runs[i] = PrepareRuns(setup, run, {options.seed + i}, folder, options.task.task.string(),
-                            "give another `--out`")
-                    .front();
-    }
+std::filesystem::path OuterFolder(const ProbeOptions& options) {
+  return options.out.empty() ? kRunsFolder : options.out;
+}
+
+std::filesystem::path FolderOf(const ProbeOptions& options, const TaskRecord& task) {
+  if (!options.out.empty()) return options.out;
+  return OuterFolder(options) / fmt::format("probe-{}-{}", task.task, task.task_hash.substr(0, 8));
+}
+
+// Makes the searches with these seeds that are not there yet. Returns the folder of their folders,
+// then theirs.
+Words PrepareSearches(const ProbeOptions& options, const TaskOptions& kind,
+                      const std::vector<uint64_t>& seeds, const std::filesystem::path& plugin) {
+  TaskSetup setup(
+      WithDefaults(kind), plugin, options.seed, ProgramModuleTypes(),
+      [&](const TaskSetup& known) { EnterSandbox(RulesOf(known, OuterFolder(options))); });
+  const RunRecord run = RecordOf(setup, {.episodes = 1, .seed = options.seed, .record_every = 0});
+  setup.graph.Start();
+  const std::filesystem::path folder = FolderOf(options, run.tasks.front());
+  Words found = {folder.string()};
+  for (const std::filesystem::path& search :
+       PrepareRuns(setup, run, seeds, folder, options.task.task.string(), "give another `--out`")) {
+    found.push_back(search.string());
   }
-  return runs;
+  return found;
+}
+
+struct Searches {
+  std::filesystem::path folder;
+  std::vector<std::filesystem::path> runs;  // by their seeds
+};
+
+// The kinds take turns.
+Searches PrepareAllSearches(const ProbeOptions& options, const std::filesystem::path& plugin) {
+  const std::vector<TaskOptions> kinds = KindsOfSearches(options.task);
+  const MadeFolder outer(OuterFolder(options));
+  Searches searches{{}, std::vector<std::filesystem::path>(static_cast<size_t>(options.searches))};
+  for (size_t kind = 0; kind < std::min(kinds.size(), searches.runs.size()); ++kind) {
+    std::vector<uint64_t> seeds;
+    for (size_t i = kind; i < searches.runs.size(); i += kinds.size())
+      seeds.push_back(options.seed + i);
+    const Words found = RunApart(options.task.task.string(), [&] {
+      return PrepareSearches(options, kinds[kind], seeds, plugin);
+    });
+    searches.folder = found.front();
+    for (size_t i = 0; i < seeds.size(); ++i) searches.runs[kind + i * kinds.size()] = found[i + 1];
+  }
+  return searches;
 }
 
 void Show(const ProbeResults& results, const OutputOptions& output) {
@@ -85,8 +116,8 @@ void Show(const ProbeResults& results, const OutputOptions& output) {
 int Probe(const ProbeOptions& options) {
   const BuiltTask task(options.task);
   if (!task.plugin()) return kFailed;
-  std::filesystem::path folder = options.out;
-  const std::vector<std::filesystem::path> runs = PrepareSearches(options, *task.plugin(), folder);
+  WarnWhereSandboxIsWeak();
+  const auto& [folder, runs] = PrepareAllSearches(options, *task.plugin());
   std::optional<StopRequest> stop(StopRequest::Second::kIsNoted);
   const ProbeEnd end = Search(folder, runs, options.budget, JobsOrCores(options.jobs),
                               options.output.style(), *stop);
@@ -132,6 +163,7 @@ void AddProbeCommand(command_line::Command& program) {
                  "that is there goes on")
       .ValueName("DIR");
   options->output.AddTo(command, "what was found as one JSON object");
+  AddSandboxOption(command);
   command.OnRun([options] { return Probe(*options); });
 }
 

@@ -1,7 +1,10 @@
 // What the code of a task can reach: its run's folder, and nothing else.
 #include <sys/stat.h>
 
+#include <chrono>
+#include <csignal>
 #include <fstream>
+#include <thread>
 
 #include "runtime/base/local_socket.h"
 #include "runtime/live/server/loopback.h"
@@ -84,6 +87,60 @@ TEST_F(SandboxTest, NorWhereItsRunIsEvaluatedOrJudgedAnew) {
   ExpectNothingWasReached(Trainer({"rescore", RunFolder("run"), "--task", Hostile()}));
 }
 
+TEST_F(SandboxTest, NorWhereItsRunIsReproducedWithItsOwnCode) {
+  ASSERT_EQ(Trainer(Words()).exit_status, 0);
+  ExpectNothingWasReached(Trainer({"reproduce", RunFolder("run"), "--kept-plugins"}));
+}
+
+TEST_F(SandboxTest, NorWhereWhatItsRunHasLearnedIsExported) {
+  ASSERT_EQ(Trainer(Words({"--agent", "ppo", "--checkpoint-every", "0"})).exit_status, 0);
+  const std::string header = (folder() / "policy.h").string();
+  ExpectNothingWasReached(Trainer({"export", RunFolder("run"), "--c-header", header}));
+  EXPECT_TRUE(std::filesystem::exists(header));
+}
+
+TEST_F(SandboxTest, NorWhereItsAgentIsShown) {
+  const ProgramResult result = Trainer({"agent", "show", Hostile(), "--robot", "humanoid"});
+  ExpectNothingWasReached(result);
+  EXPECT_THAT(result.output, HasSubstr("[modules.learner]"));
+}
+
+TEST_F(SandboxTest, NorWhereItIsProbed) {
+  const ProgramResult result =
+      Trainer({"probe", Hostile(), "--robot", "humanoid", "--searches", "2", "--episodes", "3",
+               "--quiet", "--out", RunFolder("probe")});
+  ExpectNothingWasReached(result);
+  EXPECT_TRUE(std::filesystem::exists(folder() / "probe/probe.html"));
+}
+
+class OfferedTest : public SandboxTest {
+ protected:
+  std::string Socket() const { return (folder() / "offered").string(); }
+  std::vector<std::string> Offering() const {
+    return {TRAINER, "environment", Hostile(), "--robot", "humanoid", "--socket", Socket()};
+  }
+};
+
+TEST_F(OfferedTest, NorWhereItIsOfferedAsAnEnvironment) {
+  ChildProcess trainer(Offering());
+  ASSERT_TRUE(trainer.WaitForLines(1));
+  { const LocalSocket client(Socket(), std::chrono::seconds(0)); }
+  trainer.Send(SIGTERM);
+  ExpectNothingWasReached(trainer.Wait());
+  EXPECT_FALSE(std::filesystem::exists(Socket()));
+}
+
+TEST_F(OfferedTest, ItsSocketGoesWhenTheTrainerIsKilled) {
+  ChildProcess trainer(Offering());
+  ASSERT_TRUE(trainer.WaitForLines(1));
+  ASSERT_TRUE(std::filesystem::exists(Socket()));
+  trainer.Send(SIGKILL);
+  EXPECT_EQ(trainer.Wait().signal, SIGKILL);
+  for (int tries = 0; tries < 500 && std::filesystem::exists(Socket()); ++tries)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  EXPECT_FALSE(std::filesystem::exists(Socket()));
+}
+
 TEST_F(SandboxTest, AFailedStartLeavesNoFolder) {
   EXPECT_NE(Trainer(Words({"--set", "learner.no_such=1"})).exit_status, 0);
   EXPECT_FALSE(std::filesystem::exists(RunFolder("run")));
@@ -96,6 +153,8 @@ TEST_F(SandboxTest, NoTemporaryFolderIsLeft) {
       Trainer({"evaluate", RunFolder("run"), "--profile", "fast", "--episodes", "2"}).exit_status,
       0);
   EXPECT_EQ(Trainer({"rescore", RunFolder("run"), "--task", TaskFile("leaning")}).exit_status, 0);
+  EXPECT_EQ(Trainer({"reproduce", RunFolder("run")}).exit_status, 0);
+  EXPECT_EQ(Trainer({"agent", "show", TaskFile("leaning")}).exit_status, 0);
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder() / "home"), {}), 1);
 }
 
