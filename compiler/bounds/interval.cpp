@@ -25,6 +25,9 @@ double OrdinaryMagnitude(const Interval& x) {
 
 Interval Sum(const Interval& a, const Interval& b) {
   Interval sum{a.low + b.low, a.high + b.high};
+  // What is certainly an infinity is one beside any number, also one without bound.
+  if (std::isnan(sum.low)) sum.low = kInfinity;
+  if (std::isnan(sum.high)) sum.high = -kInfinity;
   sum.may_be_infinite = a.may_be_infinite || b.may_be_infinite ||
                         std::isinf(OrdinaryMagnitude(a) + OrdinaryMagnitude(b));
   if (IsBounded(sum)) sum.may_be_infinite = false;

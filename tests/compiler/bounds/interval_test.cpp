@@ -26,6 +26,16 @@ TEST(Interval, OfAProductComesFromTheEnds) {
   ExpectEnds(Calculate(kSubtract, {0, 1}, {0, 1}), -1, 1);
 }
 
+TEST(Interval, OfAnInfinityAndAnyNumberIsThatInfinity) {
+  const Interval infinity{kInfinity, kInfinity, true};
+  const Interval sum = Calculate(kAdd, infinity, Interval{});
+  EXPECT_EQ(sum.low, kInfinity);
+  EXPECT_EQ(sum.high, kInfinity);
+  const Interval difference = Calculate(kSubtract, Interval{}, infinity);
+  EXPECT_EQ(difference.low, -kInfinity);
+  EXPECT_EQ(difference.high, -kInfinity);
+}
+
 TEST(Interval, WithoutEndTimesZeroIsZero) {
   ExpectEnds(Calculate(kMultiply, Interval{}, Exactly(0)), 0, 0);
 }
