@@ -3,7 +3,7 @@
 import type { Frame, Layout, ViewValue } from "./view_frames.ts";
 
 export const kPast = 240; // frames that are remembered: eight seconds at thirty a second
-const kPayWindow = 0.3; // what was paid is a rate over so long [s]
+export const kPayWindow = 0.3; // what was paid is a rate over so long [s]
 const kDense = 0.1; // between two frames, if no action is to be missed [s]
 
 export interface Entry {

@@ -2,7 +2,7 @@
 
 import { formatNumber } from "../data/words.ts";
 import { element } from "../page/dom.ts";
-import type { Entry, History } from "./history.ts";
+import { kPayWindow, type Entry, type History } from "./history.ts";
 import { Trace } from "./trace.ts";
 import type { Layout, ViewValue } from "./view_frames.ts";
 
@@ -92,7 +92,7 @@ export class Rewards {
         "tr",
         {},
         cell("term", "of the task"),
-        cell("now", "what the term pays, as a rate over the last 0.3 s"),
+        cell("now", `what the term pays, as a rate over the last ${kPayWindow} s`),
         cell("per s", "the same as a number"),
         cell("last seconds", "the same over the frames that were shown"),
         cell("action", "what the term has paid since the present action began"),

@@ -5,7 +5,7 @@ import katex from "katex";
 
 import { element } from "../../page/dom.ts";
 import { row, table } from "../../page/table.ts";
-import type { Entry } from "../history.ts";
+import { kPayWindow, type Entry } from "../history.ts";
 import { presentOf, rateOf, sumOf, type Present, type PresentTask } from "./present.ts";
 
 export interface Piece {
@@ -136,7 +136,7 @@ export class TaskPageView {
     const { task } = this;
     if (!task) return [];
     const paid: [string, Present | undefined][] =
-      term === undefined ? [] : [["pays", rateOf(term, task)], ["in the episode", sumOf(term, task)]];
+      term === undefined ? [] : [[`pays, over ${kPayWindow} s`, rateOf(term, task)], ["in the episode", sumOf(term, task)]];
     const read = reads.map((name): [string, Present | undefined] => [name, presentOf(name, task)]);
     const items = [
       ...paid.map(([words, present]) => this.readout(words, present, { "data-term": term ?? "" })),
