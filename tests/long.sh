@@ -130,7 +130,7 @@ part_swaps() {
   expect_progress "$total"
   "$bin/trainer" resume "$run" --episodes $((total + 5)) --quiet
   "$bin/trainer" reproduce "$run" >"$folder/swaps/text" || fail "$(cat "$folder/swaps/text")"
-  echo "$done kills while clients change the run: $(sed 's/.*record: //' "$folder/swaps/text")"
+  echo "$done kills while clients change the run: $(tail -n 1 "$folder/swaps/text" | sed 's/.*record: //')"
 }
 
 # Supervisors of many runs, and their workers.
