@@ -87,20 +87,31 @@ void AddChanges(const std::vector<ChangeRecord>& changes, RunDatabase& database)
   }
 }
 
+// A plugin, and what it says of itself.
+struct RestoredPlugin {
+  std::filesystem::path file;
+  PluginFacts facts;
+};
+
 // The text in the record, built again.
-std::filesystem::path Build(const TaskRecord& task, const std::filesystem::path& robots,
-                            const std::filesystem::path& folder) {
+RestoredPlugin Build(const TaskRecord& task, const std::filesystem::path& robots,
+                     const std::filesystem::path& folder) {
   const RecordedSources sources = WriteSources(task.sources, folder / "sources");
   const LibraryFolders libraries(sources.folders);
   const std::filesystem::path plugin = folder / "task.so";
   std::string messages;
   if (!BuildTask({.task = sources.task, .plugin = plugin, .robots = robots}, &messages))
     FailToBuild(task, messages);
-  const std::string hash = ReadPluginFacts(plugin).source_hash;
-  if (hash != task.task_hash) {
-    FailToBuild(task, fmt::format("it is of another version, {:.8}", hash));
+  const PluginFacts facts = ReadPluginFacts(plugin);
+  if (facts.source_hash != task.task_hash) {
+    FailToBuild(task, fmt::format("it is of another version, {:.8}", facts.source_hash));
   }
-  return plugin;
+  return {plugin, facts};
+}
+
+RestoredPlugin KeptOne(const TaskRecord& task, const std::filesystem::path& folder) {
+  const std::filesystem::path plugin = FindKeptPlugin(folder, task.plugin);
+  return {plugin, ReadPluginFacts(plugin)};
 }
 
 }  // namespace
@@ -130,11 +141,11 @@ RebuiltRun Rebuild(const std::filesystem::path& old_folder, const RunRecord& run
   for (const int64_t id : TasksOf(changes)) {
     const TaskRecord& old = TaskWithId(run, id);
     TaskRecord& task = rebuilt.run.tasks[static_cast<size_t>(id - 1)];
-    const std::filesystem::path plugin =
-        plugins == Plugins::kKept ? FindKeptPlugin(old_folder, old.plugin)
-                                  : Build(old, robots, folder / fmt::format("task{}", id));
-    task.plugin = KeepPlugin(plugin, folder);
-    task.compiler = ReadPluginFacts(plugin).compiler;
+    const RestoredPlugin plugin = plugins == Plugins::kKept
+                                      ? KeptOne(old, old_folder)
+                                      : Build(old, robots, folder / fmt::format("task{}", id));
+    task.plugin = KeepPlugin(plugin.file, folder);
+    task.compiler = plugin.facts.compiler;
     rebuilt.compilers.push_back(
         {id, CompilerText(old, old_folder / old.plugin), CompilerText(task, folder / task.plugin)});
   }
