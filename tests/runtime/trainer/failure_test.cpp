@@ -145,7 +145,7 @@ TEST_F(FailureTest, KeepsWhatWasSavedWhenTheDiskIsFull) {
 TEST_F(FailureTest, StopsAtOnceAtTheSecondCtrlC) {
   ChildProcess trainer(
       {TRAINER, "train", TaskFile("patient"), "--profile", "paper", "--out", RunFolder("run")});
-  ASSERT_TRUE(trainer.WaitForLines(1));
+  ASSERT_NO_FATAL_FAILURE(WaitForAStep("run"));
   trainer.Send(SIGINT);
   ASSERT_TRUE(trainer.WaitForError("stopping after this episode"));
   trainer.Send(SIGINT);

@@ -122,7 +122,7 @@ TEST_F(OnTerminalTest, ASecondCtrlCSaysWhatIsKept) {
                                           "--profile", "paper", "--episodes",
                                           "100000",    "--out", RunFolder("run")};
   TerminalProgram trainer(words, 120);
-  ASSERT_TRUE(trainer.WaitFor("episodes 1 to 100000"));
+  ASSERT_NO_FATAL_FAILURE(WaitForAStep("run"));
   trainer.Type(kCtrlC);
   ASSERT_TRUE(trainer.WaitFor("Ctrl-C again to stop at once"));
   trainer.Type(kCtrlC);
@@ -140,12 +140,7 @@ TEST_F(OnTerminalTest, ASecondCtrlCStopsManyRunsAtOnce) {
                                           RunFolder("run")};
   TerminalProgram trainer(words, 120);
   ASSERT_TRUE(trainer.WaitFor("2 running"));
-  for (const char* seed : {"seed0", "seed1"}) {
-    const std::filesystem::path answers = std::filesystem::path(RunFolder("run")) / seed;
-    for (int i = 0; i < 3000 && !std::filesystem::exists(answers / "control.json"); ++i) {
-      usleep(10'000);
-    }
-  }
+  for (const char* run : {"run/seed0", "run/seed1"}) ASSERT_NO_FATAL_FAILURE(WaitForAStep(run));
   trainer.Type(kCtrlC);
   ASSERT_TRUE(trainer.WaitFor("Ctrl-C again to stop at once"));
   trainer.Type(kCtrlC);

@@ -44,6 +44,10 @@ class TrainerTest : public testing::Test {
     ASSERT_EQ(result.exit_status, 0) << result.errors;
   }
 
+  // Returns when the process that trains the run `name` is within an episode. A first Ctrl-C that
+  // comes earlier ends the run at once, and then there is none to stop by a second.
+  void WaitForAStep(const std::string& name) const;
+
   // Everything about a run's episodes that must not depend on when and how often it was
   // interrupted.
   struct Trace {
