@@ -48,7 +48,7 @@ class UrdfChecker {
     int depth = 0;
     for (const XmlTag& tag : text_.Tags()) {
       if (tag.is_end) {
-        if (--depth == 1 && tag.name == "joint") EndJoint();
+        if (--depth == 1 && element_ == "joint") EndJoint();
         continue;
       }
       if (depth == 1) Begin(tag);

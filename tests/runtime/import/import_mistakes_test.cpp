@@ -60,6 +60,12 @@ TEST_F(ImportRobotTest, WhatAUrdfFileSaysOddlyIsTakenOverWithAWarning) {
               Contains(HasSubstr("a moment of inertia of link `b` is not above 0: it gets")));
 }
 
+TEST_F(ImportRobotTest, TheEndOfAJointThatHasNotBegunIsMujocosToRefuse) {
+  EXPECT_THAT(
+      ErrorOf("<robot name=\"a\">\n" + Link("b", kBox) + "<joi nt name=\"j\"></joint></robot>"),
+      HasSubstr("model.urdf: MuJoCo cannot make a model of it"));
+}
+
 TEST_F(ImportRobotTest, WhatIsNoTreeIsRefusedWithTheJointsThatAreTooMany) {
   const auto joint = [](const std::string& name, const std::string& parent,
                         const std::string& child) {
