@@ -67,15 +67,17 @@ Vector3d Turns(const Motion& motion) {
   return angles / (2 * std::numbers::pi);
 }
 
-Eigen::Matrix4Xf Posture(const Motion& motion, int frame) {
-  Eigen::Matrix4Xf posture(4, motion.link_count - 1);
+// Takes the posture in `frame` as the one of this number.
+void TakePosture(const Motion& motion, int frame, int number, Behavior& behavior) {
   const Quaterniond to_base = motion.orientation(frame, 0).conjugate();
   for (int link = 1; link < motion.link_count; ++link) {
     const Quaterniond relative = to_base * motion.orientation(frame, link);
-    posture.col(link - 1) =
-        Eigen::Vector4d(relative.w(), relative.x(), relative.y(), relative.z()).cast<float>();
+    auto& [w, x, y, z] = behavior.postures[static_cast<size_t>(link - 1)];
+    w[number] = static_cast<float>(relative.w());
+    x[number] = static_cast<float>(relative.x());
+    y[number] = static_cast<float>(relative.y());
+    z[number] = static_cast<float>(relative.z());
   }
-  return posture;
 }
 
 // Fills in what is known of the contacts of one link.
@@ -104,25 +106,31 @@ double Square(double value) { return value * value; }
 // Mean of the difference of two spreads: how far values have to be moved to make one the other.
 double SpreadDistance(const VectorXd& a, const VectorXd& b) { return (a - b).cwiseAbs().mean(); }
 
-// Root mean square over the links of the angle between their orientations, each taken as the chord
-// of the arc, which is the angle where it is small [rad].
-float PostureDistance(const Eigen::Matrix4Xf& a, const Eigen::Matrix4Xf& b) {
-  const auto cosines = a.cwiseProduct(b).colwise().sum().array();  // of half the angles
-  return std::sqrt(std::max(0.f, 4 * (1 - cosines.square()).mean()));
-}
-
-// How far a posture of `from` is from the nearest one of `to`, on average.
-double MeanDistanceToNearest(const std::vector<Eigen::Matrix4Xf>& from,
-                             const std::vector<Eigen::Matrix4Xf>& to) {
-  double sum = 0;
-  for (const Eigen::Matrix4Xf& posture : from) {
-    float nearest = std::numeric_limits<float>::infinity();
-    for (const Eigen::Matrix4Xf& other : to) {
-      nearest = std::min(nearest, PostureDistance(posture, other));
+// How far each posture of `a` is from the nearest one of `b`, and the other way round, on average.
+// Two postures are apart by the root mean square over the links of the angle between their
+// orientations, each taken as the chord of the arc, which is the angle where it is small [rad].
+double MeanDistanceToNearest(const Behavior& a, const Behavior& b) {
+  using Samples = Behavior::Samples;
+  const auto angle = [links = static_cast<float>(a.postures.size())](float squares) {
+    return std::sqrt(std::max(0.f, 4 * (squares / links)));
+  };
+  Samples nearest = Samples::Constant(std::numeric_limits<float>::infinity());  // to those of b
+  double from_a = 0;
+  double from_b = 0;
+  for (int posture = 0; posture < Behavior::kPostures; ++posture) {
+    Samples squares = Samples::Zero();  // of the sines of half the angles, summed over the links
+    for (size_t link = 0; link < a.postures.size(); ++link) {
+      const auto& [aw, ax, ay, az] = a.postures[link];
+      const auto& [bw, bx, by, bz] = b.postures[link];
+      const Samples cosines =
+          (aw[posture] * bw + ay[posture] * by) + (ax[posture] * bx + az[posture] * bz);
+      squares += 1 - cosines.square();
     }
-    sum += nearest;
+    from_a += angle(squares.minCoeff());
+    nearest = nearest.min(squares);
   }
-  return sum / static_cast<double>(from.size());
+  for (const float squares : nearest) from_b += angle(squares);
+  return (from_a / Behavior::kPostures + from_b / Behavior::kPostures) / 2;
 }
 
 double BaseDistance(const Behavior& a, const Behavior& b) {
@@ -130,12 +138,6 @@ double BaseDistance(const Behavior& a, const Behavior& b) {
                    Square((a.turns - b.turns).norm() / kTurns) +
                    Square(SpreadDistance(a.heights, b.heights) / kHeight) +
                    Square(SpreadDistance(a.tilts, b.tilts) / kTilt));
-}
-
-double JointDistance(const Behavior& a, const Behavior& b) {
-  const double both =
-      MeanDistanceToNearest(a.postures, b.postures) + MeanDistanceToNearest(b.postures, a.postures);
-  return both / 2 / kPosture;
 }
 
 double ContactDistance(const Behavior& a, const Behavior& b) {
@@ -166,10 +168,11 @@ Behavior DescribeBehavior(const Motion& motion, const std::vector<robot::Link>& 
   }
   behavior.heights = Quantiles(std::move(heights));
   behavior.tilts = Quantiles(std::move(tilts));
+  behavior.postures.resize(static_cast<size_t>(motion.link_count - 1));
   for (int i = 0; i < Behavior::kPostures; ++i) {
     const double part = static_cast<double>(i) / (Behavior::kPostures - 1);
     const auto frame = static_cast<int>(std::lround(part * (motion.frame_count() - 1)));
-    behavior.postures.push_back(Posture(motion, frame));
+    TakePosture(motion, frame, i, behavior);
   }
   behavior.contact_shares.resize(motion.link_count);
   behavior.touchdowns.resize(motion.link_count);
@@ -184,7 +187,7 @@ double BehaviorDistance::total() const {
 }
 
 BehaviorDistance DistanceBetween(const Behavior& a, const Behavior& b) {
-  return {BaseDistance(a, b), JointDistance(a, b), ContactDistance(a, b)};
+  return {BaseDistance(a, b), MeanDistanceToNearest(a, b) / kPosture, ContactDistance(a, b)};
 }
 
 }  // namespace runtime

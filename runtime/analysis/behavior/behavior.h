@@ -7,6 +7,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <vector>
 
 #include "plugins/robot/robot_description.h"
@@ -28,9 +29,10 @@ struct Behavior {
   Eigen::VectorXd heights;   // of the base [m]
   Eigen::VectorXd tilts;     // height of the tip of the base's z axis: 1 upright, -1 upside down
 
-  // ---- Joint motion: the orientations of all links but the base relative to it, a column (w, x,
-  // y, z) for each link.
-  std::vector<Eigen::Matrix4Xf> postures;
+  // ---- Joint motion: for each link but the base, its orientation relative to the base as w, x, y
+  // and z, each in all of the samples.
+  using Samples = Eigen::Array<float, kPostures, 1>;
+  std::vector<std::array<Samples, 4>> postures;
 
   // ---- Contact rhythm, one value for each link.
   Eigen::VectorXd contact_shares;  // share of the time in which it touches the floor

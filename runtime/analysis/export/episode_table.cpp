@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <functional>
+#include <utility>
 
 #include "runtime/analysis/curves/goal_curves.h"
 #include "runtime/analysis/curves/learner_curves.h"
@@ -54,9 +55,9 @@ std::vector<double> EndTimes(const std::string& started_at,
 }  // namespace
 
 EpisodeTable ReadEpisodeTable(const RunDatabase& database) {
+  auto [run, episodes] = database.ReadRunAndEpisodes();
   EpisodeTable table;
-  table.episodes = database.ReadEpisodes();
-  const RunRecord run = database.ReadRun();  // after them: so all their tasks are among its own
+  table.episodes = std::move(episodes);
   table.columns = OwnColumns(table.episodes);
   AddCurves("term", TermCurves(run, table.episodes), table.columns);
   AddCurves("metric", MetricCurves(run, table.episodes), table.columns);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <future>
 
 #include "runtime/analysis/picture/camera.h"
 #include "runtime/analysis/picture/ground.h"
@@ -12,6 +11,7 @@
 #include "runtime/analysis/picture/posed_robot.h"
 #include "runtime/analysis/picture/render.h"
 #include "runtime/analysis/picture/subject.h"
+#include "runtime/base/in_parallel.h"
 
 namespace runtime {
 namespace {
@@ -56,11 +56,7 @@ std::string SnapshotStrip(const Motion& motion, const std::vector<robot::Link>& 
     Render({links, paints, robot, terrain, ground, cameras[i], strokes},
            static_cast<int>(i) * options.height, options.height, image);
   };
-  std::vector<std::future<void>> pictures;  // at the same time: each has columns of its own
-  for (size_t i = 0; i < frames.size(); ++i) {
-    pictures.push_back(std::async(std::launch::async, draw, i));
-  }
-  for (std::future<void>& picture : pictures) picture.get();
+  InParallel(frames.size(), draw);  // each has columns of its own
   return EncodePng(ReduceColors(image));
 }
 

@@ -64,9 +64,8 @@ class ProbeReader {
 
   void Read(const std::filesystem::path& run) {
     const RunDatabase database = RunDatabase::OpenToRead(run);
-    const RunRecord record = database.ReadRun();
+    const auto [record, episodes] = database.ReadRunAndEpisodes();
     if (results_.searches++ == 0) ReadRobot(run, record);
-    const std::vector<EpisodeRecord> episodes = database.ReadEpisodes();
     for (const EpisodeRecord& episode : episodes) {
       ++results_.episodes;
       results_.cpu_seconds += episode.cpu_seconds;
@@ -91,9 +90,7 @@ class ProbeReader {
   }
 
   ProbeResults Finish() {
-    for (const std::vector<int>& group : Cluster(Distances(), kSameBehavior)) {
-      results_.finds.push_back(BestOf(group));
-    }
+    for (const AlikeGroup& group : Groups()) results_.finds.push_back(BestOf(group.members));
     std::ranges::stable_sort(results_.finds, [](const Find& a, const Find& b) {
       if (a.is_sound() != b.is_sound()) return a.is_sound();
       return a.episode.active.episode_return > b.episode.active.episode_return;
@@ -128,14 +125,14 @@ class ProbeReader {
     }
   }
 
-  Eigen::MatrixXd Distances() const {
-    const auto count = static_cast<Eigen::Index>(candidates_.size());
-    return Eigen::MatrixXd::NullaryExpr(count, count, [&](Eigen::Index a, Eigen::Index b) {
-      return a == b ? 0
-                    : DistanceBetween(candidates_[static_cast<size_t>(std::min(a, b))].behavior,
-                                      candidates_[static_cast<size_t>(std::max(a, b))].behavior)
-                          .total();
-    });
+  std::vector<AlikeGroup> Groups() const {
+    const auto behavior = [this](int number) -> const Behavior& {
+      return candidates_[static_cast<size_t>(number)].behavior;
+    };
+    const auto distance = [&](int a, int b) {
+      return DistanceBetween(behavior(a), behavior(b)).total();
+    };
+    return GroupAlike(static_cast<int>(candidates_.size()), distance, kSameBehavior);
   }
 
   Find BestOf(const std::vector<int>& group) {

@@ -138,8 +138,7 @@ json CollectCurves(const RunDatabase& database, const RunRecord& run,
 
 json CollectReportData(const std::filesystem::path& run_dir) {
   const RunDatabase database = RunDatabase::OpenToRead(run_dir);
-  const std::vector<EpisodeRecord> episodes = database.ReadEpisodes();
-  const RunRecord run = database.ReadRun();  // after them: so all their tasks are among its own
+  const auto [run, episodes] = database.ReadRunAndEpisodes();
   if (episodes.empty()) {
     throw UserError(fmt::format(
         "{}: the run has no finished episode yet; wait for the first one, then ask for the report",
@@ -153,8 +152,7 @@ json CollectReportData(const std::filesystem::path& run_dir) {
 
 json CollectRecord(const std::filesystem::path& run_dir) {
   const RunDatabase database = RunDatabase::OpenToRead(run_dir);
-  const std::vector<EpisodeRecord> episodes = database.ReadEpisodes();
-  const RunRecord run = database.ReadRun();
+  const auto [run, episodes] = database.ReadRunAndEpisodes();
   json data = CollectCurves(database, run, episodes);
   data["body"] = json::parse(run.body);
   data["ground"] = GroundJson(GroundOf(run));

@@ -5,6 +5,7 @@
 #include "runtime/analysis/behavior/behavior.h"
 #include "runtime/analysis/behavior/clustering.h"
 #include "runtime/analysis/behavior/robot_scale.h"
+#include "runtime/base/in_parallel.h"
 #include "runtime/base/scratch_folder.h"
 #include "runtime/base/user_error.h"
 #include "runtime/training/run/body_json.h"
@@ -23,41 +24,38 @@ struct RunBehavior {
   Behavior behavior;
 };
 
+// What there is to know of each run.
+struct Finding {
+  std::optional<RunBehavior> behavior;
+  std::string note;  // what is wrong; may be empty
+};
+
 std::vector<RunBehavior> FinalBehaviors(const StudyExperiment& experiment,
                                         std::vector<std::string>& notes) {
-  std::vector<RunBehavior> behaviors;
   const RecordedBody body = ParseBody(experiment.record().body).value();
   const std::vector<robot::Link> links = body.links();
-  if (links.empty()) return behaviors;
+  if (links.empty()) return {};
   const double scale = ScaleOfRobot(experiment);
-  for (size_t i = 0; i < experiment.runs.size(); ++i) {
+  std::vector<Finding> findings(experiment.runs.size());
+  InParallel(findings.size(), [&](size_t i) {
     const StudyRun& run = experiment.runs[i];
-    if (!run.is_finished()) continue;
+    if (!run.is_finished()) return;
     try {
       const std::optional<FinalRecording> final = ReadFinalRecording(run);
-      if (!final) continue;
+      if (!final) return;
       const Motion motion = ReadMotion(final->recording, static_cast<int>(body.parts.size()));
-      behaviors.push_back({i, DescribeBehavior(OfLinks(motion, links.size()), links, scale)});
+      findings[i].behavior = {i, DescribeBehavior(OfLinks(motion, links.size()), links, scale)};
     } catch (const UserError& error) {
-      notes.push_back(
-          fmt::format("The last recording of {} is left out: {}.", run.name, error.what()));
+      findings[i].note =
+          fmt::format("The last recording of {} is left out: {}.", run.name, error.what());
     }
+  });
+  std::vector<RunBehavior> behaviors;
+  for (Finding& finding : findings) {
+    if (finding.behavior) behaviors.push_back(std::move(*finding.behavior));
+    if (!finding.note.empty()) notes.push_back(std::move(finding.note));
   }
   return behaviors;
-}
-
-Eigen::MatrixXd Distances(const std::vector<RunBehavior>& behaviors) {
-  const auto count = static_cast<Eigen::Index>(behaviors.size());
-  Eigen::MatrixXd distances = Eigen::MatrixXd::Zero(count, count);
-  for (Eigen::Index a = 0; a < count; ++a) {
-    for (Eigen::Index b = a + 1; b < count; ++b) {
-      const double distance = DistanceBetween(behaviors[static_cast<size_t>(a)].behavior,
-                                              behaviors[static_cast<size_t>(b)].behavior)
-                                  .total();
-      distances(a, b) = distances(b, a) = distance;
-    }
-  }
-  return distances;
 }
 
 }  // namespace
@@ -79,13 +77,18 @@ std::optional<FinalRecording> ReadFinalRecording(const StudyRun& run) {
 std::vector<BehaviorGroup> GroupBehaviors(const StudyExperiment& experiment,
                                           std::vector<std::string>& notes) {
   const std::vector<RunBehavior> behaviors = FinalBehaviors(experiment, notes);
-  const Eigen::MatrixXd distances = Distances(behaviors);
-  const auto run_of = [&](int behavior) { return behaviors[static_cast<size_t>(behavior)].run; };
+  const auto at = [&](int number) -> const RunBehavior& {
+    return behaviors[static_cast<size_t>(number)];
+  };
+  const auto distance = [&](int a, int b) {
+    return DistanceBetween(at(a).behavior, at(b).behavior).total();
+  };
   std::vector<BehaviorGroup> groups;
-  for (const std::vector<int>& members : Cluster(distances, kSameBehavior)) {
+  for (const AlikeGroup& alike :
+       GroupAlike(static_cast<int>(behaviors.size()), distance, kSameBehavior)) {
     BehaviorGroup& group = groups.emplace_back();
-    for (const int member : members) group.runs.push_back(run_of(member));
-    group.typical = run_of(MostTypical(distances, members));
+    for (const int member : alike.members) group.runs.push_back(at(member).run);
+    group.typical = at(alike.typical).run;
   }
   return groups;
 }

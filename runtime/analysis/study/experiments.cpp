@@ -2,10 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
 #include <map>
 #include <optional>
 #include <set>
+#include <utility>
 
+#include "runtime/base/in_parallel.h"
 #include "runtime/base/user_error.h"
 #include "runtime/training/run/run_settings.h"
 
@@ -40,8 +44,9 @@ std::optional<StudyRun> ReadRun(const std::filesystem::path& study,
   StudyRun run{folder, folder.lexically_relative(study).string(), {}, {}, {}, 0, {}};
   try {
     const RunDatabase database = RunDatabase::OpenToRead(folder);
-    run.episodes = database.ReadEpisodes();
-    run.record = database.ReadRun();  // after them: so all their tasks are among its own
+    RunAndEpisodes read = database.ReadRunAndEpisodes();
+    run.record = std::move(read.run);
+    run.episodes = std::move(read.episodes);
     run.state = database.ReadState();
     run.changes = database.ReadChanges().size();
   } catch (const UserError& error) {
@@ -78,10 +83,14 @@ bool StudyRun::is_finished() const {
 
 Study ReadStudyRuns(const std::filesystem::path& folder,
                     const std::vector<std::filesystem::path>& runs) {
+  std::vector<std::optional<StudyRun>> read(runs.size());
+  std::vector<std::vector<std::string>> notes(runs.size());
+  InParallel(runs.size(), [&](size_t i) { read[i] = ReadRun(folder, runs[i], notes[i]); });
   Study study;
   std::map<Key, size_t> index;
-  for (const std::filesystem::path& run_folder : runs) {
-    std::optional<StudyRun> run = ReadRun(folder, run_folder, study.notes);
+  for (size_t i = 0; i < runs.size(); ++i) {
+    std::ranges::move(notes[i], std::back_inserter(study.notes));
+    std::optional<StudyRun>& run = read[i];
     if (!run) continue;
     const auto [place, is_new] = index.try_emplace(KeyOf(*run), study.experiments.size());
     if (is_new) study.experiments.emplace_back();

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "base/command_line/command.h"
 #include "runtime/base/scratch_folder.h"
@@ -59,7 +60,8 @@ struct Recorded {
 
 Recorded ReadRecord(const ReproduceOptions& options) {
   const RunDatabase database = RunDatabase::OpenToRead(options.folder);
-  Recorded recorded{database.ReadRun(), database.ReadEpisodes(), database.ReadChanges(),
+  auto [run, episodes] = database.ReadRunAndEpisodes();
+  Recorded recorded{std::move(run), std::move(episodes), database.ReadChanges(),
                     ReadMachines(options.folder), std::nullopt};
   const auto count = static_cast<int64_t>(recorded.episodes.size());
   if (count == 0) {

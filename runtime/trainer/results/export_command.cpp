@@ -95,8 +95,7 @@ void WritePolicy(const ExportOptions& options, Files& files) {
 std::string ReadMcap(const std::filesystem::path& folder, int64_t wanted) {
   const RunDatabase database = RunDatabase::OpenToRead(folder);
   const int64_t number = ChooseRecordedEpisode(folder, database, wanted);
-  const std::vector<EpisodeRecord> episodes = database.ReadEpisodes();
-  const RunRecord run = database.ReadRun();
+  const auto [run, episodes] = database.ReadRunAndEpisodes();
   const RecordedBody body = ReadBody(folder, run);
   const Motion motion = ReadRecordedMotion(folder, database, number, body.parts.size());
   return McapOf(run, episodes.at(static_cast<size_t>(number - 1)), motion, body.parts);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <iterator>
 #include <span>
+#include <utility>
 
 #include "runtime/analysis/report/version_difference.h"
 #include "runtime/training/run/progress.h"
@@ -216,8 +217,8 @@ Json Changes(const RunOverview& overview) {
 RunOverview ReadOverview(const std::filesystem::path& folder) {
   const RunDatabase database = RunDatabase::OpenToRead(folder);
   RunOverview overview;
-  const std::vector<EpisodeRecord> episodes = database.ReadEpisodes();
-  overview.run = database.ReadRun();  // after them: so all their tasks are among its own
+  auto [run, episodes] = database.ReadRunAndEpisodes();
+  overview.run = std::move(run);
   overview.state = RunStateName(database.ReadState());
   overview.started_at = database.ReadValue("started_at");
   overview.finished_at = database.ReadValue("finished_at");

@@ -16,6 +16,11 @@
 
 namespace runtime {
 
+struct RunAndEpisodes {
+  RunRecord run;
+  std::vector<EpisodeRecord> episodes;  // their tasks are among the run's
+};
+
 class RunDatabase {
  public:
   // Makes the folder and a new run in it, in the state `running`: all of it or, where the program
@@ -37,6 +42,7 @@ class RunDatabase {
   ~RunDatabase();
 
   RunRecord ReadRun() const;
+  RunAndEpisodes ReadRunAndEpisodes() const;  // of one moment
   // What a trainer that was killed left behind reads as interrupted.
   RunState ReadState() const;
   std::string ReadValue(const std::string& key) const;  // of the table `run`; "" if there is none

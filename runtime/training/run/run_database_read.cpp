@@ -4,6 +4,7 @@
 #include <limits>
 #include <map>
 #include <string_view>
+#include <utility>
 
 #include "base/text/utf8.h"
 #include "runtime/base/user_error.h"
@@ -106,6 +107,28 @@ std::string TimelineIn(const SqliteDatabase& database, int64_t episode) {
   return row.Next() ? row.Blob(0) : "";
 }
 
+RunRecord RunIn(const SqliteDatabase& database) {
+  const RunValues values(database);
+  RunRecord run;
+  for (const TextKey& text : kTexts) run.*text.member = values.Text(text.key);
+  run.seed = values.NotNegative<uint64_t>("seed");
+  run.episodes_planned = values.NotNegative<int64_t>("episodes_planned");
+  run.record_every = values.NotNegative<int64_t>("record_every");
+  run.checkpoint_seconds = values.NotNegative<double>("checkpoint_seconds");
+  if (!ParseBody(run.body)) values.Fail("has a `body` that is not valid");
+  run.tasks = ReadTasks(database);
+  return run;
+}
+
+std::vector<EpisodeRecord> EpisodesIn(const SqliteDatabase& database,
+                                      const std::vector<TaskRecord>& tasks) {
+  std::vector<EpisodeRecord> episodes = ReadEpisodes(database, tasks);
+  ReadGoalDraws(database, tasks, episodes);
+  ReadPhaseSums(database, tasks, episodes);
+  ReadLearnerValues(database, episodes);
+  return episodes;
+}
+
 int64_t LastEpisode(SqliteDatabase& database) {
   return database.QueryInteger("SELECT max(number) FROM episode", "read the episodes");
 }
@@ -118,16 +141,14 @@ std::string RunDatabase::ReadValue(const std::string& key) const {
 
 RunRecord RunDatabase::ReadRun() const {
   const Moment moment(*impl_->database);
-  const RunValues values(*impl_->database);
-  RunRecord run;
-  for (const TextKey& text : kTexts) run.*text.member = values.Text(text.key);
-  run.seed = values.NotNegative<uint64_t>("seed");
-  run.episodes_planned = values.NotNegative<int64_t>("episodes_planned");
-  run.record_every = values.NotNegative<int64_t>("record_every");
-  run.checkpoint_seconds = values.NotNegative<double>("checkpoint_seconds");
-  if (!ParseBody(run.body)) values.Fail("has a `body` that is not valid");
-  run.tasks = ReadTasks(*impl_->database);
-  return run;
+  return RunIn(*impl_->database);
+}
+
+RunAndEpisodes RunDatabase::ReadRunAndEpisodes() const {
+  const Moment moment(*impl_->database);
+  RunRecord run = RunIn(*impl_->database);
+  std::vector<EpisodeRecord> episodes = EpisodesIn(*impl_->database, run.tasks);
+  return {std::move(run), std::move(episodes)};
 }
 
 RunState RunDatabase::ReadState() const {
@@ -138,14 +159,8 @@ RunState RunDatabase::ReadState() const {
 }
 
 std::vector<EpisodeRecord> RunDatabase::ReadEpisodes() const {
-  const SqliteDatabase& database = *impl_->database;
   const Moment moment(*impl_->database);
-  const std::vector<TaskRecord> tasks = ReadTasks(database);
-  std::vector<EpisodeRecord> episodes = runtime::ReadEpisodes(database, tasks);
-  ReadGoalDraws(database, tasks, episodes);
-  ReadPhaseSums(database, tasks, episodes);
-  ReadLearnerValues(database, episodes);
-  return episodes;
+  return EpisodesIn(*impl_->database, ReadTasks(*impl_->database));
 }
 
 std::vector<CurveRecord> RunDatabase::ReadLearnerCurves() const {
@@ -154,7 +169,8 @@ std::vector<CurveRecord> RunDatabase::ReadLearnerCurves() const {
 
 std::vector<ChangeRecord> RunDatabase::ReadChanges() const {
   const Moment moment(*impl_->database);
-  const auto task_count = static_cast<int64_t>(ReadTasks(*impl_->database).size());
+  const int64_t task_count =
+      impl_->database->QueryInteger("SELECT count(*) FROM task", "read the tasks");
   std::vector<ChangeRecord> changes;
   TableReader row(*impl_->database, "change", "id, episode, step, at, kind, text, data",
                   "ORDER BY id");
