@@ -188,6 +188,11 @@ BENCHMARK_CAPTURE(Sensors, accelerations, {"base.acceleration", "joint.accelerat
 BENCHMARK_CAPTURE(Sensors, contact_force, {"contact_force"})
     ->Unit(benchmark::kMicrosecond)
     ->MinTime(3);
+BENCHMARK_CAPTURE(Sensors, sites,
+                  {"site.position", "site.orientation", "site.velocity", "site.angular_velocity",
+                   "site.acceleration"})
+    ->Unit(benchmark::kMicrosecond)
+    ->MinTime(3);
 
 // The part of a physics step of `paper` that is not ODE's dWorldStep: controller, collisions,
 // filter, checks, signals, sensors.

@@ -133,4 +133,6 @@ export const hasNoSeriousFault: Check = async (page) => {
     .filter(({ impact }) => impact === "serious" || impact === "critical")
     .map(({ id, nodes }) => `${id}: ${nodes.map(({ html, failureSummary }) => `${html}\n${failureSummary}`).join("\n")}`);
   assert.deepEqual(faults, []);
+  const aloud = await page.locator("output:not([aria-live=off])").count();
+  assert.equal(aloud, 0, "numbers are read aloud whenever they change");
 };

@@ -4,7 +4,7 @@ import type { Curve, Report } from "../data/report_data.ts";
 import { runningMean } from "../data/statistics.ts";
 import { onlyUnder, versionStarts } from "../data/versions.ts";
 import { formatCount, formatNumber } from "../data/words.ts";
-import { element, onThemeChange } from "../page/dom.ts";
+import { element, onThemeChange, readout } from "../page/dom.ts";
 import { ChangeMarks } from "./change_marks.ts";
 import { EpisodeChart } from "./episode_chart.ts";
 import { ExportButtons } from "./export_buttons.ts";
@@ -59,7 +59,7 @@ export class TermCurves {
 
   /** A switch for the term's curve, which also shows its value. */
   private legendEntry(term: Curve, index: number): HTMLElement {
-    const output = element("output", { class: "value" });
+    const output = readout({ class: "value" });
     this.outputs.push(output);
     const swatch = element("span", { class: "swatch", "aria-hidden": "true" });
     swatch.style.background = `var(${seriesColor(index)})`;

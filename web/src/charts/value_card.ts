@@ -2,7 +2,7 @@
 
 import { withUnit } from "../data/words.ts";
 import type { Curve } from "../data/report_data.ts";
-import { element } from "../page/dom.ts";
+import { element, readout } from "../page/dom.ts";
 import type { EpisodeChart } from "./episode_chart.ts";
 import { ExportButtons } from "./export_buttons.ts";
 
@@ -18,7 +18,7 @@ export function addValueCard(
   note: string,
   chartOf: () => EpisodeChart | undefined,
 ): ValueCard {
-  const value = element("output", { class: "value" });
+  const value = readout({ class: "value" });
   const heading = element("h3", {}, withUnit({ name, unit }));
   const chart = element("div", { class: "chart" });
   const exports = new ExportButtons(name, chartOf).element;

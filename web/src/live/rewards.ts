@@ -1,7 +1,7 @@
 // What each reward term pays at this moment, and has paid so far.
 
 import { formatNumber } from "../data/words.ts";
-import { element } from "../page/dom.ts";
+import { element, readout } from "../page/dom.ts";
 import { kPayWindow, type Entry, type History } from "./history.ts";
 import { Trace } from "./trace.ts";
 import type { Layout, ViewValue } from "./view_frames.ts";
@@ -29,9 +29,9 @@ export class Rewards {
     const terms = layout.values.filter(({ kind }) => kind === "term");
     const shadows = layout.values.filter(({ kind }) => kind === "shadow");
     this.greatest = 0;
-    this.total = element("output", { class: "sum" });
+    this.total = readout({ class: "sum" });
     this.rows = terms.map((term) => this.makeRow(term));
-    this.shadows = shadows.map((value) => ({ value, sum: element("output", { class: "sum" }) }));
+    this.shadows = shadows.map((value) => ({ value, sum: readout({ class: "sum" }) }));
     const body = element("tbody");
     for (const row of this.rows) body.append(this.rowElement(row));
     const foot = element("tfoot", {}, this.sumRow("return", layout.task, "what the learner is paid", this.total));
@@ -75,9 +75,9 @@ export class Rewards {
     return {
       term,
       bar: element("span", { class: "pay", "aria-hidden": "true" }, element("span")),
-      rate: element("output"),
-      action: element("output"),
-      sum: element("output", { class: "sum" }),
+      rate: readout(),
+      action: readout(),
+      sum: readout({ class: "sum" }),
       trace: new Trace(1, (entry) => entry.rates.get(term) ?? NaN),
     };
   }

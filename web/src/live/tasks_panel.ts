@@ -4,7 +4,7 @@
 import type { Task } from "../data/report_data.ts";
 import { lastValues } from "../data/statistics.ts";
 import { formatNumber } from "../data/words.ts";
-import { byId, element } from "../page/dom.ts";
+import { byId, element, readout } from "../page/dom.ts";
 import { TaskEditor } from "./editor/task_editor.ts";
 import { TaskPageView } from "./editor/task_page.ts";
 import type { GrowingRecord } from "./growing_record.ts";
@@ -92,7 +92,7 @@ export class TasksPanel {
 
   private makeCard(task: TaskModule): HTMLElement {
     const isActive = task.role === "active";
-    const output = element("output");
+    const output = readout();
     this.returns.push({ module: task.module, output });
     const button = (words: string, command: string): HTMLElement => {
       const made = element("button", { type: "button", class: "button" }, words);

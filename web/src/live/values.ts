@@ -1,7 +1,7 @@
 // All that the task reads, remembers and measures, as numbers with traces; and its phases.
 
 import { formatNumber } from "../data/words.ts";
-import { byId, element } from "../page/dom.ts";
+import { byId, element, readout } from "../page/dom.ts";
 import type { History } from "./history.ts";
 import { Trace } from "./trace.ts";
 import { valueInWords } from "./value_words.ts";
@@ -62,7 +62,7 @@ export class Values {
   }
 
   private makeRow(value: ViewValue): HTMLElement {
-    const output = element("output");
+    const output = readout();
     const trace = new Trace(value.size, ({ frame }, line) => frame.number(value.first + line));
     const name = element("span", { class: "name" }, value.name);
     if (value.unit) name.append(" ", element("span", { class: "unit" }, value.unit));
@@ -72,7 +72,7 @@ export class Values {
       this.rows.push({ value, output, trace, elements: [], details: undefined });
       return element("div", { class: "value-row", title: words, "data-value": value.name }, ...head);
     }
-    const elements = value.elements.map(() => element("output"));
+    const elements = value.elements.map(() => readout());
     const list = value.elements.map((each, i) =>
       element("div", {}, element("dt", {}, each), element("dd", {}, elements[i] as HTMLElement)),
     );

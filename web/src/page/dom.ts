@@ -15,6 +15,11 @@ export function element<Tag extends keyof HTMLElementTagNameMap>(
   return made;
 }
 
+/** A number that changes while one looks: it is not read aloud each time. */
+export function readout(attributes: Attributes = {}): HTMLOutputElement {
+  return element("output", { "aria-live": "off", ...attributes });
+}
+
 /** The element of the template with this id and type. */
 export function byId<Type extends HTMLElement>(id: string, type: new () => Type): Type {
   const found = document.getElementById(id);

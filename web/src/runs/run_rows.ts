@@ -3,7 +3,7 @@
 import { formatCount, formatDuration, formatNumber, formatRatio } from "../data/words.ts";
 import { addressOf } from "../live/trainer.ts";
 import { drawSparkline } from "../page/canvas.ts";
-import { element } from "../page/dom.ts";
+import { element, readout } from "../page/dom.ts";
 import { isTrained, kindOf, type Run } from "./run.ts";
 
 const kHeads = ["", "run", "state", "episodes", "mean return", "", "best", "speed", "left", ""];
@@ -22,11 +22,11 @@ class RunRow {
   private readonly failure = element("pre", { class: "refusal" });
   private readonly episodes = element("span");
   private readonly bar = element("progress", { max: "1", value: "0" });
-  private readonly mean = element("output");
+  private readonly mean = readout();
   private readonly spark = element("canvas", { class: "run-spark", "aria-hidden": "true" });
-  private readonly best = element("output");
-  private readonly speed = element("output");
-  private readonly left = element("output");
+  private readonly best = readout();
+  private readonly speed = readout();
+  private readonly left = readout();
   private readonly open = element("a", { class: "button" }, "Open");
   private readonly pause = element("button", { type: "button", class: "button" });
   private readonly stop = element("button", { type: "button", class: "button" }, "Stop");
