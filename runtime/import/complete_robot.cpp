@@ -30,53 +30,51 @@ double Round(double value) {
   return std::round(value / unit) * unit;
 }
 
-// From the joint to the farthest link that it moves [m].
-double ReachOf(const RobotDescription& robot, const robot::Joint& joint) {
-  std::vector<bool> moves(robot.links.size(), false);
-  moves[static_cast<size_t>(joint.child)] = true;
-  double reach = 0;
-  const auto look = [&](int link) {
-    const robot::Vector3& p = robot.links[static_cast<size_t>(link)].position;
-    reach = std::max(
-        reach, std::hypot(p[0] - joint.anchor[0], p[1] - joint.anchor[1], p[2] - joint.anchor[2]));
-  };
-  look(joint.child);
-  for (const robot::Branch& branch : robot.Branches()) {
-    if (!moves[static_cast<size_t>(branch.parent)]) continue;
-    moves[static_cast<size_t>(branch.child)] = true;
-    look(branch.child);
-  }
-  return reach;
-}
-
-double ProposedTorque(const RobotDescription& robot, const robot::Joint& joint, double mass) {
+// With which each can hold half of the robot's weight at the end of its limb.
+double ProposedTorque(const robot::Joint& joint, double reach, double mass) {
   const double force = mass * robot::kGravity / 2;
   if (joint.kind == robot::JointKind::kSlider) return Round(2 * force);
-  return Round(force * std::max(ReachOf(robot, joint), 0.01));
+  return Round(force * std::max(reach, 0.01));
+}
+
+// Proposes the torques that nothing says, or that are none.
+void ProposeTorques(RobotDescription& robot, const BodyProperties& body,
+                    std::vector<std::string>& warnings) {
+  constexpr const char* kProposed =
+      "each can hold half of the robot's weight at the end of its "
+      "limb";
+  std::vector<std::string> guessed;
+  std::vector<std::string> beyond;
+  for (size_t i = 0; i < robot.joints.size(); ++i) {
+    robot::Joint& joint = robot.joints[i];
+    if (joint.gains.max_torque && !body.joints[i].IsBeyondMotors()) continue;
+    (joint.gains.max_torque ? beyond : guessed).push_back(joint.name);
+    joint.gains.max_torque = ProposedTorque(joint, body.joints[i].reach, body.mass);
+  }
+  if (!guessed.empty()) {
+    warnings.push_back(fmt::format("nothing says how strong the motors of `{}` are: {}",
+                                   fmt::join(guessed, "`, `"), kProposed));
+  }
+  if (!beyond.empty()) {
+    warnings.push_back(fmt::format(
+        "no motors are as strong as the file has those of `{}`, which could hold up more than five "
+        "such robots: instead {}; set `max_torque`",
+        fmt::join(beyond, "`, `"), kProposed));
+  }
 }
 
 void ProposeGains(RobotDescription& robot, std::vector<std::string>& warnings) {
   const BodyProperties body = PropertiesOf(robot);
-  std::vector<std::string> guessed;
+  ProposeTorques(robot, body, warnings);
   for (size_t i = 0; i < robot.joints.size(); ++i) {
     robot::Joint& joint = robot.joints[i];
     if (joint.gains.max_torque == 0.) continue;  // passive
-    if (!joint.gains.max_torque) {
-      joint.gains.max_torque = ProposedTorque(robot, joint, body.mass);
-      guessed.push_back(joint.name);
-    }
     const double inertia = body.joints[i].inertia;
     if (!joint.gains.stiffness)
       joint.gains.stiffness = Round(*joint.gains.max_torque / kFullTorqueAt);
     if (!joint.gains.damping) {
       joint.gains.damping = Round(2 * kDampingRatio * std::sqrt(*joint.gains.stiffness * inertia));
     }
-  }
-  if (!guessed.empty()) {
-    warnings.push_back(
-        fmt::format("nothing says how strong the motors of `{}` are: each can hold half of the "
-                    "robot's weight at the end of its limb",
-                    fmt::join(guessed, "`, `")));
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -77,6 +78,17 @@ class Masses {
     return locked - push.dot(all.ldlt().solve(push));  // the rest gives way
   }
 
+  double ReachOf(const robot::Joint& joint) const {
+    const std::vector<bool> moves = BelowOf(joint.child);
+    double reach = 0;
+    for (size_t i = 0; i < robot_.links.size(); ++i) {
+      if (!moves[i]) continue;
+      const Vector3 way = ToEigen(robot_.links[i].position.data()) - ToEigen(joint.anchor.data());
+      reach = std::max(reach, way.norm());
+    }
+    return reach;
+  }
+
  private:
   // The motion of what hangs on it, described at the base's center, for an angle's rate of 1.
   static Vector6 WayOf(const robot::Joint& joint) {
@@ -112,12 +124,26 @@ class Masses {
   std::vector<Matrix3> inertias_;
 };
 
-JointProperties PropertiesOf(double inertia, const robot::Gains& gains) {
-  JointProperties joint = {.inertia = inertia};
+JointProperties PropertiesOf(double inertia, double reach, const robot::Gains& gains) {
+  JointProperties joint = {.inertia = inertia, .reach = reach};
   if (!gains.HasMotor()) return joint;
   joint.frequency = std::sqrt(gains.stiffness / inertia) / (2 * std::numbers::pi);
   joint.damping_ratio = gains.damping / (2 * std::sqrt(gains.stiffness * inertia));
   return joint;
+}
+
+// With the weight of the robot.
+void CompareMotors(const robot::RobotDescription& robot, BodyProperties& body) {
+  double longest = 0;
+  for (const JointProperties& joint : body.joints) longest = std::max(longest, joint.reach);
+  const double weight = body.mass * robot::kGravity;
+  for (size_t i = 0; i < robot.joints.size(); ++i) {
+    const robot::Gains& gains = robot.GainsOf(robot.joints[i]);
+    const bool slides = robot.joints[i].kind == robot::JointKind::kSlider;
+    if (!gains.HasMotor() || slides || longest == 0) continue;
+    body.joints[i].strength = gains.max_torque / (weight * longest);
+    body.joints[i].quickness = gains.max_torque / body.joints[i].inertia;
+  }
 }
 
 }  // namespace
@@ -133,8 +159,9 @@ BodyProperties PropertiesOf(const robot::RobotDescription& robot) {
   }
   for (const robot::Joint& joint : robot.joints) {
     const double inertia = masses.InertiaAbout(joint) + joint.passive.armature;
-    body.joints.push_back(PropertiesOf(inertia, robot.GainsOf(joint)));
+    body.joints.push_back(PropertiesOf(inertia, masses.ReachOf(joint), robot.GainsOf(joint)));
   }
+  CompareMotors(robot, body);
   return body;
 }
 

@@ -19,8 +19,16 @@ struct JointProperties {
   // nothing holds the robot but its base where that is fixed; with the armature [kg m^2, for each
   // rad].
   double inertia = 0;
+  double reach = 0;          // to the center of the farthest link that it moves [m]
   double frequency = 0;      // at which it swings about its target; 0 without a motor [Hz]
   double damping_ratio = 0;  // 1 is critical; 0 without a motor
+  // How many such robots its motor could hold up at the end of the longest limb, and how fast it
+  // begins to turn what hangs on it [rad/s^2]; 0 without a motor that turns something.
+  double strength = 0;
+  double quickness = 0;
+
+  // Many files say 1000 N m where nobody knew. With an armature such a motor may be meant.
+  bool IsBeyondMotors() const { return strength > 5 && quickness > 5000; }
 };
 
 struct BodyProperties {

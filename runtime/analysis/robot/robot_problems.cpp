@@ -1,6 +1,7 @@
 #include "runtime/analysis/robot/robot_problems.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -96,6 +97,24 @@ void CheckDensity(const robot::Link& link, const LinkProperties& properties,
                       "check the units: masses are in kg, lengths in m"});
 }
 
+void CheckMotors(const robot::RobotDescription& robot, const BodyProperties& body,
+                 std::vector<RobotProblem>& problems) {
+  std::vector<std::string> names;
+  double strongest = 0;
+  for (size_t i = 0; i < robot.joints.size(); ++i) {
+    if (!body.joints[i].IsBeyondMotors()) continue;
+    names.push_back(robot.joints[i].name);
+    strongest = std::max(strongest, body.joints[i].strength);
+  }
+  if (names.empty()) return;
+  problems.push_back(
+      {fmt::format("the motors of `{}` could hold up {:.0f} such robots at the end of a limb",
+                   fmt::join(names, "`, `"), strongest),
+       "check the unit of `max_torque`, N m; a file that came from elsewhere may say 1000 where "
+       "nobody "
+       "knew"});
+}
+
 }  // namespace
 
 std::vector<RobotProblem> ProblemsOf(const robot::RobotDescription& robot,
@@ -105,6 +124,7 @@ std::vector<RobotProblem> ProblemsOf(const robot::RobotDescription& robot,
     CheckDensity(robot.links[i], body.links[i], problems);
     CheckInertia(robot.links[i], body.links[i], problems);
   }
+  CheckMotors(robot, body, problems);
   return problems;
 }
 

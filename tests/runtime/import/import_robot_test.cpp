@@ -220,6 +220,33 @@ TEST_F(ImportRobotTest, ShapesOfAUrdfFileWeighNothing) {
   EXPECT_NEAR(robot.links[0].mass, 3, 1e-6);
 }
 
+// Two links of 1 kg and 0.5 kg, the second 0.2 m below its joint.
+std::string WithEffort(const std::string& effort) {
+  std::string leg = Link("leg", kBox, 0.5);
+  leg.insert(leg.find("<mass"), "<origin xyz=\"0 0 -0.2\"/>");
+  return "<robot name=\"a\">" + Link("body", kBox) + leg +
+         "<joint name=\"hip\" type=\"revolute\"><parent link=\"body\"/><child link=\"leg\"/>"
+         "<origin xyz=\"0 0 -0.2\"/><axis xyz=\"0 1 0\"/><limit lower=\"-1\" upper=\"1\" "
+         "velocity=\"9\" effort=\"" +
+         effort + "\"/></joint></robot>";
+}
+
+double TorqueOf(const ImportedRobot& imported) {
+  const robot::RobotDescription robot = robot::ReadRobot(imported.file);
+  return robot.GainsOf(robot.joints[0]).max_torque;
+}
+
+// It holds up 1000 N m / (1.5 kg * 9.8 m/s^2 * 0.2 m) = 340 such robots.
+TEST_F(ImportRobotTest, ATorqueThatNoMotorHasIsReplaced) {
+  const ImportedRobot imported = Import(WithEffort("1000"));
+  const auto said = HasSubstr("as strong as the file has those of `hip`, which could hold up");
+  EXPECT_THAT(imported.warnings, Contains(said));
+  EXPECT_NEAR(TorqueOf(imported), 1.47, 1e-9);
+  const ImportedRobot strong = Import(WithEffort("14"));  // 4.8 of them
+  EXPECT_THAT(strong.warnings, Not(Contains(said)));
+  EXPECT_EQ(TorqueOf(strong), 14);
+}
+
 TEST_F(ImportRobotTest, AMeshThatIsNotThereIsABoxWithTheLinksInertia) {
   const ImportedRobot imported =
       Import("<robot name=\"a\">\n" +

@@ -42,6 +42,24 @@ TEST(BodyProperties, AJointOnAFixedBaseFeelsWhatHangsOnIt) {
   EXPECT_NEAR(PropertiesOf(robot).joints[0].inertia, 0.5 * 0.01, 1e-12);
 }
 
+// 1.5 kg * 9.8 m/s^2 at the end of 0.5 m are 7.35 N m.
+TEST(BodyProperties, AMotorIsComparedWithTheRobotsWeight) {
+  robot::RobotDescription robot = Rotor();
+  robot.has_fixed_base = true;
+  robot.links[1].position = {0, 0, -0.5};
+  robot.joints[0].axis = {0, 1, 0};
+  robot.joints[0].gains.max_torque = 73.5;
+  const JointProperties joint = PropertiesOf(robot).joints[0];
+  EXPECT_DOUBLE_EQ(joint.reach, 0.5);
+  EXPECT_NEAR(joint.strength, 10, 1e-12);
+  EXPECT_NEAR(joint.quickness, 73.5 / (kWheel + 0.5 * 0.25), 1e-9);
+  EXPECT_FALSE(joint.IsBeyondMotors());  // 580 rad/s^2 are not much
+  robot.joints[0].gains.max_torque = 735;
+  EXPECT_TRUE(PropertiesOf(robot).joints[0].IsBeyondMotors());
+  robot.joints[0].kind = robot::JointKind::kSlider;
+  EXPECT_EQ(PropertiesOf(robot).joints[0].strength, 0);
+}
+
 TEST(BodyProperties, APassiveJointDoesNotSwingAboutATarget) {
   robot::RobotDescription robot = Rotor();
   robot.joints[0].gains = {.stiffness = 0, .damping = 0, .max_torque = 0, .max_speed = {}};

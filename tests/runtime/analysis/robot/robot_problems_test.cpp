@@ -65,6 +65,18 @@ TEST(RobotProblems, SaysThatAJointShakes) {
   EXPECT_THAT(problems[0].help, HasSubstr("take profile `fast`"));
 }
 
+TEST(RobotProblems, SaysThatNoMotorIsSoStrong) {
+  robot::RobotDescription robot = Humanoid();
+  robot.joints[0].gains.max_torque = 1000;
+  const auto problems = ProblemsOfBody(robot);
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_THAT(problems[0].text,
+              HasSubstr("the motors of `" + robot.joints[0].name + "` could hold up "));
+  EXPECT_THAT(problems[0].help, HasSubstr("check the unit of `max_torque`, N m"));
+  robot.joints[0].passive.armature = 1;  // a rotor that such a motor has to turn as well
+  EXPECT_THAT(ProblemsOfBody(robot), IsEmpty());
+}
+
 TEST(RobotProblems, KnowsWhichInertiasNoBodyHas) {
   robot::RobotDescription robot = Rotor();
   robot.links[0].inertia = robot::Inertia{4, 4, 4, 0, 0, 0};  // kg cm^2, for example
