@@ -127,7 +127,7 @@ const std::map<std::string, Folders> kMayInclude = {
     {"runtime/trainer", {"base/command_line", "base/text", "runtime/base"}},
     {"runtime/import",
      {"base/file", "plugins/robot", "runtime/analysis/robot", "runtime/base", "runtime/core/shape",
-      "runtime/training/run", "runtime/training/simulation"}},
+      "runtime/training/learning", "runtime/training/run", "runtime/training/simulation"}},
     {"runtime/trainer/robot",
      {"base/command_line", "base/text", "plugins/robot", "runtime/analysis/robot", "runtime/import",
       "runtime/trainer", "runtime/trainer/setup", "runtime/training/run",

@@ -12,8 +12,8 @@
 #include "runtime/analysis/robot/held_pose.h"
 #include "runtime/analysis/robot/robot_problems.h"
 #include "runtime/import/names.h"
+#include "runtime/import/standing_pose.h"
 #include "runtime/training/simulation/collision.h"
-#include "runtime/training/simulation/ground_height.h"
 
 namespace runtime {
 namespace {
@@ -121,19 +121,29 @@ void ExcludeOverlaps(RobotDescription& robot, std::vector<std::string>& warnings
   }
 }
 
-// Puts the robot on the ground, and where it then stands by itself.
-void PutOnGround(RobotDescription& robot, std::vector<std::string>& warnings) {
+// Puts the robot on the ground; where it does not stand there, in a pose in which it does.
+void MakeStand(RobotDescription& robot, std::vector<std::string>& warnings,
+               const std::function<void(const std::string&)>& tell) {
   robot::Pose& pose = robot.poses.front();
-  if (robot.has_fixed_base) {
-    pose.position[2] -= std::min(LowestPoint(robot, pose), 0.);
-    return;
-  }
-  pose.position = {0, 0, pose.position[2] - LowestPoint(robot, pose)};
+  pose = PutOnGround(robot, pose);
+  if (robot.has_fixed_base) return;
   const HeldPose held = HoldPose(robot, FindProfile("fast-tree"), pose);
   if (held.Stands()) return;
+  if (tell) {
+    tell(
+        "the robot does not stand with the angles of the file; looking for others with which it "
+        "does, some seconds ...");
+  }
+  if (const auto found = FindStandingPose(robot, pose)) {
+    pose = *found;
+    warnings.push_back(
+        "the robot does not stand with the angles of the file: the start pose bends its joints so "
+        "that it does; see `trainer robot show`");
+    return;
+  }
   warnings.push_back(held.failure.empty()
-                         ? "the robot does not stand in its start pose: bend its joints so that "
-                           "it does, and see `trainer robot show`"
+                         ? "the robot does not stand in its start pose, and no other was found: "
+                           "bend its joints so that it does, and see `trainer robot show`"
                          : fmt::format("held in its start pose the simulation diverges ({}): see "
                                        "`trainer robot show`",
                                        held.failure));
@@ -191,16 +201,17 @@ void NameSymmetricDof(RobotDescription& robot) {
 
 }  // namespace
 
-void CompleteRobot(DescribedModel& model, const std::vector<double>& keyframe) {
+void CompleteRobot(DescribedModel& model, const std::vector<double>& keyframe,
+                   const std::function<void(const std::string&)>& tell) {
   RobotDescription& robot = model.robot;
   SetController(robot);
   robot.poses = {MakePose(model, keyframe)};
   ProposeGains(robot, model.warnings);
   SetController(robot);
   ExcludeOverlaps(robot, model.warnings);
-  PutOnGround(robot, model.warnings);
-  NameFeet(robot);
   NameSymmetricDof(robot);
+  MakeStand(robot, model.warnings, tell);
+  NameFeet(robot);
 }
 
 }  // namespace runtime

@@ -2,6 +2,7 @@
 // together.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,10 @@ namespace runtime {
 // A motor without a largest torque gets what holds half of the robot's weight at the end of the
 // limb. Stiffness: the whole torque at 0.4 rad; damping: half of the critical one, of the joint's
 // own inertia with all others locked.
-void CompleteRobot(DescribedModel& model, const std::vector<double>& keyframe);
+//
+// Where the robot does not stand in the file's pose, another one is looked for (standing_pose.h).
+// `tell`: hears of that before; may be empty.
+void CompleteRobot(DescribedModel& model, const std::vector<double>& keyframe,
+                   const std::function<void(const std::string&)>& tell);
 
 }  // namespace runtime

@@ -64,7 +64,7 @@ ImportedRobot ImportRobot(const ImportOptions& options) {
   described.robot.name = imported.name;
   described.robot.doc = fmt::format("Imported from {}.", options.file.filename().string());
   try {
-    CompleteRobot(described, FirstKeyframe(*model));
+    CompleteRobot(described, FirstKeyframe(*model), options.tell);
   } catch (const OdeFailure& failure) {
     throw UserError(fmt::format("{}: what it describes cannot be simulated: {}",
                                 options.file.string(), failure.what()));

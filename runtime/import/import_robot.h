@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,10 +10,11 @@
 namespace runtime {
 
 struct ImportOptions {
-  std::filesystem::path file{};      // URDF or MJCF
-  std::string name{};                // of the robot; without one the file's
-  std::filesystem::path folder{};    // where the robot's own folder is made
-  std::optional<bool> fixed_base{};  // without it as the file says
+  std::filesystem::path file{};                    // URDF or MJCF
+  std::string name{};                              // of the robot; without one the file's
+  std::filesystem::path folder{};                  // where the robot's own folder is made
+  std::optional<bool> fixed_base{};                // without it as the file says
+  std::function<void(const std::string&)> tell{};  // what takes some seconds, before it does
 };
 
 struct ImportedRobot {

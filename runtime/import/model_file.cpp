@@ -257,6 +257,15 @@ void ModelFile::LeaveOutPictures() {
   }
 }
 
+// A URDF file may say itself how MuJoCo is to read it; where the meshes are has been taken from it.
+void ModelFile::LeaveOutOwnMujoco() {
+  const std::vector<XmlTag> tags = text_.Tags();
+  for (size_t i = 0; i < tags.size(); ++i) {
+    if (tags[i].name == "mujoco" && !tags[i].is_end)
+      text_.Blank(tags[i].begin, text_.EndOfElement(tags, i));
+  }
+}
+
 // How MuJoCo is to read the model: links that cannot move stay links, shapes of a URDF file weigh
 // nothing, and what would be refused because it has no mass or inertia gets little, which is then
 // seen and told.
@@ -265,6 +274,7 @@ void ModelFile::SetCompiler() {
       "boundmass=\"1e-9\" boundinertia=\"1e-12\" balanceinertia=\"true\"";
   std::string wanted;
   if (is_urdf_) {
+    LeaveOutOwnMujoco();
     wanted = fmt::format(
         "<mujoco><compiler fusestatic=\"false\" discardvisual=\"true\" inertiafromgeom=\"false\" "
         "{}/>"

@@ -49,6 +49,7 @@ class ModelFile {
   void FindForceLimits();
   void FindMeshes();
   void LeaveOutPictures();
+  void LeaveOutOwnMujoco();
   std::filesystem::path Find(const std::string& name, const std::string& folder) const;
   std::filesystem::path FindMesh(const std::string& name, const std::string& folder,
                                  const XmlTag& tag);

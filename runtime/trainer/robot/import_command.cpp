@@ -19,6 +19,7 @@ struct ImportRobotOptions {
 
 int Import(ImportRobotOptions options) {
   if (!options.base.empty()) options.import.fixed_base = options.base == "fixed";
+  options.import.tell = [](const std::string& what) { text::Print(stderr, "{}\n", what); };
   const ImportedRobot imported = ImportRobot(options.import);
   if (options.json) {
     const nlohmann::ordered_json json = {

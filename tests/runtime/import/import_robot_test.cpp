@@ -74,6 +74,16 @@ TEST_F(ImportRobotTest, AMeshBecomesItsHull) {
   EXPECT_NEAR(MassOf(HullOf(shape.points)).volume, 0.5 * 0.4 * 0.2 * 0.6, 1e-6);
 }
 
+// Many files that others use with MuJoCo, too.
+TEST_F(ImportRobotTest, AUrdfFileMayTellMujocoWhereItsMeshesAre) {
+  std::filesystem::create_directory(folder_.path() / "parts");
+  std::ofstream(folder_.path() / "parts" / "wedge.obj") << kWedge;
+  const ImportedRobot imported = Import(
+      "<robot name=\"a\">\n<mujoco><compiler meshdir=\"parts\" discardvisual=\"false\"/></mujoco>" +
+      Link("body", "<mesh filename=\"wedge.obj\"/>") + "</robot>");
+  EXPECT_EQ(robot::ReadRobot(imported.file).links[0].shape.points.size(), 6u);
+}
+
 TEST_F(ImportRobotTest, StlMayBeWrittenAsText) {
   constexpr const char* kCorners[] = {"0 0 0", "0.4 0 0", "0 0.2 0", "0 0 0.6"};
   constexpr int kFaces[][3] = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
@@ -351,6 +361,42 @@ TEST_F(ImportRobotTest, ALeggedRobotStandsWhereItsFeetAre) {
   ASSERT_NE(symmetric, nullptr);
   EXPECT_EQ(symmetric->dof(), 2);
   EXPECT_EQ(symmetric->couplings[1].factor, -1);
+}
+
+// Four legs of 0.3 m that lean so far back that the weight is in front of all feet.
+std::string LeaningTable() {
+  std::string text = "<robot name=\"table\">" + Link("trunk", "<box size=\"0.4 0.2 0.1\"/>", 2);
+  for (const std::string x : {"0.2", "-0.2"}) {
+    for (const std::string y : {"0.1", "-0.1"}) {
+      const std::string leg =
+          (x[0] == '-' ? "rear_" : "front_") + std::string(y[0] == '-' ? "right" : "left");
+      std::string link = Link(leg + "_leg", "<cylinder radius=\"0.02\" length=\"0.3\"/>", 0.2);
+      for (const char* part : {"<mass", "<geometry"})
+        link.insert(link.find(part), "<origin xyz=\"0 0 -0.15\"/>");
+      text += link + "<joint name=\"" + leg + "_hip\" type=\"revolute\"><parent link=\"trunk\"/>" +
+              "<child link=\"" + leg + "_leg\"/><origin xyz=\"" + x + " " + y +
+              " -0.05\" rpy=\"0 0.8 0\"/><axis xyz=\"0 1 0\"/>" +
+              "<limit lower=\"-1.2\" upper=\"1.2\" effort=\"10\" velocity=\"9\"/></joint>";
+    }
+  }
+  return text + "</robot>";
+}
+
+TEST_F(ImportRobotTest, ARobotThatFallsGetsAPoseInWhichItStands) {
+  const ImportedRobot imported = Import(LeaningTable());
+  EXPECT_THAT(imported.warnings,
+              Contains(HasSubstr("does not stand with the angles of the file: the start pose")));
+  const robot::RobotDescription robot = robot::ReadRobot(imported.file);
+  const robot::Pose& pose = robot.poses.front();
+  EXPECT_TRUE(HoldPose(robot, FindProfile("fast-tree"), pose).Stands());
+  EXPECT_GT(pose.position[2], 0.3);  // on its legs
+  const auto angle = [&](const char* joint) {
+    return pose.joint_angles[static_cast<size_t>(robot.FindJoint(joint).value())];
+  };
+  EXPECT_EQ(angle("front_left_hip"), angle("front_right_hip"));
+  EXPECT_EQ(angle("rear_left_hip"), angle("rear_right_hip"));
+  const ImportedRobot again = Import(LeaningTable());
+  EXPECT_EQ(robot::ReadRobot(again.file).poses.front().joint_angles, pose.joint_angles);
 }
 
 TEST_F(ImportRobotTest, IncludesAreRead) {
