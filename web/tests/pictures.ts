@@ -11,7 +11,7 @@ import { inFolder, Trainer } from "./trainer.ts";
 
 const [trainer = "", task = "", pictures = "."] = process.argv.slice(2).map((path) => resolve(path));
 const kRun = join("runs", "crawling");
-const kWords = ["--profile", "fast-tree", "--agent", "motion_search", "--episodes", "2000", "--seed", "1"];
+const kWords = ["--profile", "fast-tree", "--agent", "motion_search", "--episodes", "6000", "--seed", "1"];
 const kLearned = 250; // episodes, until there is something to be seen
 const kWatched = 6000; // [ms]
 const kSizes = [kDesktop, { width: 1920, height: 1080 }, kPhone];

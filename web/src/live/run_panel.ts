@@ -80,13 +80,14 @@ export class RunPanel {
     this.pause.disabled = status.state === "finished";
     this.step.hidden = status.state !== "paused";
     this.stop.disabled = this.stops !== "";
-    this.put(figures.episode, formatCount(status.episode), `of ${formatCount(planned)}`);
+    // When all are done there is no next one.
+    this.put(figures.episode, formatCount(Math.min(status.episode, planned)), `of ${formatCount(planned)}`);
     const mean = `mean ${formatNumber(status.mean_return)}`;
     this.put(figures.return, done > 0 ? formatNumber(status.last_return) : "–", done > 0 ? mean : "");
     this.put(figures.best, formatNumber(status.best_return ?? NaN), this.bestNote(status));
     this.put(figures.speed, status.speed > 0 ? `${formatRatio(status.speed)} ×` : "–", "real time");
-    const left = record.secondsFor(planned - done);
-    this.put(figures.left, formatDuration(left), `${formatCount(planned - done)} episodes`);
+    const left = planned > done ? formatDuration(record.secondsFor(planned - done)) : "–";
+    this.put(figures.left, left, `${formatCount(planned - done)} episodes`);
     this.onStatus(status);
   }
 
