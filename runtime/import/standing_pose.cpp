@@ -10,6 +10,7 @@
 #include "runtime/training/learning/cma_es.h"
 #include "runtime/training/simulation/collision.h"
 #include "runtime/training/simulation/ground_height.h"
+#include "runtime/training/simulation/ode_library.h"
 
 namespace runtime {
 namespace {
@@ -64,14 +65,18 @@ class PoseSearch {
   // Its candidates are foreseen, held on all cores, and then told of in their order.
   void RunGeneration(CmaEs& search, Random& random) {
     Random foreseeing = random;
-    std::vector<robot::Pose> poses;
-    std::vector<double> costs;
-    for (int i = 0; i < search.population(); ++i) {
-      const VectorXd place = search.Foresee(foreseeing);
-      poses.push_back(PoseAt(place));
-      costs.push_back(place.squaredNorm() / search.dimensions());
-    }
-    InParallel(poses.size(), [&](size_t i) { costs[i] += CostOf(poses[i]); });
+    std::vector<VectorXd> places;
+    for (int i = 0; i < search.population(); ++i) places.push_back(search.Foresee(foreseeing));
+    std::vector<robot::Pose> poses(places.size());
+    std::vector<double> costs(places.size(), std::numeric_limits<double>::infinity());
+    InParallel(places.size(), [&](size_t i) {
+      try {
+        poses[i] = PoseAt(places[i]);
+        costs[i] = CostOf(poses[i]) + places[i].squaredNorm() / search.dimensions();
+      } catch (const OdeFailure&) {
+        // Nothing that could be simulated.
+      }
+    });
     for (size_t i = 0; i < poses.size(); ++i) {
       search.Ask(random);
       search.Tell(costs[i]);
