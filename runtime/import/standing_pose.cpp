@@ -19,10 +19,11 @@ using Eigen::VectorXd;
 using robot::RobotDescription;
 
 constexpr int kGenerations = 40;
-constexpr double kSeconds = 0.3;    // for which a candidate is held [s]
+constexpr double kSeconds = 0.4;    // for which a candidate is held [s]
 constexpr double kSpread = 0.3;     // of the candidates at first, as a part of each joint's width
 constexpr double kMargin = 0.01;    // to its stops, likewise
 constexpr double kMostWidth = 2;    // [rad] or [m]
+constexpr double kOfMoving = 10;    // the cost of a rad, or of going as far as the robot is large
 constexpr double kPressed = 0.001;  // into the ground, which shows what stands on it [m]
 constexpr double kDeepest = 0.005;  // of the robot's size, that links may be within each other
 constexpr double kLowest = 0.5;     // for the base, as a part of its height in the file's pose
@@ -58,7 +59,7 @@ class PoseSearch {
     Random random(1);
     CmaEs search(VectorXd::Zero(dimensions), kSpread, 2 * CmaEs::DefaultPopulation(dimensions));
     while (search.generation() < kGenerations) RunGeneration(search, random);
-    return best_ && Stands(*best_) ? best_ : std::nullopt;
+    return best_;
   }
 
  private:
@@ -77,13 +78,19 @@ class PoseSearch {
         // Nothing that could be simulated.
       }
     });
-    for (size_t i = 0; i < poses.size(); ++i) {
+    for (const double cost : costs) {
       search.Ask(random);
-      search.Tell(costs[i]);
-      if (!(costs[i] < best_cost_)) continue;
-      best_cost_ = costs[i];
-      best_ = poses[i];
+      search.Tell(cost);
     }
+    const auto best = std::ranges::min_element(costs) - costs.begin();
+    Consider(poses[static_cast<size_t>(best)], costs[static_cast<size_t>(best)]);
+  }
+
+  // Some that hardly move at first fall slowly.
+  void Consider(const robot::Pose& pose, double cost) {
+    if (cost >= best_cost_ || !Stands(pose)) return;
+    best_cost_ = cost;
+    best_ = pose;
   }
 
   // `place`: how far each coordinate is from the first pose, as a part of its width.
@@ -120,7 +127,7 @@ class PoseSearch {
       return overlap.depth > kDeepest * held.size;
     };
     const auto wrong = static_cast<double>(std::ranges::count_if(held.overlaps, is_wrong));
-    return 10 * moved + (1 - height) + wrong;
+    return kOfMoving * moved + (1 - height) + wrong;
   }
 
   const RobotDescription& robot_;
