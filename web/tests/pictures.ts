@@ -1,6 +1,6 @@
 // The pictures of the live page in docs/images, and others to be looked at; made by hand:
-// pictures.mjs TRAINER TASK FOLDER. CHROMIUM names the browser. What the documentation shows has no
-// size in its name.
+// pictures.mjs TRAINER TASK FOLDER [WIDTH], of windows of this width only. CHROMIUM names the browser.
+// What the documentation shows in its text has no size in its name.
 
 import { join, resolve } from "node:path";
 
@@ -9,7 +9,8 @@ import type { Page } from "playwright-core";
 import { inBrowser, kDesktop, kPhone, onPage, screenshotsIn, sleep } from "./in_browser.ts";
 import { inFolder, Trainer } from "./trainer.ts";
 
-const [trainer = "", task = "", pictures = "."] = process.argv.slice(2).map((path) => resolve(path));
+const [trainer = "", task = "", pictures = "."] = process.argv.slice(2, 5).map((path) => resolve(path));
+const width = process.argv[5];
 const kRun = join("runs", "crawling");
 const kWords = ["--profile", "fast-tree", "--agent", "motion_search", "--episodes", "6000", "--seed", "1"];
 const kLearned = 250; // episodes, until there is something to be seen
@@ -47,7 +48,7 @@ await inBrowser(async (browser) =>
     const run = await Trainer.serve(trainer, [task, ...kWords, "--out", kRun], kRun);
     try {
       await hasLearned(run);
-      for (const viewport of kSizes) {
+      for (const viewport of kSizes.filter((size) => !width || size.width === Number(width))) {
         for (const colorScheme of ["light", "dark"] as const) {
           const isShown = viewport === kDesktop && colorScheme === "light";
           const guise = isShown ? "" : `-${viewport.width}x${viewport.height}-${colorScheme}`;

@@ -6,6 +6,7 @@ import {
   formatCount,
   formatDate,
   formatDuration,
+  formatEstimate,
   formatThousandths,
   formatNumber,
   formatRatio,
@@ -51,6 +52,12 @@ test("durations name their two largest units", () => {
   assert.equal(formatDuration(61), "1 min 1 s");
   assert.equal(formatDuration(15 * 3600 + 61), "15 h 1 min");
   assert.equal(formatDuration(59.9999), "60.00 s");
+  assert.equal(formatEstimate(12.5), "13 s");
+  assert.equal(formatEstimate(72.4), "1 min 12 s");
+  assert.equal(formatEstimate(29 * 60 + 45), "30 min");
+  assert.equal(formatEstimate(3599), "1 h 0 min");
+  assert.equal(formatEstimate(15 * 3600 + 61), "15 h");
+  assert.equal(formatEstimate(NaN), "–");
 });
 
 test("moments of a replay are equally wide", () => {

@@ -47,6 +47,16 @@ export function formatDuration(seconds: number): string {
   return `${formatCount(hours)} h ${minutes} min`;
 }
 
+/** One that is only estimated: no more exact than it is worth, and short. */
+export function formatEstimate(seconds: number): string {
+  if (seconds < 60) return `${Math.ceil(seconds)} s`;
+  if (!(seconds >= 600)) return formatDuration(Math.round(seconds));
+  const minutes = Math.round(seconds / 60);
+  if (minutes < 60) return `${minutes} min`;
+  const hours = Math.floor(minutes / 60);
+  return hours < 10 ? `${hours} h ${minutes % 60} min` : `${formatCount(Math.round(minutes / 60))} h`;
+}
+
 /** How many times as much: "4.9", "132". */
 export const formatRatio = (ratio: number): string =>
   ratio < 9.95 ? ratio.toFixed(1) : formatCount(Math.round(ratio));

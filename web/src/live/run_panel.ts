@@ -1,6 +1,6 @@
 // What the run is doing, and its buttons.
 
-import { formatCount, formatDuration, formatNumber, formatRatio } from "../data/words.ts";
+import { formatCount, formatEstimate, formatNumber, formatRatio } from "../data/words.ts";
 import { drawSparkline } from "../page/canvas.ts";
 import { byId, element, onThemeChange } from "../page/dom.ts";
 import type { GrowingRecord } from "./growing_record.ts";
@@ -86,7 +86,7 @@ export class RunPanel {
     this.put(figures.return, done > 0 ? formatNumber(status.last_return) : "–", done > 0 ? mean : "");
     this.put(figures.best, formatNumber(status.best_return ?? NaN), this.bestNote(status));
     this.put(figures.speed, status.speed > 0 ? `${formatRatio(status.speed)} ×` : "–", "real time");
-    const left = planned > done ? formatDuration(record.secondsFor(planned - done)) : "–";
+    const left = planned > done ? formatEstimate(record.secondsFor(planned - done)) : "–";
     this.put(figures.left, left, `${formatCount(planned - done)} episodes`);
     this.onStatus(status);
   }

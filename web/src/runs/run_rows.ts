@@ -1,6 +1,6 @@
 // All runs, a row for each.
 
-import { formatCount, formatDuration, formatNumber, formatRatio } from "../data/words.ts";
+import { formatCount, formatEstimate, formatNumber, formatRatio } from "../data/words.ts";
 import { addressOf } from "../live/trainer.ts";
 import { drawSparkline } from "../page/canvas.ts";
 import { element, readout } from "../page/dom.ts";
@@ -77,7 +77,7 @@ class RunRow {
     this.mean.textContent = formatNumber(run.mean_return ?? NaN);
     this.best.textContent = formatNumber(run.best_return ?? NaN);
     this.speed.textContent = run.speed ? `${formatRatio(run.speed)} ×` : "–";
-    this.left.textContent = formatDuration(run.seconds_left ?? NaN);
+    this.left.textContent = formatEstimate(run.seconds_left ?? NaN);
     this.showActions(run);
     this.drawSpark();
   }
