@@ -41,8 +41,7 @@ double ProposedTorque(const robot::Joint& joint, double reach, double mass) {
 void ProposeTorques(RobotDescription& robot, const BodyProperties& body,
                     std::vector<std::string>& warnings) {
   constexpr const char* kProposed =
-      "each can hold half of the robot's weight at the end of its "
-      "limb";
+      "each can hold half of the robot's weight at the end of its limb";
   std::vector<std::string> guessed;
   std::vector<std::string> beyond;
   for (size_t i = 0; i < robot.joints.size(); ++i) {

@@ -147,7 +147,11 @@ std::optional<robot::Pose> FindStandingPose(const RobotDescription& robot,
 
 robot::Pose PutOnGround(const RobotDescription& robot, robot::Pose pose) {
   const double lowest = LowestPoint(robot, pose);
-  pose.position[2] -= robot.has_fixed_base ? std::min(lowest, 0.) : lowest;
+  if (robot.has_fixed_base) {
+    pose.position[2] -= std::min(lowest, 0.);
+  } else {
+    pose.position = {0, 0, pose.position[2] - lowest};
+  }
   return pose;
 }
 

@@ -13,7 +13,8 @@ namespace runtime {
 std::optional<robot::Pose> FindStandingPose(const robot::RobotDescription& robot,
                                             const robot::Pose& pose);
 
-// The pose as high as it must be to touch the ground; a fixed base is only lifted out of it.
+// The pose above the world's origin, as high as it must be to touch the ground; a fixed base is
+// only lifted out of it.
 robot::Pose PutOnGround(const robot::RobotDescription& robot, robot::Pose pose);
 
 }  // namespace runtime

@@ -111,8 +111,7 @@ void CheckMotors(const robot::RobotDescription& robot, const BodyProperties& bod
       {fmt::format("the motors of `{}` could hold up {:.0f} such robots at the end of a limb",
                    fmt::join(names, "`, `"), strongest),
        "check the unit of `max_torque`, N m; a file that came from elsewhere may say 1000 where "
-       "nobody "
-       "knew"});
+       "nobody knew"});
 }
 
 }  // namespace

@@ -365,7 +365,9 @@ TEST_F(ImportRobotTest, ALeggedRobotStandsWhereItsFeetAre) {
 
 // Four legs of 0.3 m that lean so far back that the weight is in front of all feet.
 std::string LeaningTable() {
-  std::string text = "<robot name=\"table\">" + Link("trunk", "<box size=\"0.4 0.2 0.1\"/>", 2);
+  std::string trunk = Link("trunk", "<box size=\"0.4 0.2 0.1\"/>", 2);
+  trunk.insert(trunk.find("<mass"), "<origin xyz=\"0.01 0.02 0\"/>");
+  std::string text = "<robot name=\"table\">" + trunk;
   for (const std::string x : {"0.2", "-0.2"}) {
     for (const std::string y : {"0.1", "-0.1"}) {
       const std::string leg =
@@ -390,6 +392,8 @@ TEST_F(ImportRobotTest, ARobotThatFallsGetsAPoseInWhichItStands) {
   const robot::Pose& pose = robot.poses.front();
   EXPECT_TRUE(HoldPose(robot, FindProfile("fast-tree"), pose).Stands());
   EXPECT_GT(pose.position[2], 0.3);  // on its legs
+  EXPECT_EQ(pose.position[0], 0);
+  EXPECT_EQ(pose.position[1], 0);
   const auto angle = [&](const char* joint) {
     return pose.joint_angles[static_cast<size_t>(robot.FindJoint(joint).value())];
   };
