@@ -23,8 +23,9 @@ programs=(
   libmujoco-dev                                    # URDF and MJCF files; a second engine
   libgtest-dev libgmock-dev libbenchmark-dev
 )
-# A real browser, a real debugger, the format check, real shells and manual pages; for the Python package, which the programs do without.
-tests=(chromium procps gdb clang-format zsh fish man-db python3-numpy)
+# A real browser, a real debugger, the format check, real shells, manual pages and a real cluster; for
+# the Python package, which the programs do without.
+tests=(chromium procps gdb clang-format zsh fish man-db python3-numpy slurmctld slurmd slurm-client munge)
 
 wanted=("${programs[@]}")
 # Any Node.js that is already installed is good enough for the report's page.

@@ -15,7 +15,8 @@ start_munge() {
   chown -R munge: "$cluster/munge"
   setpriv --reuid munge --regid munge --clear-groups munged --foreground \
     --key-file "$cluster/munge/key" --socket "$cluster/munge/socket" \
-    --pid-file "$cluster/munge/pid" --log-file "$cluster/munge/log" --seed-file "$cluster/munge/seed" &
+    --pid-file "$cluster/munge/pid" --log-file "$cluster/munge/log" --seed-file "$cluster/munge/seed" \
+    >"$cluster/munge.out" 2>&1 &
   cluster_pids+=($!)
 }
 
