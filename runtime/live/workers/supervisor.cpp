@@ -59,9 +59,10 @@ void CountEpisode(const nlohmann::json& episode, RunProgress& run) {
 RunProgress ReadProgress(const std::filesystem::path& folder, std::string name) {
   RunProgress run{folder, std::move(name)};
   const RunDatabase database = RunDatabase::OpenToRead(folder);
-  run.episodes_planned = database.ReadRun().episodes_planned;
+  const auto [record, episodes] = database.ReadRunAndEpisodes();
+  run.episodes_planned = record.episodes_planned;
   ReturnStatistics returns;
-  for (const EpisodeRecord& episode : database.ReadEpisodes()) {
+  for (const EpisodeRecord& episode : episodes) {
     returns.Add(episode);
     run.episodes = episode.number;
   }

@@ -6,6 +6,7 @@
 #include <cctype>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "runtime/base/user_error.h"
 #include "runtime/live/workers/run_table.h"
@@ -34,8 +35,8 @@ std::vector<RunStatus> ReadStudyStatus(const std::filesystem::path& folder) {
   const SlurmTasks queued = QueuedTasks(arrays);
   const SlurmTasks ended = EndedTasks(arrays);
   std::vector<RunStatus> runs;
-  for (const std::filesystem::path& run : FindRuns(folder)) {
-    RunStatus& status = runs.emplace_back(ReadProgressOrFailure(run, folder));
+  for (RunProgress& progress : ReadProgressOrFailures(folder, FindRuns(folder))) {
+    RunStatus& status = runs.emplace_back(std::move(progress));
     const auto find = [&](const SlurmTasks& tasks) {
       const auto found = tasks.find(status.progress.name);
       if (found != tasks.end()) status.task = found->second;

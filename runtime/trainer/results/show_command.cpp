@@ -13,15 +13,6 @@
 namespace runtime {
 namespace {
 
-std::vector<RunProgress> ProgressOf(const std::filesystem::path& folder,
-                                    const std::vector<std::filesystem::path>& runs) {
-  std::vector<RunProgress> progress;
-  for (const std::filesystem::path& run : runs) {
-    progress.push_back(ReadProgressOrFailure(run, folder));
-  }
-  return progress;
-}
-
 void Print(const nlohmann::ordered_json& json) {
   text::Print("{}\n", json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace));
 }
@@ -64,7 +55,7 @@ int Show(const ShowOptions& options) {
     ShowOne(options.folder, options.json);
     return kSuccess;
   }
-  const std::vector<RunProgress> progress = ProgressOf(options.folder, runs);
+  const std::vector<RunProgress> progress = ReadProgressOrFailures(options.folder, runs);
   ShowMany(progress, options.json);
   const bool is_each_readable =
       std::ranges::find(progress, RunProgressState::kFailed, &RunProgress::state) == progress.end();

@@ -8,6 +8,7 @@
 
 #include "base/text/print.h"
 #include "runtime/base/folder_lock.h"
+#include "runtime/base/in_parallel.h"
 #include "runtime/core/task/plugin_watch.h"
 #include "runtime/live/workers/run_table.h"
 #include "runtime/live/workers/supervisor.h"
@@ -47,6 +48,19 @@ std::vector<std::filesystem::path> FoldersBelow(const std::filesystem::path& fol
   return found;
 }
 
+RunProgress ReadProgressOrFailure(const std::filesystem::path& folder,
+                                  const std::filesystem::path& run) {
+  const std::string name = run.lexically_relative(folder).string();
+  try {
+    return ReadProgress(run, name);
+  } catch (const UserError& error) {
+    RunProgress progress{run, name};
+    progress.state = RunProgressState::kFailed;
+    progress.failure = error.what();
+    return progress;
+  }
+}
+
 }  // namespace
 
 std::filesystem::path SeedFolder(const std::filesystem::path& folder, uint64_t seed) {
@@ -70,18 +84,14 @@ void WarnOfUnfinishedRuns(const std::filesystem::path& folder) {
   }
 }
 
-RunProgress ReadProgressOrFailure(const std::filesystem::path& run,
-                                  const std::filesystem::path& folder) {
-  const std::string name = run.lexically_relative(folder).string();
-  try {
-    return ReadProgress(run, name);
-  } catch (const UserError& error) {
-    text::Print(stderr, "warning: {}\n", error.what());
-    RunProgress progress{run, name};
-    progress.state = RunProgressState::kFailed;
-    progress.failure = error.what();
-    return progress;
+std::vector<RunProgress> ReadProgressOrFailures(const std::filesystem::path& folder,
+                                                const std::vector<std::filesystem::path>& runs) {
+  std::vector<RunProgress> progress(runs.size());
+  InParallel(runs.size(), [&](size_t i) { progress[i] = ReadProgressOrFailure(folder, runs[i]); });
+  for (const RunProgress& run : progress) {
+    if (!run.failure.empty()) text::Print(stderr, "warning: {}\n", run.failure);
   }
+  return progress;
 }
 
 void AddJobsOption(command_line::Command& command, int& jobs, const std::string& what) {
@@ -100,10 +110,9 @@ int EpisodesAtATime(int jobs) {
 
 std::vector<RunProgress> RunsToTrain(const std::filesystem::path& folder,
                                      const std::vector<std::filesystem::path>& runs) {
-  std::vector<RunProgress> found;
-  for (const std::filesystem::path& run : runs) {
-    RunProgress& progress = found.emplace_back(ReadProgressOrFailure(run, folder));
-    if (!progress.is_over()) progress.state = RunProgressState::kWaiting;
+  std::vector<RunProgress> found = ReadProgressOrFailures(folder, runs);
+  for (RunProgress& run : found) {
+    if (!run.is_over()) run.state = RunProgressState::kWaiting;
   }
   return found;
 }

@@ -23,10 +23,10 @@ std::vector<std::filesystem::path> FindRuns(const std::filesystem::path& folder)
 // before they were runs.
 void WarnOfUnfinishedRuns(const std::filesystem::path& folder);
 
-// How far the run of `folder` is; of one that cannot be read, that it has failed, and why, which is
-// also said on standard error.
-RunProgress ReadProgressOrFailure(const std::filesystem::path& run,
-                                  const std::filesystem::path& folder);
+// How far each of these runs of `folder` is; of one that cannot be read, that it has failed, and
+// why, which is also said on standard error. On all cores.
+std::vector<RunProgress> ReadProgressOrFailures(const std::filesystem::path& folder,
+                                                const std::vector<std::filesystem::path>& runs);
 
 // --jobs; `what`: "how many runs to train at a time"; 0 stands for as many as there are cores.
 void AddJobsOption(command_line::Command& command, int& jobs, const std::string& what);
