@@ -25,12 +25,13 @@ if(TASKC_FUZZ AND CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
 endif()
 
 # Compiles the files of a target in batches, each as one: the headers that they share, and the
-# templates in them, are compiled once. That halves the time of a build; a batch of this size is
-# compiled within seconds when one of its files has changed. No two files of a target may give one
-# name to different things, in unnamed namespaces neither.
+# templates in them, are compiled once. The larger the batches, the sooner all is built (those of 24
+# files take six tenths of the time of those of 6), and the later what one changed file asks for. No
+# two files of a target may give one name to different things, in unnamed namespaces neither.
 option(TASKC_UNITY "compile several files of a target as one" ON)
-function(project_compile_in_batches name)
-  set_target_properties(${name} PROPERTIES UNITY_BUILD ${TASKC_UNITY} UNITY_BUILD_BATCH_SIZE 6)
+function(project_compile_in_batches name files)
+  set_target_properties(${name} PROPERTIES
+    UNITY_BUILD ${TASKC_UNITY} UNITY_BUILD_BATCH_SIZE ${files})
 endfunction()
 
 # project_optimize(TARGET LEVEL): in a release, with -O<LEVEL> instead of -O2.
@@ -52,7 +53,7 @@ function(project_library name)
   cmake_parse_arguments(arg "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
   add_library(${name} STATIC ${arg_SOURCES})
   target_link_libraries(${name} PUBLIC project_options ${arg_PUBLIC} PRIVATE ${arg_PRIVATE})
-  project_compile_in_batches(${name})
+  project_compile_in_batches(${name} 24)
 endfunction()
 
 # project_program(NAME SOURCES file... [LIBRARIES library...])
@@ -60,7 +61,7 @@ function(project_program name)
   cmake_parse_arguments(arg "" "" "SOURCES;LIBRARIES" ${ARGN})
   add_executable(${name} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE project_options ${arg_LIBRARIES})
-  project_compile_in_batches(${name})
+  project_compile_in_batches(${name} 24)
 endfunction()
 
 # project_share_file(TARGET FILE DESTINATION): a file that the programs look for in share/taskc, put
@@ -80,7 +81,7 @@ function(project_test name)
   cmake_parse_arguments(arg "" "" "SOURCES;LIBRARIES" ${ARGN})
   add_executable(${name} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE project_options ${arg_LIBRARIES} GTest::gmock_main)
-  project_compile_in_batches(${name})
+  project_compile_in_batches(${name} 6)
   project_optimize(${name} 1)
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 300)

@@ -13,7 +13,7 @@ namespace {
 
 // The sensors, params, memory and locals that an expression reads: the kind, the index, and the
 // element.
-using Reads = std::set<std::tuple<size_t, uint32_t, uint32_t>>;
+using ReadElements = std::set<std::tuple<size_t, uint32_t, uint32_t>>;
 
 const size_t kMemoryKind = decltype(CheckedExpression::node)(MemoryRead{}).index();
 
@@ -25,11 +25,11 @@ std::optional<uint32_t> IndexOfRead(const CheckedExpression& expression) {
   return std::nullopt;
 }
 
-void AddElements(size_t kind, uint32_t index, const Type& type, Reads& reads) {
+void AddElements(size_t kind, uint32_t index, const Type& type, ReadElements& reads) {
   for (uint32_t i = 0; i < type.size(); ++i) reads.insert({kind, index, i});
 }
 
-void AddReads(const CheckedExpression& expression, Reads& reads) {
+void AddReads(const CheckedExpression& expression, ReadElements& reads) {
   const CheckedExpression* picked_from = nullptr;  // what only some elements are read of
   ForEachPart(expression, [&](const CheckedExpression& part) {
     if (const auto* elements = std::get_if<Elements>(&part.node)) {
@@ -46,20 +46,20 @@ void AddReads(const CheckedExpression& expression, Reads& reads) {
 
 // A statement with the blocks around it, from the event's own, and what their conditions read and
 // what they set.
-struct Place {
+struct ReadPlace {
   uint32_t index;  // of the end or the term
   Span span;
   std::vector<const CheckedBlock*> blocks;
-  Reads reads;
+  ReadElements reads;
 };
 
-bool AreRelated(const Place& a, const Place& b) {
+bool AreRelated(const ReadPlace& a, const ReadPlace& b) {
   return std::ranges::any_of(a.reads, [&](const auto& read) { return b.reads.contains(read); });
 }
 
 // Does whatever reaches `place` also reach the payment? What is paid in any case is not paid for
 // it.
-bool IsBeside(const Place& payment, const Place& place) {
+bool IsBeside(const ReadPlace& payment, const ReadPlace& place) {
   const size_t depth = payment.blocks.size();
   return depth > 1 && depth <= place.blocks.size() &&
          std::ranges::equal(payment.blocks,
@@ -74,7 +74,7 @@ class FailureSearch {
 
   std::vector<Failure> Find() const {
     std::vector<Failure> failures;
-    for (const Place& place : failures_) {
+    for (const ReadPlace& place : failures_) {
       const bool is_known =
           std::ranges::find(failures, place.span, &Failure::span) != failures.end();
       if (!is_known) failures.push_back(FailureAt(place));
@@ -84,9 +84,9 @@ class FailureSearch {
 
  private:
   void Search(const CheckedBlock& block, std::vector<const CheckedBlock*> around,
-              const Reads& conditions) {
+              const ReadElements& conditions) {
     around.push_back(&block);
-    Reads reads = conditions;
+    ReadElements reads = conditions;
     // What a block with an end notes down may be what is paid for elsewhere.
     for (const CheckedStatement& statement : block)
       if (const auto* assign = std::get_if<CheckedAssign>(&statement.node);
@@ -109,7 +109,7 @@ class FailureSearch {
   }
 
   void Search(const CheckedIf& branches, const std::vector<const CheckedBlock*>& around,
-              Reads conditions) {
+              ReadElements conditions) {
     for (const CheckedIfBranch& branch : branches.branches) {
       AddReads(branch.condition, conditions);
       Search(branch.body, around, conditions);
@@ -117,16 +117,16 @@ class FailureSearch {
     Search(branches.otherwise, around, conditions);
   }
 
-  Failure FailureAt(const Place& place) const {
+  Failure FailureAt(const ReadPlace& place) const {
     Failure failure{.end = place.index, .span = place.span};
     std::set<uint32_t> spans;  // where the payments beside it begin
-    for (const Place& payment : payments_) {
+    for (const ReadPlace& payment : payments_) {
       if (!IsBeside(payment, place)) continue;
       failure.beside.insert(payment.index);
       spans.insert(payment.span.begin);
     }
     failure.only_here = failure.beside;
-    for (const Place& payment : payments_) {
+    for (const ReadPlace& payment : payments_) {
       if (!spans.contains(payment.span.begin)) failure.only_here.erase(payment.index);
       if (!failure.beside.contains(payment.index) && AreRelated(payment, place))
         failure.related.insert(payment.index);
@@ -135,8 +135,8 @@ class FailureSearch {
   }
 
   const CheckedTask& task_;
-  std::vector<Place> failures_;
-  std::vector<Place> payments_;
+  std::vector<ReadPlace> failures_;
+  std::vector<ReadPlace> payments_;
 };
 
 }  // namespace

@@ -18,7 +18,7 @@ namespace {
 constexpr Unit kRadians{.radian = 1};
 
 // Bounds have a few digits to spare.
-constexpr double kSpare = 1e-9;  // [rad]
+constexpr double kSpareAngle = 1e-9;  // [rad]
 
 // The values after the block, from those of all poses.
 Values ValuesAfter(const CheckedTask& task) {
@@ -48,7 +48,7 @@ std::string PlaceText(double angle) {
 }
 
 bool IsWithin(const Interval& angle, double low, double high) {
-  return angle.low >= low - kSpare && angle.high <= high + kSpare && !angle.may_be_nan;
+  return angle.low >= low - kSpareAngle && angle.high <= high + kSpareAngle && !angle.may_be_nan;
 }
 
 }  // namespace
@@ -65,7 +65,7 @@ void CheckStops(const CheckedTask& task, Diagnostics& diagnostics) {
     if (!IsWithin(angles[i], start.low[i], start.high[i])) beyond.push_back(i);
   if (beyond.empty()) return;
   const size_t first = beyond.front();
-  const bool is_low = angles[first].low < start.low[first] - kSpare;
+  const bool is_low = angles[first].low < start.low[first] - kSpareAngle;
   const size_t others = beyond.size() - 1;
   Report(diagnostics, code::kStartBeyondStop, LastAssignment(task, angle->memory),
          fmt::format("`{}` can start {}, beyond its stop {}{}", start.joints[first],

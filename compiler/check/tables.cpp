@@ -98,12 +98,12 @@ std::optional<bool> Repeats(const CallExpression& call, const TaskScope& scope) 
   if (call.arguments.size() == 1) return false;
   const Expression& way = *call.arguments[1];
   const auto* word = std::get_if<NameExpression>(&way.node);
-  if (word != nullptr && word->name.text == kLoop) return true;
+  if (word != nullptr && word->name.text == kLoopWord) return true;
   Report(scope.diagnostics, code::kBadTableCall, way.span,
          "the second argument of a table can only be `loop`",
          {.help = {fmt::format("write `{}(x, loop)`: after the last row comes the first again",
                                call.function.text),
-                   {{way.span, std::string(kLoop)}}}});
+                   {{way.span, std::string(kLoopWord)}}}});
   return std::nullopt;
 }
 

@@ -16,7 +16,7 @@ void CheckTables(const SyntaxTree& tree, TaskScope& scope);
 inline constexpr std::string_view kDuration = "duration";
 
 // What a table's second argument can only be.
-inline constexpr std::string_view kLoop = "loop";
+inline constexpr std::string_view kLoopWord = "loop";
 
 // The table that a call reads, or null: it calls something else.
 const Symbol* FindTable(const CallExpression& call, const TaskScope& scope);

@@ -73,7 +73,7 @@ Json ToJson(const ValueOfPart& part, const Sources& sources) {
           {"value", part.value}};
 }
 
-std::string ToText(const FoundFault& fault, const Sources& sources) {
+std::string FaultText(const FoundFault& fault, const Sources& sources) {
   const auto written = [&](const ValueOfPart& part) {
     return fmt::format("`{}` is {}", sources.FileOf(part.span).TextOf(part.span), part.value);
   };
@@ -93,7 +93,7 @@ ExitStatus Show(const FaultOptions& options, Session& session) {
     session.Say("in this situation the term is paid\n");
     return ExitStatus::kWrongTask;
   }
-  session.Say(ToText(*fault, analysis.sources));
+  session.Say(FaultText(*fault, analysis.sources));
   Json json = ToJson(fault->part, analysis.sources);
   json["operands"] = Json::array();
   for (const ValueOfPart& operand : fault->operands) {

@@ -210,7 +210,8 @@ class Completer {
     const OpenCall call = FindOpenCall(document_.tokens(), place_.word.begin);
     const auto table = Values().Find(call.function, offset_);
     if (call.argument == 1 && table && table->kind == NameKind::kTable)
-      Add(std::string(kLoop), protocol::kCompleteKeyword, "", std::string(ExplanationOf(kLoop)));
+      Add(std::string(kLoopWord), protocol::kCompleteKeyword, "",
+          std::string(ExplanationOf(kLoopWord)));
     Add(std::string(kDuration), protocol::kCompleteFunction, fmt::format("`{}(table)`", kDuration),
         std::string(ExplanationOf(kDuration)));
   }

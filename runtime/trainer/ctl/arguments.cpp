@@ -17,8 +17,6 @@ namespace {
 
 using command_line::CallError;
 using command_line::Command;
-using nlohmann::json;
-
 // The trainer may have been started in another folder.
 std::string Absolute(const std::string& file) {
   return std::filesystem::absolute(file).lexically_normal().string();
@@ -35,7 +33,7 @@ void AddValue(Command& command, const ArgumentSpec& spec, const Set& set) {
 }
 
 // A required argument stands without its name, the others are options.
-void AddArgument(Command& command, const ArgumentSpec& spec, json& arguments) {
+void AddArgument(Command& command, const ArgumentSpec& spec, nlohmann::json& arguments) {
   const std::string name = spec.name;
   const auto set = [&arguments, name](const auto& value) { arguments[name] = value; };
   switch (spec.type) {
@@ -63,12 +61,12 @@ void AddArgument(Command& command, const ArgumentSpec& spec, json& arguments) {
   }
 }
 
-void DeclareByTable(Command& command, const CommandSpec& spec, json& arguments) {
+void DeclareByTable(Command& command, const CommandSpec& spec, nlohmann::json& arguments) {
   for (const ArgumentSpec& argument : spec.arguments) AddArgument(command, argument, arguments);
 }
 
 // load FILE [as NAME]
-void DeclareLoad(Command& command, const CommandSpec& spec, json& arguments) {
+void DeclareLoad(Command& command, const CommandSpec& spec, nlohmann::json& arguments) {
   AddArgument(command, spec.arguments[0], arguments);
   const auto set_name = [&arguments](const std::string& name) { arguments["name"] = name; };
   const auto set_words = [set_name](const std::vector<std::string>& words) {
@@ -83,7 +81,7 @@ void DeclareLoad(Command& command, const CommandSpec& spec, json& arguments) {
 }
 
 // set NAME VALUE; what follows may begin with `-`, or be an arrow.
-void DeclareSet(Command& command, const CommandSpec& spec, json& arguments) {
+void DeclareSet(Command& command, const CommandSpec& spec, nlohmann::json& arguments) {
   command.FirstWord(CtlWord(spec.arguments[0]), spec.arguments[0].doc);
   command.Notes(
       "  trainer ctl set NAME VALUE\n"
@@ -99,21 +97,21 @@ void DeclareSet(Command& command, const CommandSpec& spec, json& arguments) {
 }
 
 // hold NAME NUMBER...; a number may begin with `-`.
-void DeclareHold(Command& command, const CommandSpec& spec, json& arguments) {
+void DeclareHold(Command& command, const CommandSpec& spec, nlohmann::json& arguments) {
   command.FirstWord(CtlWord(spec.arguments[0]), spec.arguments[0].doc);
   command.Notes(
       "  trainer ctl hold NAME NUMBER...\n"
       "As many numbers as the goal has elements, in SI units: `hold task.velocity 0.5 -0.1`.");
   command.OnWords([&arguments](const std::vector<std::string>& words) {
     if (words.size() < 2) throw CallError("`hold` needs the name of a goal and its value");
-    json value = json::array();
+    nlohmann::json value = nlohmann::json::array();
     for (size_t i = 1; i < words.size(); ++i) value.push_back(ValueOfWord(words[i]));
     arguments = {{"name", words[0]}, {"value", value.size() == 1 ? value[0] : value}};
   });
 }
 
 // rollback NAME [VERSION] [--now]
-void DeclareRollback(Command& command, const CommandSpec& spec, json& arguments) {
+void DeclareRollback(Command& command, const CommandSpec& spec, nlohmann::json& arguments) {
   AddArgument(command, spec.arguments[0], arguments);
   const auto set_version = [&arguments](const std::string& word) { arguments["version"] = word; };
   command.OnOption<std::string>("VERSION", set_version, spec.arguments[1].doc).ValueName("");
@@ -121,7 +119,7 @@ void DeclareRollback(Command& command, const CommandSpec& spec, json& arguments)
 }
 
 // step [COUNT] [--episodes]
-void DeclareStep(Command& command, const CommandSpec& spec, json& arguments) {
+void DeclareStep(Command& command, const CommandSpec& spec, nlohmann::json& arguments) {
   const auto set_count = [&arguments](int64_t count) { arguments["count"] = count; };
   command.OnOption<int64_t>("COUNT", set_count, spec.arguments[0].doc).ValueName("");
   command.OnFlag(
@@ -130,7 +128,7 @@ void DeclareStep(Command& command, const CommandSpec& spec, json& arguments) {
 }
 
 // module add TYPE NAME [PARAMETER=VALUE...]
-void DeclareModuleAdd(Command& command, const CommandSpec& spec, json& arguments) {
+void DeclareModuleAdd(Command& command, const CommandSpec& spec, nlohmann::json& arguments) {
   AddArgument(command, spec.arguments[0], arguments);
   AddArgument(command, spec.arguments[1], arguments);
   const auto set_parameters = [&arguments](const std::vector<std::string>& settings) {
@@ -142,7 +140,8 @@ void DeclareModuleAdd(Command& command, const CommandSpec& spec, json& arguments
       const std::string name = setting.substr(0, equals);
       const std::string value = setting.substr(equals + 1);
       // As in agent files, a parameter called `file` names a file.
-      arguments["parameters"][name] = name == "file" ? json(Absolute(value)) : ValueOfWord(value);
+      arguments["parameters"][name] =
+          name == "file" ? nlohmann::json(Absolute(value)) : ValueOfWord(value);
     }
   };
   command
@@ -153,7 +152,7 @@ void DeclareModuleAdd(Command& command, const CommandSpec& spec, json& arguments
 // Commands that are not written as the table says.
 struct Special {
   std::string_view command;
-  void (*declare)(Command& command, const CommandSpec& spec, json& arguments);
+  void (*declare)(Command& command, const CommandSpec& spec, nlohmann::json& arguments);
 };
 constexpr Special kSpecial[] = {{"hold", DeclareHold},         {"load", DeclareLoad},
                                 {"rollback", DeclareRollback}, {"set", DeclareSet},
@@ -161,7 +160,7 @@ constexpr Special kSpecial[] = {{"hold", DeclareHold},         {"load", DeclareL
 
 }  // namespace
 
-void AddCtlArguments(Command& command, const CommandSpec& spec, json& arguments) {
+void AddCtlArguments(Command& command, const CommandSpec& spec, nlohmann::json& arguments) {
   const auto special = std::ranges::find(kSpecial, std::string_view(spec.name), &Special::command);
   const auto declare = special == std::end(kSpecial) ? DeclareByTable : special->declare;
   declare(command, spec, arguments);

@@ -19,8 +19,6 @@ namespace runtime {
 namespace {
 
 using command_line::Command;
-using nlohmann::json;
-
 constexpr const char* kLookingGroup = "Commands that look at the run";
 constexpr const char* kChangingGroup = "Commands that change the run";
 
@@ -40,8 +38,8 @@ using Options = std::shared_ptr<CtlOptions>;  // of the whole line
 int AskAndPrint(const CtlOptions& options, const Request& request) {
   const Reply reply = Ask(options.FindRun(), request);
   if (options.json) {
-    text::Print("{}\n", reply.ok ? json{{"ok", true}, {"value", reply.value}}.dump()
-                                 : json{{"ok", false}, {"error", reply.error}}.dump());
+    text::Print("{}\n", reply.ok ? nlohmann::json{{"ok", true}, {"value", reply.value}}.dump()
+                                 : nlohmann::json{{"ok", false}, {"error", reply.error}}.dump());
   } else if (reply.ok) {
     text::Print("{}", ReplyText(reply.value));
   } else if (reply.error.find('\n') != std::string::npos) {
@@ -72,13 +70,13 @@ Command& AddSubcommand(Command& ctl, const CommandSpec& spec) {
 void AddSpecified(Command& ctl, const CommandSpec& spec, const Options& options) {
   Command& command = AddSubcommand(ctl, spec);
   options->AddTo(command);
-  const auto request = std::make_shared<Request>(Request{spec.name, json::object()});
+  const auto request = std::make_shared<Request>(Request{spec.name, nlohmann::json::object()});
   AddCtlArguments(command, spec, request->arguments);
   command.OnRun([options, request] { return AskAndPrint(*options, *request); });
 }
 
 int PrintEvents(const CtlOptions& options) {
-  FollowEvents(options.FindRun(), [&](const json& event) {
+  FollowEvents(options.FindRun(), [&](const nlohmann::json& event) {
     text::Print("{}\n", options.json ? event.dump() : EventLine(event));
     std::fflush(stdout);
   });
@@ -100,7 +98,8 @@ void AddPage(Command& ctl, const Options& options) {
   options->AddTo(command);
   command.OnRun([options] {
     const std::string address = PageAddress(options->FindRun());
-    text::Print("{}\n", options->json ? json{{"ok", true}, {"value", address}}.dump() : address);
+    text::Print("{}\n",
+                options->json ? nlohmann::json{{"ok", true}, {"value", address}}.dump() : address);
     return kSuccess;
   });
 }

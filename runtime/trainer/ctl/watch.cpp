@@ -24,7 +24,6 @@ namespace runtime {
 namespace {
 
 using command_line::CallError;
-using nlohmann::json;
 using Clock = std::chrono::steady_clock;
 
 constexpr const char* kAlready = "already";  // what a swap that changes nothing replies
@@ -81,7 +80,7 @@ class TaskWatch {
   }
 
   Reply Ask(bool forget) const {
-    json arguments = {{"name", options_.name}, {"file", options_.file.string()}};
+    nlohmann::json arguments = {{"name", options_.name}, {"file", options_.file.string()}};
     if (options_.now) arguments["now"] = true;
     if (forget) arguments["forget"] = true;
     try {
@@ -108,7 +107,7 @@ class TaskWatch {
   }
 
   // "takes effect: now". Nobody who saves a file knows what others have promoted meanwhile.
-  std::string Outcome(const json& reply) const {
+  std::string Outcome(const nlohmann::json& reply) const {
     const std::string takes_effect = reply.value("takes_effect", "soon");
     const std::string outcome = takes_effect == kAlready
                                     ? "is there already: nothing to swap"
@@ -119,7 +118,7 @@ class TaskWatch {
   }
 
   // At once, for a program or, with the time of day, for a person.
-  void Print(const json& object, const std::string& text) const {
+  void Print(const nlohmann::json& object, const std::string& text) const {
     if (is_for_a_program_) {
       text::Print("{}\n", object.dump());
     } else {

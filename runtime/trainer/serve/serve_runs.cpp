@@ -32,7 +32,7 @@ std::filesystem::path FolderOf(const std::string& run, const std::filesystem::pa
   throw UserError(fmt::format("there is no run `{}` in {}", run, folder.string()));
 }
 
-PageMaker PagesOf(const std::filesystem::path& folder) {
+PageMaker PagesOfRuns(const std::filesystem::path& folder) {
   return [folder](Page page, const std::string& nonce, const std::string& run) {
     switch (page) {
       case Page::kLive:
@@ -54,7 +54,7 @@ int ServeRuns(const std::filesystem::path& named, const std::filesystem::path& r
   WarnOfUnfinishedRuns(folder);
   const StopRequest stop(StopRequest::Second::kIsNoted);
   RunsService service(folder, JobsOrCores(options.jobs), robots);
-  const Server server({.folder = folder, .port = options.port}, service, PagesOf(folder));
+  const Server server({.folder = folder, .port = options.port}, service, PagesOfRuns(folder));
   if (options.output.style() == ProgressStyle::kText) {
     text::Print("{}\n", server.page_address());
     std::fflush(stdout);

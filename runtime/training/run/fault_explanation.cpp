@@ -16,16 +16,16 @@
 namespace runtime {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using FaultJson = nlohmann::ordered_json;
 
-Json NumberJson(double number) {
+FaultJson NumberJson(double number) {
   if (std::isnan(number)) return "nan";
   if (std::isinf(number)) return number > 0 ? "inf" : "-inf";
   return number;
 }
 
-Json ElementsJson(std::span<const std::byte> bytes, taskc_int32 scalar) {
-  Json elements = Json::array();
+FaultJson ElementsJson(std::span<const std::byte> bytes, taskc_int32 scalar) {
+  FaultJson elements = FaultJson::array();
   const size_t size = host::ScalarSize(scalar);
   for (size_t at = 0; at + size <= bytes.size(); at += size) {
     elements.push_back(NumberJson(host::LoadScalar(bytes.data() + at, scalar)));
@@ -34,17 +34,17 @@ Json ElementsJson(std::span<const std::byte> bytes, taskc_int32 scalar) {
 }
 
 // One place in the task's texts.
-std::string PlaceText(const Json& part, const TaskRecord& task) {
+std::string PlaceText(const FaultJson& part, const TaskRecord& task) {
   const auto source = part.at("source").get<size_t>();
   return fmt::format("{}:{}:{}", task.sources.at(source).file, part.at("line").get<int>(),
                      part.at("column").get<int>());
 }
 
-std::string Read(const Json& fault, const TaskRecord& task) {
+std::string Read(const FaultJson& fault, const TaskRecord& task) {
   std::string text = fmt::format("`{}` ({}) is {}", fault.at("text").get<std::string>(),
                                  PlaceText(fault, task), fault.at("value").get<std::string>());
   const char* between = ", where ";
-  for (const Json& operand : fault.at("operands")) {
+  for (const FaultJson& operand : fault.at("operands")) {
     text += fmt::format("{}`{}` is {}", between, operand.at("text").get<std::string>(),
                         operand.at("value").get<std::string>());
     between = " and ";
@@ -55,15 +55,15 @@ std::string Read(const Json& fault, const TaskRecord& task) {
 }  // namespace
 
 std::string FaultText(const taskc_plugin& plugin, const FaultState& state) {
-  Json json = {{"event", state.event()},
-               {"term", state.term()},
-               {"time_step", state.time_step()},
-               {"seed", state.seed()},
-               {"discount", NumberJson(state.discount())},
-               {"outcome", state.outcome()},
-               {"params", Json::array()},
-               {"sensors", Json::array()},
-               {"memory", Json::array()}};
+  FaultJson json = {{"event", state.event()},
+                    {"term", state.term()},
+                    {"time_step", state.time_step()},
+                    {"seed", state.seed()},
+                    {"discount", NumberJson(state.discount())},
+                    {"outcome", state.outcome()},
+                    {"params", FaultJson::array()},
+                    {"sensors", FaultJson::array()},
+                    {"memory", FaultJson::array()}};
   for (const double param : state.params()) json["params"].push_back(NumberJson(param));
   for (size_t i = 0; i < plugin.sensor_count; ++i) {
     json["sensors"].push_back(ElementsJson(state.sensor(i), plugin.sensors[i].scalar));
@@ -89,10 +89,10 @@ std::string ExplainFault(const RunRecord& run, int64_t task, const taskc_plugin&
                                          file.string(), "--robots", robots.string(), "--json"},
                                         Captured::kOutputOnly);
     if (result.error || !result.is_success) return "";
-    return Read(Json::parse(result.captured).at("tasks").at(0).at("fault"), record);
+    return Read(FaultJson::parse(result.captured).at("tasks").at(0).at("fault"), record);
   } catch (const UserError&) {  // no folder, no process: then it is not explained
     return "";
-  } catch (const Json::exception&) {  // of a compiler of another version
+  } catch (const FaultJson::exception&) {  // of a compiler of another version
     return "";
   }
 }
