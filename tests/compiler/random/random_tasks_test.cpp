@@ -189,39 +189,51 @@ void ExpectNoDifference(const Subject& subject, const taskc_plugin& plugin, uint
 }
 
 constexpr uint32_t kBatch = 10;
+constexpr uint32_t kParts = 4;  // of the tasks, tried side by side
 constexpr const char* kCount = "TASKC_RANDOM_TASKS";
 
-// Nearly all of the time goes into optimization: unless a number of tasks is asked for, only every
-// fourth batch is tried with it.
+// Optimization takes its time: unless a number of tasks is asked for, it is tried with a fifth.
 std::span<const std::string> OptimizationsOf(uint32_t batch) {
-  const bool is_optimized = std::getenv(kCount) != nullptr || batch / kBatch % 4 == 0;
+  const bool is_optimized = std::getenv(kCount) != nullptr || batch % 5 == 0;
   return std::span(kOptimizations).first(is_optimized ? 2 : 1);
 }
 
-void ExpectSameToAll(std::string (*make)(uint32_t seed), uint32_t share) {
-  const uint32_t first = NumberFrom("TASKC_RANDOM_SEED", 1);
-  const uint32_t end = first + NumberFrom(kCount, 200) / share;
-  for (uint32_t batch = first; batch < end; batch += kBatch) {
-    std::vector<std::unique_ptr<Subject>> subjects;
-    std::vector<std::string> cpps;
-    for (uint32_t i = 0; i < kBatch; ++i) {
-      subjects.push_back(std::make_unique<Subject>(make(batch + i)));
-      const Subject& subject = *subjects.back();
-      ASSERT_TRUE(subject.checked.task) << "seed " << batch + i << "\n"
-                                        << subject.checked.Messages() << subject.text;
-      cpps.push_back(subject.cpp);
-    }
-    for (const std::string& optimization : OptimizationsOf(batch)) {
-      const Library library(cpps, optimization);
-      for (uint32_t i = 0; i < kBatch; ++i) ExpectNoDifference(*subjects[i], library[i], batch + i);
-    }
-    if (testing::Test::HasFailure()) return;
+// A batch of tasks: those with the seeds from `seed` on.
+void ExpectSameToAll(std::string (*make)(uint32_t seed), uint32_t seed,
+                     std::span<const std::string> optimizations) {
+  std::vector<std::unique_ptr<Subject>> subjects;
+  std::vector<std::string> cpps;
+  for (uint32_t i = 0; i < kBatch; ++i) {
+    subjects.push_back(std::make_unique<Subject>(make(seed + i)));
+    const Subject& subject = *subjects.back();
+    ASSERT_TRUE(subject.checked.task) << "seed " << seed + i << "\n"
+                                      << subject.checked.Messages() << subject.text;
+    cpps.push_back(subject.cpp);
+  }
+  for (const std::string& optimization : optimizations) {
+    const Library library(cpps, optimization);
+    for (uint32_t i = 0; i < kBatch; ++i) ExpectNoDifference(*subjects[i], library[i], seed + i);
   }
 }
 
-TEST(RandomTasks, AreRightAndMeanTheSameToAll) { ExpectSameToAll(RandomTask, 1); }
+class RandomTasksInParts : public testing::TestWithParam<uint32_t> {
+ protected:
+  // Of every `share` tasks that are wanted one, in this part.
+  void ExpectSame(std::string (*make)(uint32_t seed), uint32_t share) {
+    const uint32_t first = NumberFrom("TASKC_RANDOM_SEED", 1);
+    const uint32_t batches = NumberFrom(kCount, 200) / share / kBatch;
+    for (uint32_t i = 0; kParts * i + GetParam() < batches; ++i) {
+      ExpectSameToAll(make, first + kBatch * (kParts * i + GetParam()), OptimizationsOf(i));
+      if (testing::Test::HasFailure()) return;
+    }
+  }
+};
 
-TEST(RandomTasks, StartTheSameForAll) { ExpectSameToAll(RandomStart, 3); }
+TEST_P(RandomTasksInParts, AreRightAndMeanTheSameToAll) { ExpectSame(RandomTask, 1); }
+
+TEST_P(RandomTasksInParts, StartTheSameForAll) { ExpectSame(RandomStart, 3); }
+
+INSTANTIATE_TEST_SUITE_P(RandomTasks, RandomTasksInParts, testing::Range(0u, kParts));
 
 }  // namespace
 }  // namespace compiler
