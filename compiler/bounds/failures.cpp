@@ -46,20 +46,20 @@ void AddReads(const CheckedExpression& expression, ReadElements& reads) {
 
 // A statement with the blocks around it, from the event's own, and what their conditions read and
 // what they set.
-struct ReadPlace {
+struct StatementPlace {
   uint32_t index;  // of the end or the term
   Span span;
   std::vector<const CheckedBlock*> blocks;
   ReadElements reads;
 };
 
-bool AreRelated(const ReadPlace& a, const ReadPlace& b) {
+bool AreRelated(const StatementPlace& a, const StatementPlace& b) {
   return std::ranges::any_of(a.reads, [&](const auto& read) { return b.reads.contains(read); });
 }
 
 // Does whatever reaches `place` also reach the payment? What is paid in any case is not paid for
 // it.
-bool IsBeside(const ReadPlace& payment, const ReadPlace& place) {
+bool IsBeside(const StatementPlace& payment, const StatementPlace& place) {
   const size_t depth = payment.blocks.size();
   return depth > 1 && depth <= place.blocks.size() &&
          std::ranges::equal(payment.blocks,
@@ -74,7 +74,7 @@ class FailureSearch {
 
   std::vector<Failure> Find() const {
     std::vector<Failure> failures;
-    for (const ReadPlace& place : failures_) {
+    for (const StatementPlace& place : failures_) {
       const bool is_known =
           std::ranges::find(failures, place.span, &Failure::span) != failures.end();
       if (!is_known) failures.push_back(FailureAt(place));
@@ -117,16 +117,16 @@ class FailureSearch {
     Search(branches.otherwise, around, conditions);
   }
 
-  Failure FailureAt(const ReadPlace& place) const {
+  Failure FailureAt(const StatementPlace& place) const {
     Failure failure{.end = place.index, .span = place.span};
     std::set<uint32_t> spans;  // where the payments beside it begin
-    for (const ReadPlace& payment : payments_) {
+    for (const StatementPlace& payment : payments_) {
       if (!IsBeside(payment, place)) continue;
       failure.beside.insert(payment.index);
       spans.insert(payment.span.begin);
     }
     failure.only_here = failure.beside;
-    for (const ReadPlace& payment : payments_) {
+    for (const StatementPlace& payment : payments_) {
       if (!spans.contains(payment.span.begin)) failure.only_here.erase(payment.index);
       if (!failure.beside.contains(payment.index) && AreRelated(payment, place))
         failure.related.insert(payment.index);
@@ -135,8 +135,8 @@ class FailureSearch {
   }
 
   const CheckedTask& task_;
-  std::vector<ReadPlace> failures_;
-  std::vector<ReadPlace> payments_;
+  std::vector<StatementPlace> failures_;
+  std::vector<StatementPlace> payments_;
 };
 
 }  // namespace
