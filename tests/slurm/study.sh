@@ -21,9 +21,11 @@ done
 [ "$(id -u)" -eq 0 ] || cannot "slurmd needs root"
 
 folder=$(mktemp -d)
-mkdir "$folder/disk"
-mount -t tmpfs none "$folder/disk" 2>/dev/null || cannot "this system lets nobody mount a disk"
-umount "$folder/disk"
+mount -t tmpfs none "$folder" 2>/dev/null || {
+  rmdir "$folder"
+  cannot "this system lets nobody mount a disk"
+}
+umount "$folder"
 cluster=$folder/cluster
 mkdir "$cluster"
 chmod 0755 "$folder"
