@@ -33,6 +33,7 @@ export class RobotView {
   private readonly aids = new AidSwitches(() => (this.mustDraw = true));
   private clip: Clip | undefined;
   private mustDraw = true;
+  private isInSight = true; // scrolled away, it need not be drawn: without a GPU that takes a core
   private wasHeld = false;
 
   constructor(
@@ -52,6 +53,10 @@ export class RobotView {
     const redraw = (): void => void (this.mustDraw = true);
     const stage = mountStage(scenery, byId("stage", HTMLElement), redraw);
     stage.canvas.setAttribute("aria-label", "The robot as it is now");
+    new IntersectionObserver((seen) => {
+      this.isInSight = seen.at(-1)?.isIntersecting ?? true;
+      redraw();
+    }).observe(stage.canvas);
     this.aids.connect(stage);
     onThemeChange(() => {
       stage.updateTheme();
@@ -72,7 +77,8 @@ export class RobotView {
     const { isHeld } = this.source;
     if (isNew || isHeld !== this.wasHeld) this.describe(frame, state);
     this.wasHeld = isHeld;
-    if (!this.stage || !(isNew || this.mustDraw || this.source.isPlaying)) return;
+    if (!this.stage || !this.isInSight) return;
+    if (!(isNew || this.mustDraw || this.source.isPlaying)) return;
     const { clip } = frame;
     if (clip.layout.links === 0) return;
     if (!clip.isEpisode) {
