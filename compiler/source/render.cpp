@@ -32,11 +32,23 @@ struct MarkedFile {
   std::map<uint32_t, std::vector<Mark>> marks;  // by line
 };
 
+// Each line of the files is laid out once, however many diagnostics show a part of it.
+class DisplayedLines {
+ public:
+  // Of a line of a file that outlives this.
+  const DisplayedLine& Of(std::string_view line) {
+    return lines_.try_emplace(line.data(), line).first->second;
+  }
+
+ private:
+  std::map<const char*, DisplayedLine> lines_;  // by the place of the line in memory
+};
+
 // Writes one diagnostic.
 class Renderer {
  public:
-  Renderer(const Sources& sources, const Diagnostic& diagnostic, bool color)
-      : sources_(sources), diagnostic_(diagnostic), color_(color) {
+  Renderer(const Sources& sources, DisplayedLines& lines, const Diagnostic& diagnostic, bool color)
+      : sources_(sources), lines_(lines), diagnostic_(diagnostic), color_(color) {
     AddMark(diagnostic.span, true, diagnostic.note);
     for (const Label& label : diagnostic.labels) AddMark(label.span, false, label.text);
     for (const MarkedFile& file : files_) {
@@ -123,7 +135,7 @@ class Renderer {
   // The lines between two marked ones: left out, but a single one is shown.
   void Between(const SourceFile& source, uint32_t previous, uint32_t next) {
     if (next == previous + 2) {
-      const DisplayedLine line(source.Line(previous + 1));
+      const DisplayedLine& line = lines_.Of(source.Line(previous + 1));
       GutterLine(std::to_string(previous + 1), line.PartAround(0).text);
     } else if (next > previous + 2) {
       out_ += Colored(kBlue, "...") + "\n";
@@ -131,7 +143,7 @@ class Renderer {
   }
 
   void SourceLine(const SourceFile& source, uint32_t number, const std::vector<Mark>& marks) {
-    const DisplayedLine line(source.Line(number));
+    const DisplayedLine& line = lines_.Of(source.Line(number));
     const DisplayedLine::Part part = line.PartAround(line.ColumnOf(marks.front().begin));
     GutterLine(std::to_string(number), part.text);
     for (const Mark& mark : marks) MarkLine(line, part, mark);
@@ -160,6 +172,7 @@ class Renderer {
   }
 
   const Sources& sources_;
+  DisplayedLines& lines_;
   const Diagnostic& diagnostic_;
   const bool color_;
   std::vector<MarkedFile> files_;  // that of the diagnostic itself first
@@ -171,8 +184,9 @@ class Renderer {
 
 std::string Render(const Sources& sources, const Diagnostics& diagnostics, bool color) {
   std::string out;
+  DisplayedLines lines;
   for (const Diagnostic& diagnostic : diagnostics.list()) {
-    out += Renderer(sources, diagnostic, color).Render() + "\n";
+    out += Renderer(sources, lines, diagnostic, color).Render() + "\n";
   }
   return out;
 }

@@ -1,11 +1,18 @@
 #include "compiler/source/source_file.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "base/text/utf8.h"
 
 namespace compiler {
+namespace {
+
+constexpr uint32_t kBetweenMarks = 256;  // bytes, at least
+
+}  // namespace
+
 Span Cover(Span first, Span second) {
   return {std::min(first.begin, second.begin), std::max(first.end, second.end)};
 }
@@ -15,6 +22,20 @@ SourceFile::SourceFile(std::string path, std::string text, uint32_t first_offset
   for (uint32_t i = 0; i < text_.size(); ++i) {
     if (text_[i] == '\n') line_starts_.push_back(i + 1);
   }
+  for (uint32_t line = 1; line <= line_count(); ++line) MarkLine(line);
+}
+
+void SourceFile::MarkLine(uint32_t number) {
+  const std::string_view line = Line(number);
+  uint32_t next = kBetweenMarks;
+  uint32_t before = 0;
+  for (uint32_t i = 0; line.size() > kBetweenMarks && i < line.size(); ++before) {
+    if (i >= next) {
+      marks_.push_back({line_starts_[number - 1] + i, before});
+      next = i + kBetweenMarks;
+    }
+    i += static_cast<uint32_t>(text::DecodeUtf8(line, i).length);
+  }
 }
 
 Position SourceFile::PositionOf(uint32_t offset) const {
@@ -22,7 +43,14 @@ Position SourceFile::PositionOf(uint32_t offset) const {
   position.line = LineOf(offset);
   const std::string_view line = Line(position.line);
   const size_t end = std::min<size_t>(offset - LineStart(position.line), line.size());
-  for (size_t i = 0; i < end;) {
+  const uint32_t begin = line_starts_[position.line - 1];
+  const auto next = std::upper_bound(
+      marks_.begin(), marks_.end(), begin + end,
+      [](size_t place, const Mark& mark) { return place < mark.offset; });
+  const bool is_marked = next != marks_.begin() && std::prev(next)->offset > begin;
+  const Mark from = is_marked ? *std::prev(next) : Mark{begin, 0};
+  position.column += from.before;
+  for (size_t i = from.offset - begin; i < end;) {
     i += text::DecodeUtf8(line, i).length;
     if (i <= end) ++position.column;
   }

@@ -59,10 +59,20 @@ class SourceFile {
   uint32_t line_count() const { return static_cast<uint32_t>(line_starts_.size()); }
 
  private:
+  // The begin of a code point within a long line: so that a line of 100 KB with an error at every
+  // second byte is not counted through for each of them.
+  struct Mark {
+    uint32_t offset;  // within the text
+    uint32_t before;  // code points of its line before it
+  };
+
+  void MarkLine(uint32_t line);
+
   std::string path_;
   std::string text_;
   uint32_t first_offset_;
   std::vector<uint32_t> line_starts_;  // within the text; never empty
+  std::vector<Mark> marks_;            // in the order of the text
 };
 
 }  // namespace compiler

@@ -11,6 +11,7 @@ using Text = std::u32string_view;
 
 constexpr Text kSigns = U"=+-*/<>^:.&|!~@%?;";
 constexpr Text kSingleSigns = U"()[]{},";
+constexpr size_t kManySigns = 8;  // in a row: more than the grammar has
 
 bool IsSpace(char32_t c) { return Text(U" \t\r\n\f").find(c) != Text::npos; }
 bool IsDigit(char32_t c) { return c >= U'0' && c <= U'9'; }
@@ -79,7 +80,7 @@ bool IsComment(Text text) { return text.starts_with(U"//") && !text.starts_with(
 QuickLexer::Word QuickLexer::FirstSign(Text rest) const {
   const bool is_single = kSingleSigns.find(rest[0]) != Text::npos;
   const size_t length =
-      is_single ? 1 : Run(rest, 0, [](char32_t c) { return kSigns.find(c) != Text::npos; });
+      is_single ? 1 : Run(rest.substr(0, kManySigns), 0, [](char32_t c) { return kSigns.find(c) != Text::npos; });
   const bool begins_number =
       rest.starts_with(U'.') && rest.size() > length && IsDigit(rest[length]);
   if (length == 0 || (begins_number && length == 1)) return {};

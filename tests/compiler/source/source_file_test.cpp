@@ -35,6 +35,23 @@ TEST(SourceFile, EveryBadByteIsAColumn) {
   EXPECT_EQ(file.PositionOf(3), (Position{1, 4}));
 }
 
+TEST(SourceFile, ColumnsOfALongLineAreCountedTheSame) {
+  std::string text = "short\n";
+  const uint32_t begin = 6;
+  for (int i = 0; i < 1000; ++i) text += "a\u20ac\xff";  // 1, 3 and 1 bytes
+  const SourceFile file("a.task", text + "\nshort");
+  for (uint32_t i = 0; i < 1000; ++i) {
+    const uint32_t column = 3 * i + 1;
+    EXPECT_EQ(file.PositionOf(begin + 5 * i), (Position{2, column}));
+    for (const uint32_t byte : {1, 2, 3}) {
+      EXPECT_EQ(file.PositionOf(begin + 5 * i + byte), (Position{2, column + 1}));
+    }
+    EXPECT_EQ(file.PositionOf(begin + 5 * i + 4), (Position{2, column + 2}));
+  }
+  EXPECT_EQ(file.PositionOf(begin + 5000), (Position{2, 3001}));
+  EXPECT_EQ(file.PositionOf(begin + 5001 + 2), (Position{3, 3}));
+}
+
 TEST(SourceFile, LinesEndWithLineFeedOrBoth) {
   const SourceFile file("a.task", "one\r\ntwo\nthree\r\n");
   ASSERT_EQ(file.line_count(), 4u);
