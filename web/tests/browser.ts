@@ -20,6 +20,7 @@ import {
 } from "./in_browser.ts";
 import {
   drawsWhatIsSwitchedOn,
+  isDrawnInSightOnly,
   picksALinkByAClick,
   replaysTwoGroups,
   replaysTwoInStep,
@@ -105,6 +106,14 @@ const playsByKeys: Check = async (page) => {
     () => Number.parseFloat(document.querySelector("#clock")?.textContent ?? "") > 0.1,
   );
   await page.keyboard.press("Space");
+  await page.locator('#play[data-state="paused"]').waitFor();
+};
+
+const playsUnseen: Check = async (page) => {
+  await page.keyboard.press("Home");
+  await page.keyboard.press("Space");
+  await isDrawnInSightOnly(page);
+  await page.keyboard.press("End");
   await page.locator('#play[data-state="paused"]').waitFor();
 };
 
@@ -447,7 +456,7 @@ async function checkFullPage(browser: Browser): Promise<void> {
     await opensOnATellingFrame(page);
     const timeline = [showsWhatEachStepPaid, lightsTheLinesThatPay, jumpsToAClickOnATrace];
     for (const check of timeline) await check(page);
-    const replays = [drawsTheStrip, playsByKeys, scrubs, replaysAMark];
+    const replays = [drawsTheStrip, playsByKeys, playsUnseen, scrubs, replaysAMark];
     const views = [drawsWhatIsSwitchedOn, showsTheJointsOfALink, picksALinkByAClick, replaysTwoInStep, savesAFilm];
     const charts = [savesItsCharts, showsValuesOfAnEpisode, hidesATerm, showsNoChanges];
     for (const check of [showsTheRun, ...views, ...replays, ...charts, fitsItsWidth]) await check(page);

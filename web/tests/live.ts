@@ -17,6 +17,7 @@ import {
   sleep,
   textOf,
 } from "./in_browser.ts";
+import { isDrawnInSightOnly } from "./replay_checks.ts";
 import { inFolder, Trainer } from "./trainer.ts";
 
 const [trainer = "", task = "", screenshots = "."] = process.argv.slice(2);
@@ -95,27 +96,6 @@ async function aRewiringIsRefusedWithAReason(page: Page, run: Trainer): Promise<
   await page.locator("#graph-cut").click();
   await page.locator("#graph-refusal", { hasText: "learner" }).waitFor();
   assert.deepEqual(await run.ask("graph", { format: "json" }), before);
-}
-
-/** Scrolled away, the robot costs nothing; it moves again where it is seen. */
-async function theRobotIsDrawnInSightOnly(page: Page): Promise<void> {
-  await page.evaluate(() => {
-    const { prototype } = WebGL2RenderingContext;
-    const { dataset } = document.documentElement;
-    const clear = prototype.clear;
-    prototype.clear = function (this: WebGL2RenderingContext, mask) {
-      dataset["pictures"] = String(Number(dataset["pictures"] ?? 0) + 1);
-      clear.call(this, mask);
-    };
-    scrollTo(0, document.body.scrollHeight);
-  });
-  const drawn = (): Promise<string | null> => page.locator("html").getAttribute("data-pictures");
-  await sleep(1000); // a picture may be under way
-  const before = await drawn();
-  await sleep(1000);
-  assert.equal(await drawn(), before);
-  await page.evaluate(() => scrollTo(0, 0));
-  await page.waitForFunction((count) => document.documentElement.dataset["pictures"] !== count, before ?? undefined);
 }
 
 /** Edit, see the error, mend it, try it as a shadow, promote it, and go back. */
@@ -252,7 +232,7 @@ await inBrowser(async (browser) =>
         await page.evaluate(() => scrollTo(0, 0));
         await sleep(3000);
         await screenshot(page, "live");
-        await theRobotIsDrawnInSightOnly(page);
+        await isDrawnInSightOnly(page);
         await aRewiringIsRefusedWithAReason(page, run);
         await aTaskIsEdited(page, run);
         await anEpisodeIsJudged(page, run);

@@ -1,11 +1,11 @@
-// What is checked of two replays in step and of what is drawn beside the robot.
+// What is checked of two replays in step, of what is drawn beside the robot, and of when it is drawn.
 
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 
 import type { Page } from "playwright-core";
 
-import { textOf } from "./in_browser.ts";
+import { sleep, textOf } from "./in_browser.ts";
 
 /** How many pixels of the stage are about of the color that the style sheet calls `name`. */
 async function pixelsOf(page: Page, name: string): Promise<number> {
@@ -31,6 +31,27 @@ async function pixelsOf(page: Page, name: string): Promise<number> {
     },
     [png.toString("base64"), name],
   );
+}
+
+/** A robot that moves costs nothing where it is scrolled away, and is drawn again where it is seen. */
+export async function isDrawnInSightOnly(page: Page): Promise<void> {
+  await page.evaluate(() => {
+    const { prototype } = WebGL2RenderingContext;
+    const { dataset } = document.documentElement;
+    const clear = prototype.clear;
+    prototype.clear = function (this: WebGL2RenderingContext, mask) {
+      dataset["pictures"] = String(Number(dataset["pictures"] ?? 0) + 1);
+      clear.call(this, mask);
+    };
+    scrollTo(0, document.body.scrollHeight);
+  });
+  const drawn = (): Promise<string | null> => page.locator("html").getAttribute("data-pictures");
+  await sleep(1000); // a picture may be under way
+  const before = await drawn();
+  await sleep(1000);
+  assert.equal(await drawn(), before);
+  await page.locator("#stage").scrollIntoViewIfNeeded();
+  await page.waitForFunction((count) => document.documentElement.dataset["pictures"] !== count, before ?? undefined);
 }
 
 /** The center of mass and the contact points appear and go. */

@@ -33,7 +33,6 @@ export class RobotView {
   private readonly aids = new AidSwitches(() => (this.mustDraw = true));
   private clip: Clip | undefined;
   private mustDraw = true;
-  private isInSight = true; // scrolled away, it need not be drawn: without a GPU that takes a core
   private wasHeld = false;
 
   constructor(
@@ -51,12 +50,8 @@ export class RobotView {
       return undefined;
     }
     const redraw = (): void => void (this.mustDraw = true);
-    const stage = mountStage(scenery, byId("stage", HTMLElement), redraw);
+    const stage = mountStage(scenery, byId("stage", HTMLElement), redraw, redraw);
     stage.canvas.setAttribute("aria-label", "The robot as it is now");
-    new IntersectionObserver((seen) => {
-      this.isInSight = seen.at(-1)?.isIntersecting ?? true;
-      redraw();
-    }).observe(stage.canvas);
     this.aids.connect(stage);
     onThemeChange(() => {
       stage.updateTheme();
@@ -77,7 +72,7 @@ export class RobotView {
     const { isHeld } = this.source;
     if (isNew || isHeld !== this.wasHeld) this.describe(frame, state);
     this.wasHeld = isHeld;
-    if (!this.stage || !this.isInSight) return;
+    if (!this.stage?.isInSight) return;
     if (!(isNew || this.mustDraw || this.source.isPlaying)) return;
     const { clip } = frame;
     if (clip.layout.links === 0) return;

@@ -64,10 +64,13 @@ export class Companion {
     this.stage?.updateTheme();
   }
 
-  draw(time: number): void {
+  draw(): void {
+    if (this.other) this.stage?.draw();
+  }
+
+  setTime(time: number): void {
     if (!this.stage || !this.other) return;
     this.stage.setTime(time);
-    this.stage.draw();
     this.words.show(this.stage, this.other.replay, this.other.scenery.body, time, this.aids.picked);
   }
 

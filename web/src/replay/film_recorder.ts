@@ -46,6 +46,10 @@ export class FilmRecorder {
     player.onChange(() => this.follow());
   }
 
+  get isRecording(): boolean {
+    return this.recorder !== undefined;
+  }
+
   /** Call after each picture. */
   take(): void {
     if (!this.recorder) return;

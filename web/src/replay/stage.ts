@@ -27,6 +27,7 @@ const kNothingFramed: Framing = { anchor: 0, height: 0, radius: 0.2 };
 
 export class Stage {
   readonly canvas: HTMLCanvasElement;
+  isInSight = true; // scrolled away, it need not be drawn: without a GPU that takes a core
   private readonly renderer: WebGLRenderer;
   private readonly scene = new Scene();
   private readonly rig: CameraRig;

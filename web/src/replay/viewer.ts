@@ -39,7 +39,12 @@ export class Viewer {
   private settleTimer = 0;
 
   constructor(private scenery: Scenery) {
-    this.stage = mountStage(scenery, byId("stage", HTMLElement), () => this.onView());
+    this.stage = mountStage(
+      scenery,
+      byId("stage", HTMLElement),
+      () => this.onView(),
+      () => this.planDraw(),
+    );
     this.aids.connect(this.stage);
     this.strip = new Strip(
       byId("strip", HTMLElement),
@@ -196,12 +201,17 @@ export class Viewer {
       if (this.player.playing) this.planDraw();
     }
     this.stage.setTime(this.player.time);
-    this.stage.draw();
-    this.companion.draw(this.player.time);
-    this.film.take();
+    this.companion.setTime(this.player.time);
+    if (this.stage.isInSight || this.film.isRecording) this.drawStages();
     if (!this.recording) return;
     const { stage, recording, scenery, player } = this;
     this.words.show(stage, recording, scenery.body, player.time, this.aids.picked);
+  }
+
+  private drawStages(): void {
+    this.stage.draw();
+    this.companion.draw();
+    this.film.take();
   }
 
   /** Both cameras are moved by whichever the user moves. */
