@@ -44,9 +44,9 @@ Position SourceFile::PositionOf(uint32_t offset) const {
   const std::string_view line = Line(position.line);
   const size_t end = std::min<size_t>(offset - LineStart(position.line), line.size());
   const uint32_t begin = line_starts_[position.line - 1];
-  const auto next = std::upper_bound(
-      marks_.begin(), marks_.end(), begin + end,
-      [](size_t place, const Mark& mark) { return place < mark.offset; });
+  const auto next =
+      std::upper_bound(marks_.begin(), marks_.end(), begin + end,
+                       [](size_t place, const Mark& mark) { return place < mark.offset; });
   const bool is_marked = next != marks_.begin() && std::prev(next)->offset > begin;
   const Mark from = is_marked ? *std::prev(next) : Mark{begin, 0};
   position.column += from.before;

@@ -79,8 +79,9 @@ bool IsComment(Text text) { return text.starts_with(U"//") && !text.starts_with(
 // Several signs in a row are one only where the grammar has it; else ANTLR tells them apart.
 QuickLexer::Word QuickLexer::FirstSign(Text rest) const {
   const bool is_single = kSingleSigns.find(rest[0]) != Text::npos;
-  const size_t length =
-      is_single ? 1 : Run(rest.substr(0, kManySigns), 0, [](char32_t c) { return kSigns.find(c) != Text::npos; });
+  const size_t length = is_single ? 1 : Run(rest.substr(0, kManySigns), 0, [](char32_t c) {
+    return kSigns.find(c) != Text::npos;
+  });
   const bool begins_number =
       rest.starts_with(U'.') && rest.size() > length && IsDigit(rest[length]);
   if (length == 0 || (begins_number && length == 1)) return {};
