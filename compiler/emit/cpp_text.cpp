@@ -76,6 +76,12 @@ CppText BinaryText(BinaryOperator op, const CppText& left, const CppText& right)
           precedence};
 }
 
+CppText CallText(std::string_view function, const std::vector<CppText>& arguments) {
+  std::vector<std::string_view> texts;
+  for (const CppText& argument : arguments) texts.push_back(argument.text);
+  return {fmt::format("{}({})", function, fmt::join(texts, ", "))};
+}
+
 std::string_view CppType(Scalar scalar) {
   switch (scalar) {
     case Scalar::kBool:
@@ -99,6 +105,8 @@ std::string NumberLiteralText(double value, Scalar scalar) {
   }
   return RealLiteral(value);
 }
+
+std::string MaybeUnused(bool is_read) { return is_read ? "" : "[[maybe_unused]] "; }
 
 std::string Declarator(const std::string& name, const Type& type) {
   std::string_view element = CppType(type.scalar);

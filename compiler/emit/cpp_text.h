@@ -25,11 +25,17 @@ std::string AtLeast(Precedence precedence, const CppText& text);
 // Two operands with the operator between them, in as many parentheses as a reader needs.
 CppText BinaryText(BinaryOperator op, const CppText& left, const CppText& right);
 
+// "function(a, b)"
+CppText CallText(std::string_view function, const std::vector<CppText>& arguments);
+
 // The type that holds one element: "bool", "long long", "double".
 std::string_view CppType(Scalar scalar);
 
 // One element of a constant: "true", "2LL", "0.5".
 std::string NumberLiteralText(double value, Scalar scalar);
+
+// What stands before a declaration of what nothing may read: "[[maybe_unused]] ", else nothing.
+std::string MaybeUnused(bool is_read);
 
 // "double name" or "bool name[18]".
 std::string Declarator(const std::string& name, const Type& type);
