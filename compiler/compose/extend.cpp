@@ -11,110 +11,11 @@
 
 #include "base/text/nearest_name.h"
 #include "compiler/compose/copy_expression.h"
+#include "compiler/compose/declared.h"
+#include "compiler/compose/rewards_in.h"
 
 namespace compiler {
 namespace {
-
-// ---- What a declaration is of ------------------------------------------------------------------
-
-// How the language calls it: what follows `override`.
-std::string_view KindOf(const StartDeclaration&) { return "start"; }
-std::string_view KindOf(const AfterEndDeclaration&) { return "after_end"; }
-std::string_view KindOf(const SensorDeclaration&) { return "sensor"; }
-std::string_view KindOf(const ParamDeclaration&) { return "param"; }
-std::string_view KindOf(const ParamOverride&) { return "param"; }
-std::string_view KindOf(const ConstDeclaration&) { return "const"; }
-std::string_view KindOf(const ConstOverride&) { return "const"; }
-std::string_view KindOf(const SetDeclaration&) { return "set"; }
-std::string_view KindOf(const TableDeclaration&) { return "table"; }
-std::string_view KindOf(const TableOverride&) { return "table"; }
-std::string_view KindOf(const MemoryDeclaration&) { return "memory"; }
-std::string_view KindOf(const GoalDeclaration&) { return "goal"; }
-std::string_view KindOf(const GoalOverride&) { return "goal"; }
-std::string_view KindOf(const ObserveDeclaration&) { return "observe"; }
-std::string_view KindOf(const OnboardDeclaration&) { return "onboard"; }
-std::string_view KindOf(const MetricDeclaration&) { return "metric"; }
-std::string_view KindOf(const RewardOverride&) { return "reward"; }
-std::string_view KindOf(const PotentialDeclaration&) { return "reward"; }
-std::string_view KindOf(const EventDeclaration&) { return "on"; }
-std::string_view KindOf(const PhaseDeclaration&) { return "phase"; }
-std::string_view KindOf(const FunctionDeclaration&) { return "fn"; }
-std::string_view KindOf(const ImportDeclaration&) { return "import"; }
-std::string_view KindOf(const TestDeclaration&) { return "test"; }
-
-const Identifier& NameIn(const StartDeclaration& start) { return start.poses.front(); }
-const Identifier& NameIn(const AfterEndDeclaration& after) { return after.word; }
-const Identifier& NameIn(const OnboardDeclaration& onboard) { return onboard.word; }
-const Identifier& NameIn(const RewardOverride& changed) { return changed.reward.name; }
-const Identifier& NameIn(const ImportDeclaration&) {
-  static const Identifier none;
-  return none;
-}
-const Identifier& NameIn(const TestDeclaration&) {
-  static const Identifier none;
-  return none;
-}
-template <typename Node>
-const Identifier& NameIn(const Node& node) {
-  return node.name;
-}
-
-std::string_view KindOf(const Declaration& declaration) {
-  return std::visit([](const auto& node) { return KindOf(node); }, declaration.node);
-}
-const Identifier& NameOf(const Declaration& declaration) {
-  return std::visit([](const auto& node) -> const Identifier& { return NameIn(node); },
-                    declaration.node);
-}
-
-// Not an event whose name is wrong.
-bool IsKnown(const Declaration& declaration) {
-  const auto* event = std::get_if<EventDeclaration>(&declaration.node);
-  return event == nullptr || event->is_known;
-}
-
-// Of these there is one in a task, whatever its name.
-bool IsOnly(std::string_view kind) { return kind == "start" || kind == "after_end"; }
-
-// Do the two declare the same thing?
-bool AreOfTheSame(const Declaration& a, const Declaration& b) {
-  if (KindOf(a) != KindOf(b) || !IsKnown(a) || !IsKnown(b)) return false;
-  return IsOnly(KindOf(a)) || NameOf(a).text == NameOf(b).text;
-}
-
-// ---- Statements ---------------------------------------------------------------------------------
-
-template <typename Visitor>
-void ForEachReward(Block& block, const Visitor& visit);
-
-template <typename Visitor>
-void ForEachReward(Statement& statement, const Visitor& visit) {
-  if (std::holds_alternative<RewardStatement>(statement.node)) visit(statement);
-  if (auto* loop = std::get_if<ForStatement>(&statement.node)) ForEachReward(loop->body, visit);
-  if (auto* once = std::get_if<OnceStatement>(&statement.node))
-    for (IfBranch& branch : once->branches) ForEachReward(branch.body, visit);
-  if (auto* branches = std::get_if<IfStatement>(&statement.node)) {
-    for (IfBranch& branch : branches->branches) ForEachReward(branch.body, visit);
-    if (branches->otherwise) ForEachReward(*branches->otherwise, visit);
-  }
-}
-
-template <typename Visitor>
-void ForEachReward(Block& block, const Visitor& visit) {
-  for (Statement& statement : block) ForEachReward(statement, visit);
-}
-
-template <typename Visitor>
-void ForEachReward(SyntaxTree& tree, const Visitor& visit) {
-  for (Declaration& declaration : tree.declarations) {
-    if (auto* phase = std::get_if<PhaseDeclaration>(&declaration.node))
-      ForEachReward(phase->body, visit);
-    auto* event = std::get_if<EventDeclaration>(&declaration.node);
-    if (event == nullptr) continue;
-    ForEachReward(event->body, visit);
-    for (Block& block : event->appended) ForEachReward(block, visit);
-  }
-}
 
 // An override that overrides nothing, as a declaration that can be checked. Which events pay an
 // overridden term is not known.
@@ -135,8 +36,6 @@ Declaration WithoutBase(Declaration declaration) {
   declaration.node = std::move(event);
   return declaration;
 }
-
-// ---- The merge ---------------------------------------------------------------------------------
 
 class Extension {
  public:

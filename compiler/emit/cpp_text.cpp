@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "compiler/emit/cpp_literal.h"
+
 namespace compiler {
 namespace {
 
