@@ -55,7 +55,6 @@ CmaEs::CmaEs(const Eigen::VectorXd& mean, double sigma, int population)
 
 void CmaEs::Allocate() {
   settings_ = CmaEsSettings(dimensions(), population());
-  solver_ = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(dimensions());
   order_.resize(static_cast<size_t>(population()));
   for (Eigen::VectorXd* each :
        {&solver_axes_, &mean_drawn_, &mean_step_, &rotated_, &step_, &candidate_.drawn,
