@@ -29,9 +29,9 @@ endif()
 # files take six tenths of the time of those of 6), and the later what one changed file asks for. No
 # two files of a target may give one name to different things, in unnamed namespaces neither.
 option(TASKC_UNITY "compile several files of a target as one" ON)
-function(project_compile_in_batches name files)
+function(project_compile_in_batches name)
   set_target_properties(${name} PROPERTIES
-    UNITY_BUILD ${TASKC_UNITY} UNITY_BUILD_BATCH_SIZE ${files})
+    UNITY_BUILD ${TASKC_UNITY} UNITY_BUILD_BATCH_SIZE 24)
 endfunction()
 
 # project_optimize(TARGET LEVEL): in a release, with -O<LEVEL> instead of -O2.
@@ -53,7 +53,7 @@ function(project_library name)
   cmake_parse_arguments(arg "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
   add_library(${name} STATIC ${arg_SOURCES})
   target_link_libraries(${name} PUBLIC project_options ${arg_PUBLIC} PRIVATE ${arg_PRIVATE})
-  project_compile_in_batches(${name} 24)
+  project_compile_in_batches(${name})
 endfunction()
 
 # project_program(NAME SOURCES file... [LIBRARIES library...])
@@ -61,7 +61,7 @@ function(project_program name)
   cmake_parse_arguments(arg "" "" "SOURCES;LIBRARIES" ${ARGN})
   add_executable(${name} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE project_options ${arg_LIBRARIES})
-  project_compile_in_batches(${name} 24)
+  project_compile_in_batches(${name})
 endfunction()
 
 # project_share_file(TARGET FILE DESTINATION): a file that the programs look for in share/taskc, put
@@ -81,7 +81,7 @@ function(project_test name)
   cmake_parse_arguments(arg "" "" "SOURCES;LIBRARIES" ${ARGN})
   add_executable(${name} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE project_options ${arg_LIBRARIES} GTest::gmock_main)
-  project_compile_in_batches(${name} 6)
+  project_compile_in_batches(${name})
   project_optimize(${name} 1)
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/tests)
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 300)

@@ -8,9 +8,9 @@
 namespace examples {
 namespace {
 
-constexpr double kHigh = 0.09;
-constexpr double kLow = 0.05;
-constexpr double kPatience = 3;
+constexpr double kHighest = 0.09;
+constexpr double kLowest = 0.05;
+constexpr double kLongest = 3;
 
 // Only hands and feet on the ground.
 bool StandsOnSupports(const RobotState& state) {
@@ -79,9 +79,9 @@ class PressUp : public Published {
       case kUp:
       case kDown:
         terms["straight"] = 0.5 * Straightness(state) * kTimeStep;
-        if (time_ > kPatience - kTimeStep / 2) next = kLying;
-        if (phase_ == kUp && height > kHigh && StandsOnSupports(state)) next = kDown;
-        if (phase_ == kDown && height < kLow && StandsOnSupports(state)) {
+        if (time_ > kLongest - kTimeStep / 2) next = kLying;
+        if (phase_ == kUp && height > kHighest && StandsOnSupports(state)) next = kDown;
+        if (phase_ == kDown && height < kLowest && StandsOnSupports(state)) {
           terms["press"] = 10;
           next = kUp;
         }
@@ -93,9 +93,9 @@ class PressUp : public Published {
   }
 
   Payments Potentials(const RobotState& state, const compiler::Instance&) const override {
-    const double up = state.position.z() - kLow;
-    const double gone = phase_ == kDown ? 2 * (kHigh - kLow) - up : up;
-    return {{"way", 2 * gone / (kHigh - kLow)}};
+    const double up = state.position.z() - kLowest;
+    const double gone = phase_ == kDown ? 2 * (kHighest - kLowest) - up : up;
+    return {{"way", 2 * gone / (kHighest - kLowest)}};
   }
 
  private:

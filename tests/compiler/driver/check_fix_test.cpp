@@ -14,7 +14,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 using Json = nlohmann::json;
 
-constexpr const char* kSlips = R"(task slips for humanoid
+constexpr const char* kSlippedTask = R"(task slips for humanoid
 on end_of_time_step {
   reward rate up = base.postion.z / 1 m;
   if tme > 2 s { truncate_episode "time is up" }
@@ -29,7 +29,7 @@ on end_of_time_step {
 
 TEST(CheckFix, MendsAndSaysWhatItHasChanged) {
   TaskcProcess taskc;
-  taskc.Write("slips.task", kSlips);
+  taskc.Write("slips.task", kSlippedTask);
   const Outcome outcome = taskc.Run("check --fix slips.task");
   EXPECT_EQ(outcome.status, 0);
   EXPECT_EQ(outcome.error, "");
@@ -49,7 +49,7 @@ TEST(CheckFix, LeavesAFileAsItIsWhereNothingIsToBeDone) {
 
 TEST(CheckFix, ReportsWhatIsLeft) {
   TaskcProcess taskc;
-  taskc.Write("slips.task", std::string(kSlips) + "metric far = nowhere_at_all\n");
+  taskc.Write("slips.task", std::string(kSlippedTask) + "metric far = nowhere_at_all\n");
   const Outcome outcome = taskc.Run("check --fix --json slips.task");
   EXPECT_EQ(outcome.status, 1);
   const Json report = Json::parse(outcome.out);
@@ -63,7 +63,7 @@ TEST(CheckFix, ReportsWhatIsLeft) {
 
 TEST(CheckFix, KeepsPermissionsAndLinks) {
   TaskcProcess taskc;
-  taskc.Write("slips.task", kSlips);
+  taskc.Write("slips.task", kSlippedTask);
   ASSERT_EQ(chmod(taskc.path("slips.task").c_str(), 0640), 0);
   std::filesystem::create_symlink("slips.task", taskc.path("link.task"));
   EXPECT_EQ(taskc.Run("check --fix link.task").status, 0);
@@ -93,8 +93,8 @@ TEST(CheckFix, MendsImportedFilesButNotLibraries) {
 // What `--fix` does, done by a program with the bytes that the report names.
 TEST(CheckFix, DoesWhatTheReportSays) {
   TaskcProcess taskc;
-  taskc.Write("slips.task", kSlips);
-  std::string text = kSlips;
+  taskc.Write("slips.task", kSlippedTask);
+  std::string text = kSlippedTask;
   const Json report = Json::parse(taskc.Run("check --json slips.task").out);
   const Json& diagnostics = report["diagnostics"];
   for (auto diagnostic = diagnostics.rbegin(); diagnostic != diagnostics.rend(); ++diagnostic) {

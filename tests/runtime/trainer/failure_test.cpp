@@ -1,7 +1,8 @@
 #include <csignal>
 #include <fstream>
-#include <sstream>
+#include <string>
 
+#include "base/file/read.h"
 #include "tests/runtime/trainer/trainer_test.h"
 #include "tests/scoped_environment.h"
 
@@ -12,12 +13,6 @@ using testing::AllOf;
 using testing::HasSubstr;
 
 class FailureTest : public TrainerTest {};
-
-std::string Contents(const std::filesystem::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file).rdbuf();
-  return text.str();
-}
 
 // The text with the rest of the line behind `key = ` replaced.
 std::string WithValue(std::string text, const std::string& key, const std::string& value) {
@@ -86,7 +81,7 @@ TEST_F(FailureTest, GoesOnAfterASimulationThatDiverged) {
   const std::filesystem::path robot = folder() / "robots" / "humanoid";
   std::filesystem::create_directories(robot);
   std::filesystem::copy_file(ROBOTS "/humanoid/agent.toml", robot / "agent.toml");
-  std::string description = Contents(ROBOTS "/humanoid/robot.toml");
+  std::string description = file::Read(ROBOTS "/humanoid/robot.toml").bytes;
   description = WithValue(description, "stiffness", "1e9");
   description = WithValue(description, "max_torque", "1e9");
   std::ofstream(robot / "robot.toml") << description;

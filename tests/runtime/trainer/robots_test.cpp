@@ -117,11 +117,11 @@ TEST_F(RobotsTest, ShowPrintsJsonAndDrawsThePoses) {
       Trainer({"robot", "show", "hopper", "--robots", Folder("mine"), "--profile", "fast-tree",
                "--json", "-o", RunFolder("poses.png"), "--height", "24"});
   ASSERT_EQ(result.exit_status, 0) << result.errors;
-  const nlohmann::json json = nlohmann::json::parse(result.output);
-  EXPECT_EQ(json["name"], "hopper");
-  EXPECT_EQ(json["joints"][1]["name"], "knee");
-  EXPECT_TRUE(json["sites"].empty());
-  EXPECT_EQ(json["poses"][0]["profile"], "fast-tree");
+  const nlohmann::json shown = nlohmann::json::parse(result.output);
+  EXPECT_EQ(shown["name"], "hopper");
+  EXPECT_EQ(shown["joints"][1]["name"], "knee");
+  EXPECT_TRUE(shown["sites"].empty());
+  EXPECT_EQ(shown["poses"][0]["profile"], "fast-tree");
   std::ifstream in(RunFolder("poses.png"), std::ios::binary);
   const std::string png{std::istreambuf_iterator<char>(in), {}};
   // Two poses, each at its start and its end.
@@ -188,9 +188,9 @@ TEST_F(RobotsTest, AnImportedRobotIsReadyToLearn) {
   EXPECT_EQ(
       Trainer({"robot", "import", Folder("table.urdf"), "--robots", Folder("tasks")}).exit_status,
       1);  // is there already
-  const ProgramResult json = Trainer({"robot", "import", Folder("table.urdf"), "--robots",
-                                      Folder("tasks"), "--name", "other", "--json"});
-  EXPECT_EQ(nlohmann::json::parse(json.output)["name"], "other");
+  const ProgramResult as_json = Trainer({"robot", "import", Folder("table.urdf"), "--robots",
+                                         Folder("tasks"), "--name", "other", "--json"});
+  EXPECT_EQ(nlohmann::json::parse(as_json.output)["name"], "other");
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "tests/runtime/training/learning/continuous_world.h"
 #include "tests/runtime/training/learning/fake_sensors.h"
 #include "tests/runtime/training/learning/fake_world.h"
+#include "tests/runtime/training/learning/time_step.h"
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define COUNTS_ALLOCATIONS 0
@@ -34,8 +35,6 @@ extern "C" void* malloc(size_t size) {
 
 namespace runtime {
 namespace {
-
-constexpr double kTimeStep = 0.005;
 
 // An environment whose joints go a tenth of the way to their targets in each time step.
 class Puppet : public FakeSensorModule {

@@ -6,14 +6,13 @@
 #include <limits>
 
 #include "runtime/training/learning/random.h"
+#include "tests/runtime/training/learning/time_step.h"
 
 namespace runtime {
 namespace {
 
 using Eigen::Vector2d;
 using Eigen::VectorXd;
-
-constexpr double kTimeStep = 0.005;
 
 int TimeSteps(DcobMotion& motion) {
   int steps = 0;

@@ -7,14 +7,13 @@
 #include "runtime/training/learning/ng_net.h"
 #include "runtime/training/learning/random.h"
 #include "tests/runtime/training/learning/fake_state.h"
+#include "tests/runtime/training/learning/time_step.h"
 #include "tests/runtime/training/learning/user_error_of.h"
 
 namespace runtime {
 namespace {
 
 using testing::HasSubstr;
-
-constexpr double kStep = 0.005;
 
 // Gives orders to a Dcob, and hears of the ends of its actions.
 class Commander : public Module {
@@ -70,8 +69,8 @@ class DcobTest : public testing::Test {
     return steps;
   }
   void Step() {
-    commander_.start_of_time_step(kStep);
-    commander_.end_of_time_step(kStep);
+    commander_.start_of_time_step(kTimeStep);
+    commander_.end_of_time_step(kTimeStep);
   }
 
   std::unique_ptr<FakeState> state_;
@@ -145,14 +144,14 @@ TEST_F(DcobTest, CommandsJointTargetsAlongTheMotion) {
   ASSERT_EQ(commander_.joint_targets().size(), 17);
   state_->angles() << 0.1, 0.2, 0.3, 0.4;
   commander_.execute(0);  // to (-1.57, -1.57, -3.14, -3.14)
-  commander_.start_of_time_step(kStep);
+  commander_.start_of_time_step(kTimeStep);
   Eigen::VectorXd expected(17);
   expected << 0, 0.1, 0, 0.1, 0.2, 0, 0.2, 0, 0.3, -0.3, 0.3, 0, 0, 0.4, -0.4, 0.4, 0;
   EXPECT_EQ(commander_.joint_targets(), expected);
-  commander_.end_of_time_step(kStep);
+  commander_.end_of_time_step(kTimeStep);
 
   // T = 0.075 * 3.54 = 0.2655 s; (1 - 0.005 / 0.2655)^3 = 0.9445605; 0.4 - 3.54 * 0.0554395.
-  commander_.start_of_time_step(kStep);
+  commander_.start_of_time_step(kTimeStep);
   EXPECT_NEAR(commander_.joint_targets()[13], 0.20374283441, 1e-11);
 }
 

@@ -5,6 +5,7 @@
 
 #include "tests/runtime/training/learning/fake_sensors.h"
 #include "tests/runtime/training/learning/fake_state.h"
+#include "tests/runtime/training/learning/time_step.h"
 #include "tests/runtime/training/learning/user_error_of.h"
 
 namespace runtime {
@@ -12,8 +13,6 @@ namespace {
 
 using testing::AllOf;
 using testing::HasSubstr;
-
-constexpr double kStep = 0.005;
 
 // Gives vectors to an action space, and hears of the ends of its actions.
 class VectorCommander : public Module {
@@ -93,13 +92,13 @@ TEST_F(JointOffsetsTest, ScalesActionsAndStopsAtTheStops) {
 TEST_F(JointOffsetsTest, HoldsTargetsForSomeTimeSteps) {
   offsets_.Set("hold", int64_t{3});
   Use("5");
-  commander_.end_of_time_step(kStep);  // nothing runs yet
+  commander_.end_of_time_step(kTimeStep);  // nothing runs yet
   commander_.execute(Eigen::VectorXd::Constant(5, 0.1));
-  for (int step = 0; step < 2; ++step) commander_.end_of_time_step(kStep);
+  for (int step = 0; step < 2; ++step) commander_.end_of_time_step(kTimeStep);
   EXPECT_EQ(commander_.ended, 0);
-  commander_.end_of_time_step(kStep);
+  commander_.end_of_time_step(kTimeStep);
   EXPECT_EQ(commander_.ended, 1);
-  commander_.end_of_time_step(kStep);
+  commander_.end_of_time_step(kTimeStep);
   EXPECT_EQ(commander_.ended, 1);
   EXPECT_EQ(TargetOf("left_hip_pitch"), 0.1);
 }
@@ -178,12 +177,12 @@ TEST_F(JointOffsetsTest, OffsetsAreFromAMotionInEachTimeStep) {
   for (const double place : {0.5, -0.5}) {
     motion.targets[shoulder] = place;
     motion.targets[neck] = 0.125;
-    start(kStep);
+    start(kTimeStep);
     EXPECT_EQ(TargetOf("left_shoulder_pitch"), place + 0.25);
     EXPECT_EQ(TargetOf("neck_yaw"), 0.125);
   }
   motion.targets[shoulder] = 100;  // beyond its stop
-  start(kStep);
+  start(kTimeStep);
   EXPECT_EQ(TargetOf("left_shoulder_pitch"), Humanoid().joints[shoulder].high);
   PolicyGraph graph;
   EXPECT_THAT(UserErrorOf([&] { offsets_.AddTo(graph, PolicyGraph::kObservation); }),
@@ -219,7 +218,7 @@ TEST_F(WheelOffsetsTest, AJointWithoutStopsIsMovedFromWhereItIs) {
   EXPECT_EQ(TargetOf("neck_yaw"), 40.5);
   EXPECT_EQ(TargetOf("left_knee_pitch"), Humanoid().joints[9].high);
   angle = 40.25;
-  commander_.end_of_time_step(kStep);
+  commander_.end_of_time_step(kTimeStep);
   EXPECT_EQ(TargetOf("neck_yaw"), 40.75);
   EXPECT_EQ(TargetOf("left_hip_pitch"), 0.5);
   PolicyGraph graph;

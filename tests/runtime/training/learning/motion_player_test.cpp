@@ -8,6 +8,7 @@
 
 #include "tests/runtime/training/learning/fake_sensors.h"
 #include "tests/runtime/training/learning/fake_state.h"
+#include "tests/runtime/training/learning/time_step.h"
 #include "tests/runtime/training/learning/user_error_of.h"
 
 namespace runtime {
@@ -15,7 +16,6 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr double kTimeStep = 0.005;
 constexpr int kNeckYaw = 0, kLeftHipRoll = 7, kLeftHipPitch = 8, kLeftKneePitch = 9;
 constexpr int kRightHipRoll = 12, kRightHipPitch = 13;
 

@@ -13,10 +13,10 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-constexpr size_t kLinks = 9;  // more than a byte has bits
+constexpr size_t kPoses = 9;  // more than a byte has bits
 
 // Of two frames, and of SampleTask().
-Timeline Sample() {
+Timeline SampleTimeline() {
   return {.end = 0.035,
           .returns = {0, 0.5, -4},
           .terms = {{0, 0.5, 0}, {0, 0, -4}},
@@ -30,41 +30,42 @@ Recording RecordingOf(const Timeline& timeline) {
 }
 
 TEST(Timeline, IsReadAsItWasPacked) {
-  const Timeline read = ReadTimeline(RecordingOf(Sample()), SampleTask(), kLinks);
+  const Timeline read = ReadTimeline(RecordingOf(SampleTimeline()), SampleTask(), kPoses);
   EXPECT_EQ(read.end, 0.035);
   EXPECT_EQ(read.sample_count(), 3u);
-  EXPECT_EQ(read.returns, Sample().returns);
-  EXPECT_EQ(read.terms, Sample().terms);
+  EXPECT_EQ(read.returns, SampleTimeline().returns);
+  EXPECT_EQ(read.terms, SampleTimeline().terms);
   ASSERT_EQ(read.metrics.size(), 1u);
   EXPECT_THAT(read.metrics[0], ElementsAre(testing::NanSensitiveFloatEq(NAN), 0.1f, 0.2f));
-  EXPECT_EQ(read.phases, Sample().phases);
-  EXPECT_EQ(read.contacts, Sample().contacts);
+  EXPECT_EQ(read.phases, SampleTimeline().phases);
+  EXPECT_EQ(read.contacts, SampleTimeline().contacts);
 }
 
 TEST(Timeline, HasNoPhasesWhereTheTaskHasNone) {
-  Timeline timeline = Sample();
+  Timeline timeline = SampleTimeline();
   timeline.phases.clear();
   TaskRecord task = SampleTask();
   task.phases.clear();
-  EXPECT_TRUE(ReadTimeline(RecordingOf(timeline), task, kLinks).phases.empty());
+  EXPECT_TRUE(ReadTimeline(RecordingOf(timeline), task, kPoses).phases.empty());
 }
 
 TEST(Timeline, IsRefusedWhereItIsDamaged) {
-  const auto error_with = [](Recording recording, const TaskRecord& task, size_t links = kLinks) {
+  const auto error_with = [](Recording recording, const TaskRecord& task, size_t links = kPoses) {
     return ErrorOf([&] { ReadTimeline(recording, task, links); });
   };
   TaskRecord other = SampleTask();
   other.terms.pop_back();
-  EXPECT_THAT(error_with(RecordingOf(Sample()), other), HasSubstr("does not fit the task"));
-  EXPECT_THAT(error_with(RecordingOf(Sample()), SampleTask(), 17), HasSubstr("does not fit"));
-  Recording longer = RecordingOf(Sample());
+  EXPECT_THAT(error_with(RecordingOf(SampleTimeline()), other), HasSubstr("does not fit the task"));
+  EXPECT_THAT(error_with(RecordingOf(SampleTimeline()), SampleTask(), 17),
+              HasSubstr("does not fit"));
+  Recording longer = RecordingOf(SampleTimeline());
   longer.frames = 3;
   EXPECT_THAT(error_with(longer, SampleTask()), HasSubstr("does not fit"));
-  Recording cut = RecordingOf(Sample());
+  Recording cut = RecordingOf(SampleTimeline());
   cut.timeline.resize(cut.timeline.size() / 2);
   EXPECT_THAT(error_with(cut, SampleTask()), HasSubstr("its timeline is damaged"));
   for (const double end : {0.01, double{NAN}, double{INFINITY}}) {
-    Timeline timeline = Sample();
+    Timeline timeline = SampleTimeline();
     timeline.end = end;
     EXPECT_THAT(error_with(RecordingOf(timeline), SampleTask()), HasSubstr("ends before"));
   }

@@ -17,7 +17,6 @@ namespace {
 using world::Thing;
 using world::WorldDescription;
 
-constexpr double kGravity = robot::kGravity;
 const robot::LinkShape kBall{.kind = robot::ShapeKind::kSphere, .radius = 0.1};
 const robot::LinkShape kBox{.kind = robot::ShapeKind::kBox, .size = {0.2, 0.2, 0.1}};
 
@@ -62,8 +61,8 @@ TEST_P(SurroundingsTest, AThingFallsAsGravitySays) {
   const int steps = static_cast<int>(0.5 / h + 0.5);
   for (int i = 0; i < steps; ++i) world.Step({});
   // Velocities first, then places: the sum of an arithmetic series.
-  EXPECT_NEAR(Place(world, 0).z(), 5 - kGravity * h * h * steps * (steps + 1) / 2, 1e-9);
-  EXPECT_NEAR(Speed(world, 0).z(), -kGravity * h * steps, 1e-9);
+  EXPECT_NEAR(Place(world, 0).z(), 5 - robot::kGravity * h * h * steps * (steps + 1) / 2, 1e-9);
+  EXPECT_NEAR(Speed(world, 0).z(), -robot::kGravity * h * steps, 1e-9);
 }
 
 // What rolls without sliding has 2/5 of its mass as inertia to turn.
@@ -77,7 +76,7 @@ TEST_P(SurroundingsTest, ABallRollsDownASlope) {
   const Eigen::Vector3d start = Place(world, 0);
   constexpr double kSeconds = 1;
   StepFor(world, kSeconds, {});
-  const double acceleration = kGravity * std::sin(angle) * 5 / 7;
+  const double acceleration = robot::kGravity * std::sin(angle) * 5 / 7;
   const double way = acceleration * kSeconds * kSeconds / 2;
   EXPECT_NEAR((Place(world, 0) - start).norm(), way, 0.01 * way);
   EXPECT_LT(Place(world, 0).x(), start.x());  // it rises toward +x
@@ -96,7 +95,7 @@ TEST_P(SurroundingsTest, ABoxSlidesWhereTheSlopeIsSteeperThanItsFriction) {
     World world = Make(robot, around);
     const Eigen::Vector3d start = Place(world, 0);
     StepFor(world, 1, {});
-    const double drive = kGravity * (std::sin(angle) - kFriction * std::cos(angle));
+    const double drive = robot::kGravity * (std::sin(angle) - kFriction * std::cos(angle));
     const double way = std::max(0.0, drive) / 2;
     EXPECT_NEAR((Place(world, 0) - start).norm(), way, 0.03 * way + 0.002) << angle;
   }
@@ -111,7 +110,7 @@ TEST_P(SurroundingsTest, ABoxSlidesOnSmoothGround) {
   World world = Make(robot, around);
   const Eigen::Vector3d start = Place(world, 0);
   StepFor(world, 1, {});
-  EXPECT_NEAR((Place(world, 0) - start).norm(), kGravity * std::sin(0.2) / 2, 0.02);
+  EXPECT_NEAR((Place(world, 0) - start).norm(), robot::kGravity * std::sin(0.2) / 2, 0.02);
 }
 
 // What they have of momentum stays. How much of the rest is lost lies between all, as in an impact

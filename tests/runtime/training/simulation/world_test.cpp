@@ -18,7 +18,7 @@ using testing::ElementsAre;
 using testing::UnorderedElementsAre;
 
 // Position, orientation and velocities of every link.
-std::vector<double> State(const World& world) {
+std::vector<double> StateOf(const World& world) {
   std::vector<double> state;
   for (int i = 0; i < world.body().link_count(); ++i) {
     const dBodyID body = world.body().body(i);
@@ -160,7 +160,7 @@ TEST_P(WorldTest, EqualWorldsStayEqualBitForBit) {
       for (size_t j = 0; j < targets.size(); ++j) targets[j] = std::sin(3.0 * i + j);
       StepFor(world, 0.05, targets);
     }
-    return State(world);
+    return StateOf(world);
   };
   const std::vector<double> first = run();
   const std::vector<double> second = run();
