@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # From a fresh machine to a robot that has learned something: installs, builds, compiles the six
-# tasks, trains one of them for a minute or two and writes a report with its curve and a replay.
+# tasks, trains one of them for two or three minutes and writes a report with its curve and a replay.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
