@@ -35,7 +35,7 @@ class JointController {
   // profile drives joints by motors, that motor in place of the torque; where the joint has any of
   // them, its spring, damper and armature, which are one; its friction.
   std::span<const Motor> pulls(int joint) const {
-    return {&pulls_[first_pulls_[joint]], &pulls_[first_pulls_[joint + 1]]};
+    return {pulls_.data() + first_pulls_[joint], pulls_.data() + first_pulls_[joint + 1]};
   }
   // Whether the joints are driven by motors, and not by the torques.
   bool has_motors() const { return has_motors_; }
