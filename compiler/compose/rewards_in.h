@@ -27,7 +27,7 @@ void ForEachReward(Block& block, const Visitor& visit) {
   for (Statement& statement : block) ForEachReward(statement, visit);
 }
 
-// Calls `visit` with the statement of each reward, in the order of the text.
+// Calls `visit` with each statement that pays, also with those that other files have appended.
 template <typename Visitor>
 void ForEachReward(SyntaxTree& tree, const Visitor& visit) {
   for (Declaration& declaration : tree.declarations) {
