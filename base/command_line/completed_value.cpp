@@ -50,6 +50,7 @@ std::string ValueOf(const std::string& option, const std::vector<std::string>& l
   std::string value;
   for (size_t i = 0; i < line.size(); ++i) {
     if (line[i] == option && i + 1 < line.size()) value = line[i + 1];
+    if (line[i] == option && value == "=" && i + 2 < line.size()) value = line[i + 2];
     if (line[i].starts_with(option + "=")) value = line[i].substr(option.size() + 1);
   }
   return value;

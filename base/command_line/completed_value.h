@@ -19,7 +19,8 @@ struct CompletedValue {
 // What the declarations cannot say, by the names of values: {"CODE", {"E0101"}}.
 using ValueWords = std::map<std::string, std::vector<std::string>>;
 // The same for what is not known before the tab key is pressed: {"ROBOT", RobotNames}; or of one
-// command alone: {"ctl swap NAME", TaskModules}. Each gets the words of the line so far.
+// command alone: {"ctl swap NAME", TaskModules}. Each gets the words of the line so far. A name that
+// ends in `=` is the beginning of a word.
 using ValueNames =
     std::map<std::string,
              std::function<std::vector<std::string>(const std::vector<std::string>& line)>>;
@@ -33,7 +34,8 @@ struct ValueLists {
 // "FILE.task" and "PLAN.task" files that end so, "DIR" folders, "ROBOT|FILE.toml" either.
 CompletedValue ValueCalled(const std::string& name, const ValueLists& lists);
 
-// The value of the option `name` among the words of a line, also as "--run=DIR"; "" without.
+// The value of the option among the words of a line, also as "--run=DIR", which Bash takes apart at
+// the sign; "" without.
 std::string ValueOf(const std::string& option, const std::vector<std::string>& line);
 
 }  // namespace command_line

@@ -19,7 +19,8 @@ std::string ZshAction(const std::string& program, const CompletedValue& value) {
   if (!value.words.empty()) steps.push_back("compadd -- " + Joined(value.words));
   if (!value.names.empty()) {
     steps.push_back(
-        fmt::format("compadd -- $({})", NamesCommand(program, value.names, "\"$whole\"")));
+        fmt::format("names=($({})); compadd -- ${{names##*=}}; compadd -S \"\" -- ${{(M)names##*=}}",
+                    NamesCommand(program, value.names, "\"$whole\"")));
   }
   if (!value.suffixes.empty()) {
     steps.push_back(fmt::format("_files -g \"{}\"", ZshPattern(value.suffixes)));

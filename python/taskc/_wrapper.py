@@ -11,6 +11,7 @@ from ._task import Task, load
 
 try:
     from gymnasium import Wrapper as _Base
+    from gymnasium.utils import RecordConstructorArgs as _Recorded
 except ImportError:
 
     class _Base:  # type: ignore[no-redef]
@@ -34,11 +35,17 @@ except ImportError:
         def close(self) -> None:
             self.env.close()
 
+    class _Recorded:  # type: ignore[no-redef]
+        """What `spec.make` builds a wrapper from again, where there is Gymnasium."""
+
+        def __init__(self, **arguments: Any):
+            del arguments
+
 
 Source = Union[Callable[[Any, Any, Dict[str, Any]], Any], str, int, slice, Tuple[Any, ...], np.ndarray]
 
 
-class Wrapper(_Base):
+class Wrapper(_Base, _Recorded):
     """The environment `env` with the reward and the ends of a task:
 
         env = taskc.Wrapper(gymnasium.make("Pendulum-v1"), "swing.task", time_step=0.05, sensors={
@@ -63,7 +70,9 @@ class Wrapper(_Base):
     def __init__(self, env: Any, task: "Union[Task, str]", sensors: Mapping[str, Source], *,
                  time_step: Optional[float] = None, params: Optional[Dict[str, float]] = None,
                  discount: float = 1.0, keep_ends: bool = False):
-        super().__init__(env)
+        _Recorded.__init__(self, task=task, sensors=sensors, time_step=time_step, params=params,
+                           discount=discount, keep_ends=keep_ends, _disable_deepcopy=True)
+        _Base.__init__(self, env)
         self.task: Task = task if isinstance(task, Task) else load(task)
         self.instance: Instance = self.task.instance(params, discount)
         self._keep_ends = keep_ends

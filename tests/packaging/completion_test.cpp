@@ -122,6 +122,19 @@ TEST_P(CompletionTest, OffersNamesThatTheProgramKnows) {
   EXPECT_THAT(Completed("taskc new walking --for hum"), ElementsAre("humanoid"));
 }
 
+TEST_P(CompletionTest, OffersWhatCanBeSet) {
+  const std::string train = "trainer train " TASKS "/crawling.task ";
+  EXPECT_THAT(Completed(train + "--set task."),
+              ElementsAre("task.fall_penalty=", "task.turning_cost="));
+  EXPECT_THAT(Completed(train + "--set learner.cl"), IsEmpty());
+  EXPECT_THAT(Completed(train + "--agent ppo --set learner.cl"), ElementsAre("learner.clip="));
+  EXPECT_THAT(Completed(train + "--set task.fall_penalty=2 --set task.t"),
+              ElementsAre("task.turning_cost="));
+  EXPECT_THAT(Completed("trainer train --set task.fall_penalty=2 w"), ElementsAre("walking.task"));
+  EXPECT_THAT(Completed("trainer train --set task."), IsEmpty());               // of which task?
+  EXPECT_THAT(Completed("trainer train walking.task --set task."), IsEmpty());  // it is empty
+}
+
 TEST_P(CompletionTest, OffersFilesAndFoldersInTheirPlaces) {
   EXPECT_THAT(Completed("trainer train w"), ElementsAre("walking.task"));
   EXPECT_THAT(Completed("taskc check t"), ElementsAre("two words.task"));
@@ -160,6 +173,16 @@ TEST(BashCompletion, KnowsValuesBehindEqualsSigns) {
                   "source " PAGES "/bash/trainer; COMP_WORDS=(trainer train --profile = fast-);"
                   "COMP_CWORD=4; _trainer; echo \"${COMPREPLY[@]}\""});
   EXPECT_EQ(result.output, "fast-tree\n");
+}
+
+TEST(BashCompletion, OffersNothingInTheMiddleOfASetting) {
+  for (const char* words : {"(trainer train --set task.x =)", "(trainer train --set task.x = w)"}) {
+    const ProgramResult result =
+        RunProgram({"/bin/bash", "-c",
+                    std::string("source " PAGES "/bash/trainer; COMP_WORDS=") + words +
+                        "; COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _trainer; echo ${#COMPREPLY[@]}"});
+    EXPECT_EQ(result.output, "0\n") << words;
+  }
 }
 
 TEST(Completion, KnowsThreeShells) {

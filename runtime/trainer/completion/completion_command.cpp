@@ -11,6 +11,7 @@
 #include "runtime/live/client/known_names.h"
 #include "runtime/live/control/command_table.h"
 #include "runtime/trainer/commands.h"
+#include "runtime/trainer/completion/setting_names.h"
 #include "runtime/trainer/ctl/arguments.h"
 #include "runtime/trainer/ctl/options.h"
 #include "runtime/trainer/setup/agent_presets.h"
@@ -53,7 +54,7 @@ void AddNamesOfRuns(command_line::ValueNames& lists) {
 void AddCompletionCommand(command_line::Command& program) {
   command_line::Command& command = program.AddCommand(
       "completion", "Prints a script that completes trainer's command line in a shell.");
-  command_line::ValueNames names = {{"AGENT", Agents}, {"ROBOT", Robots}, {"RUN", Trainers}};
+  command_line::ValueNames names = {{"AGENT", Agents}, {"ROBOT", Robots}, {"RUN", Trainers}, {"SETTING", SettingNames}};
   AddNamesOfRuns(names);
   command.OnRun([print = command_line::DeclareCompletion(command, {.words = {}, .names = names})] {
     print();

@@ -122,6 +122,7 @@ void TaskOptions::AddTo(command_line::Command& command) {
       .ValueName("PATH");
   command
       .AddOption("--set", settings, "change a parameter, MODULE.PARAMETER=VALUE; may be repeated")
+      .ValueName("SETTING")
       .OneAtATime();
 }
 
