@@ -19,8 +19,8 @@ struct CompletedValue {
 // What the declarations cannot say, by the names of values: {"CODE", {"E0101"}}.
 using ValueWords = std::map<std::string, std::vector<std::string>>;
 // The same for what is not known before the tab key is pressed: {"ROBOT", RobotNames}; or of one
-// command alone: {"ctl swap NAME", TaskModules}. Each gets the words of the line so far. A name that
-// ends in `=` is the beginning of a word.
+// command alone: {"ctl swap NAME", TaskModules}. Each gets the words of the line so far. A name
+// that ends in `=` is the beginning of a word.
 using ValueNames =
     std::map<std::string,
              std::function<std::vector<std::string>(const std::vector<std::string>& line)>>;

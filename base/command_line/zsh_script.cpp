@@ -18,9 +18,9 @@ std::string ZshAction(const std::string& program, const CompletedValue& value) {
   std::vector<std::string> steps;
   if (!value.words.empty()) steps.push_back("compadd -- " + Joined(value.words));
   if (!value.names.empty()) {
-    steps.push_back(
-        fmt::format("names=($({})); compadd -- ${{names##*=}}; compadd -S \"\" -- ${{(M)names##*=}}",
-                    NamesCommand(program, value.names, "\"$whole\"")));
+    steps.push_back(fmt::format(
+        "names=($({})); compadd -- ${{names##*=}}; compadd -S \"\" -- ${{(M)names##*=}}",
+        NamesCommand(program, value.names, "\"$whole\"")));
   }
   if (!value.suffixes.empty()) {
     steps.push_back(fmt::format("_files -g \"{}\"", ZshPattern(value.suffixes)));

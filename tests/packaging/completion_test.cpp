@@ -177,10 +177,10 @@ TEST(BashCompletion, KnowsValuesBehindEqualsSigns) {
 
 TEST(BashCompletion, OffersNothingInTheMiddleOfASetting) {
   for (const char* words : {"(trainer train --set task.x =)", "(trainer train --set task.x = w)"}) {
-    const ProgramResult result =
-        RunProgram({"/bin/bash", "-c",
-                    std::string("source " PAGES "/bash/trainer; COMP_WORDS=") + words +
-                        "; COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _trainer; echo ${#COMPREPLY[@]}"});
+    const ProgramResult result = RunProgram(
+        {"/bin/bash", "-c",
+         std::string("source " PAGES "/bash/trainer; COMP_WORDS=") + words +
+             "; COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _trainer; echo ${#COMPREPLY[@]}"});
     EXPECT_EQ(result.output, "0\n") << words;
   }
 }

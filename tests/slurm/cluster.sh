@@ -45,7 +45,7 @@ SchedulerType=sched/backfill
 PreemptType=preempt/partition_prio
 PreemptMode=REQUEUE
 JobRequeue=1
-ReturnToService=2
+ReturnToService=1
 SlurmdTimeout=20
 KillWait=5
 InactiveLimit=0
@@ -70,13 +70,25 @@ start_node() {
   eval "node_$1=$!"
 }
 
-# As if its power had gone: the daemon, and all that runs on it.
+# As if its power had gone: the daemon, and all that runs on it, also what is only just starting.
 kill_node() {
-  local daemon
+  local daemon pid looks
   eval "daemon=\$node_$1"
   kill -KILL "$daemon" 2>/dev/null || true
-  local pid
-  for pid in $(tasks_on "$1"); do kill -KILL "$pid" 2>/dev/null || true; done
+  for looks in 1 2 3; do
+    for pid in $(tasks_on "$1"); do kill -KILL "$pid" 2>/dev/null || true; done
+    sleep 0.5
+  done
+}
+
+# signal, nodes: to the trainers that run there.
+signal_trainers() {
+  local node pid
+  for node in "${@:2}"; do
+    for pid in $(tasks_on "$node"); do
+      if [ "$(cat "/proc/$pid/comm" 2>/dev/null)" = trainer ]; then kill "-$1" "$pid" 2>/dev/null || true; fi
+    done
+  done
 }
 
 # All processes of a node's jobs: they carry its name, and this cluster's, in their environment.

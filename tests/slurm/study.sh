@@ -65,6 +65,7 @@ END
 status_of() { "$bin/trainer" study status "$folder/slurm" --json; }
 count() { status_of | grep -c "\"state\": \"$1\"" || true; }
 episodes() { status_of | awk -F '[:,]' '/"episodes":/ { sum += $2 } END { print sum + 0 }'; }
+running_on() { squeue -h -r -p low -w "$1" -t RUNNING | wc -l; }
 # Slurm holds back for two minutes what was requeued.
 hurry() {
   local task
@@ -94,35 +95,42 @@ scontrol update partitionname=low state=down  # nothing starts yet
 "$bin/trainer" study "$folder/study.toml" --engine slurm --out "$folder/slurm"
 put_on_small_disk "$folder/slurm/crawling/seed1"
 scontrol update partitionname=low state=up
-until [ -n "$(tasks_on n1)" ] && [ "$(episodes)" -ge "${BEFORE_KILL:-60}" ]; do sleep 0.2; done
+# All trainers stand still while this script looks: none is over before what is to befall it.
+until [ "$(running_on n1)" -gt 0 ] && [ "$(running_on n2)" -gt 0 ] && [ "$(episodes)" -ge "${BEFORE_KILL:-60}" ]; do
+  squeue -h -r | grep -q . || { echo "error: the runs ended too early; try more EPISODES" >&2; exit 1; }
+  signal_trainers CONT n1 n2
+  sleep 0.3
+  signal_trainers STOP n1 n2
+done
 
-echo "== n1 dies with $(squeue -h -r -w n1 -t RUNNING | wc -l) runs"
+echo "== n1 dies with $(running_on n1) runs"
 kill_node n1
 "$bin/trainer" report "$folder/slurm" -o "$folder/report.html" >/dev/null
 echo "   a report of the runs as they are: $(stat -c %s "$folder/report.html") bytes"
-until squeue -h -r -w n2 -t RUNNING | grep -q .; do
-  squeue -h -r | grep -q . || { echo "error: the runs ended too early; try more EPISODES" >&2; exit 1; }
-  hurry
-  sleep 0.5
-done
-sleep 1
-echo "== n2 makes room for another job, from $(squeue -h -r -w n2 -p low -t RUNNING | wc -l) runs"
+echo "== n2 makes room for another job, from $(running_on n2) runs"
 sbatch --parsable -p high -w n2 --exclusive --output=/dev/null --wrap 'sleep 2' >/dev/null
-sleep 5
-scontrol update nodename=n1 state=down reason=died 2>/dev/null || true
-sleep 1
+while [ "$(running_on n2)" -gt 0 ]; do sleep 0.2; done
+signal_trainers CONT n2  # that they hear it
+scontrol update nodename=n1 state=down reason=died
 start_node n1
-scontrol update nodename=n1 state=resume 2>/dev/null || true
+sleep 5  # until it has heard the end of what died with it, which would end what begins there
+scontrol update nodename=n1 state=resume
 # Called again, it submits nothing that is in the queue.
 "$bin/trainer" study "$folder/study.toml" --engine slurm --out "$folder/slurm"
 
-# Until so many are finished, and nothing is left in the queue.
+# Until so many are finished, and nothing is left in the queue. A task that Slurm has ended for good, as
+# that of a node that is back too soon, is submitted again as a user would do it.
 wait_for_finished() {
-  local started=$SECONDS
+  local started=$SECONDS again=0
   until [ "$(count finished)" -eq "$1" ] && ! squeue -h -r -p low | grep -q .; do
     hurry
     sleep 1
-    if [ $((SECONDS - started)) -gt "${PATIENCE:-900}" ]; then
+    if [ $again -lt 3 ] && ! squeue -h -r -p low | grep -q . && [ "$(count finished)" -lt "$1" ]; then
+      again=$((again + 1))
+      echo "== The study is submitted again: Slurm has ended tasks of it"
+      "$bin/trainer" study "$folder/study.toml" --engine slurm --out "$folder/slurm"
+    fi
+    if [ $((SECONDS - started)) -gt "${PATIENCE:-250}" ]; then
       echo "error: $1 runs were not finished in time" >&2
       status_of >&2
       squeue -r >&2

@@ -54,7 +54,8 @@ void AddNamesOfRuns(command_line::ValueNames& lists) {
 void AddCompletionCommand(command_line::Command& program) {
   command_line::Command& command = program.AddCommand(
       "completion", "Prints a script that completes trainer's command line in a shell.");
-  command_line::ValueNames names = {{"AGENT", Agents}, {"ROBOT", Robots}, {"RUN", Trainers}, {"SETTING", SettingNames}};
+  command_line::ValueNames names = {
+      {"AGENT", Agents}, {"ROBOT", Robots}, {"RUN", Trainers}, {"SETTING", SettingNames}};
   AddNamesOfRuns(names);
   command.OnRun([print = command_line::DeclareCompletion(command, {.words = {}, .names = names})] {
     print();
