@@ -86,8 +86,8 @@ void AddStatement(const Statement& statement, const Conditions& conditions,
                   EventEquations& equations) {
   const std::string condition = ToText(conditions);
   if (const auto* let = std::get_if<LetStatement>(&statement.node)) {
-    equations.locals.push_back(
-        {NameToLatex(let->name.text), ToFormula(let->value).text, ReadsOf(let->value)});
+    equations.locals.push_back({NameToLatex(let->name.text), ToFormula(let->value).text,
+                                ReadsOf(let->value), let->name.text});
   } else if (const auto* log = std::get_if<LogStatement>(&statement.node)) {
     equations.logs.push_back(
         {{NameToLatex(log->name.text), ToFormula(log->value).text}, condition});

@@ -15,6 +15,7 @@ struct Equation {
   std::string left;
   std::string right;
   std::vector<std::string> reads{};  // the names in it, of a term's and a local's (reads.h)
+  std::string let{};                 // of a local: its name
 };
 
 // What a reward term is paid.

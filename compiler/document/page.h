@@ -38,6 +38,7 @@ struct Formulas {
     std::string right;
     std::string term{};                // the reward term that is paid this; "": none
     std::vector<std::string> reads{};  // names of what it is computed from (reads.h)
+    std::string let{};                 // the let that it is the value of; "": none
   };
   std::vector<Line> lines;
 };

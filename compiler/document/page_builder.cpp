@@ -10,7 +10,8 @@ void PageBuilder::AddHeading(std::string text) { Add(Heading{2, Plain(std::move(
 void PageBuilder::AddFormulas(const std::vector<Equation>& equations) {
   Formulas formulas;
   for (const Equation& equation : equations) {
-    formulas.lines.push_back({equation.left, "=", equation.right, "", equation.reads});
+    formulas.lines.push_back(
+        {equation.left, "=", equation.right, "", equation.reads, equation.let});
   }
   Add(std::move(formulas));
 }

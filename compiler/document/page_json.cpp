@@ -39,6 +39,7 @@ struct BlockWriter {
           nlohmann::json{{"left", line.left}, {"sign", line.sign}, {"right", line.right}});
       if (!line.term.empty()) json["term"] = line.term;
       if (!line.reads.empty()) json["reads"] = line.reads;
+      if (!line.let.empty()) json["let"] = line.let;
     }
     return {{"kind", "formulas"}, {"lines", std::move(lines)}};
   }

@@ -16,6 +16,7 @@
 #include "compiler/language_server/published_diagnostics.h"
 #include "compiler/language_server/signature_help.h"
 #include "compiler/language_server/uri.h"
+#include "compiler/language_server/worth_of_lets.h"
 
 namespace compiler {
 namespace {
@@ -87,7 +88,8 @@ const std::map<std::string, LanguageServer::RequestHandler>& LanguageServer::Req
       {"textDocument/formatting", &LanguageServer::FormatAll},
       {"textDocument/signatureHelp", &LanguageServer::SignatureAt},
       {"textDocument/documentSymbol", &LanguageServer::SymbolsOf},
-      {"task/page", &LanguageServer::ShowPage}};
+      {"task/page", &LanguageServer::ShowPage},
+      {"task/lets", &LanguageServer::ShowLets}};
   return requests;
 }
 
@@ -356,6 +358,10 @@ Json LanguageServer::SymbolsOf(const Json& params) { return DocumentSymbols(Docu
 // Not of the protocol.
 Json LanguageServer::ShowPage(const Json& params) {
   return PageOfTask(workspace_.FindingsOf(DocumentIn(params)).analysis);
+}
+
+Json LanguageServer::ShowLets(const Json& params) {
+  return WorthOfLets(workspace_.FindingsOf(DocumentIn(params)).analysis, params.at("known"));
 }
 
 // ---- The stream ---------------------------------------------------------------------------------

@@ -57,6 +57,7 @@ class LanguageServer {
   Json SignatureAt(const Json& params);
   Json SymbolsOf(const Json& params);
   Json ShowPage(const Json& params);
+  Json ShowLets(const Json& params);
 
   void Initialized(const Json& params);
   void Exit(const Json& params);

@@ -198,16 +198,22 @@ async function aCardIsSaved(page: Page, run: Trainer): Promise<void> {
   assert.match((await savedBy(page, "#curves article", "SVG")).text, /^<svg .*<\/svg>\n$/s);
 }
 
-/** A term that the episode was not paid: what it would have brought, at once. */
-async function anEditIsJudgedAtOnce(page: Page): Promise<void> {
+/** A term that the episode was not paid: what it would have brought, and what its let is worth, at once. */
+async function anEditIsJudgedAtOnce(page: Page, run: Trainer): Promise<void> {
   await page.locator("#what-if-follow").check();
   const sum = async (column: number): Promise<number> =>
     numberIn((await page.locator('tr[data-what-if="bonus"] td').nth(column).textContent()) ?? "");
   await page.locator(".cm-content").click();
   await page.keyboard.press("Control+End");
-  await page.keyboard.type("\non end_of_action { reward bonus = 1 }\n");
+  const lines = ["", "on end_of_action {", "  let twice = 2 * fall_penalty", "  reward bonus = twice", "}", ""];
+  await page.keyboard.insertText(lines.join("\n")); // as one pastes it: nothing is completed
   await page.locator('tr[data-what-if="bonus"]').waitFor();
   assert.ok((await sum(2)) > 0);
+  const [{ params }] = (await run.ask("list")).tasks;
+  const penalty = params.find(({ name }: { name: string }) => name === "fall_penalty").value;
+  for (const place of ['[data-let="twice"]', '[data-read="twice"]']) {
+    assert.ok(isAbout(numberIn(await textOf(page, `#editor-page ${place} .value`)), 2 * penalty), place);
+  }
   await page.locator("#editor-text").scrollIntoViewIfNeeded();
   await screenshot(page, "live-what-if");
   await page.locator("#what-if-follow").uncheck();
@@ -237,7 +243,7 @@ await inBrowser(async (browser) =>
         await aTaskIsEdited(page, run);
         await anEpisodeIsJudged(page, run);
         await equationsSayTheMoment(page, run);
-        await anEditIsJudgedAtOnce(page);
+        await anEditIsJudgedAtOnce(page, run);
         await aCardIsSaved(page, run);
         await screenshot(page, "live-whole", true);
       });

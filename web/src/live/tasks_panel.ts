@@ -35,7 +35,10 @@ export class TasksPanel {
   private readonly tryButton = byId("editor-try", HTMLButtonElement);
   private readonly revert = byId("editor-revert", HTMLButtonElement);
   private editor: TaskEditor | undefined;
-  private readonly equations = new TaskPageView(byId("editor-page", HTMLElement));
+  private readonly equations = new TaskPageView(
+    byId("editor-page", HTMLElement),
+    async (known) => (await this.editor?.lets(known)) ?? null,
+  );
   private readonly whatIf = new WhatIf(() => ({ file: this.taskFile, text: this.editor?.text ?? "" }));
   private file = "";
   private listing: Listing | undefined;

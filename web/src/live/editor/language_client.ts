@@ -1,6 +1,7 @@
 // A client of the language server that the trainer starts for this page, for one text.
 
 import { LastingSocket } from "../trainer.ts";
+import type { KnownNumbers, LetWorth } from "./lets.ts";
 import type { TaskPage } from "./task_page.ts";
 
 export interface Position {
@@ -88,6 +89,11 @@ export class LanguageClient {
   /** What `taskc doc` says of the text; null while it has errors. */
   page(): Promise<TaskPage | null> {
     return this.ask("task/page", {});
+  }
+
+  /** What its lets are worth where the numbers are `known`; null while the text has errors. */
+  lets(known: KnownNumbers): Promise<LetWorth[] | null> {
+    return this.ask("task/lets", { known });
   }
 
   private ask<Result>(method: string, params: object): Promise<Result> {

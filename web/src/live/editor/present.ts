@@ -21,7 +21,7 @@ export interface PresentTask {
 
 const kNumberWidth = 8;
 const kBetween = "  "; // two numbers
-const kMostNumbers = 4; // more than so many say nothing at a glance
+const kMostNumbers = 4;
 const kRead: ViewValue["kind"][] = ["goal", "memory", "sensor"];
 
 /** What the reward term pays now. */
@@ -83,8 +83,11 @@ function wholeOf(name: string, { layout }: PresentTask): Present | undefined {
   const value = layout.values
     .filter(({ kind, name: own }) => kRead.includes(kind) && leadsTo(own, name))
     .sort((a, b) => b.name.length - a.name.length)[0];
-  return value && (isFlag(value) || value.size <= kMostNumbers) ? presentOfValue(value) : undefined;
+  return value && isReadable(value) ? presentOfValue(value) : undefined;
 }
+
+/** At a glance; of flags it is said how many are set. */
+export const isReadable = (value: ViewValue): boolean => isFlag(value) || value.size <= kMostNumbers;
 
 const leadsTo = (value: string, name: string): boolean =>
   name === value || (name.startsWith(value) && /[.[]/.test(name[value.length] ?? ""));
@@ -93,8 +96,8 @@ const leadsTo = (value: string, name: string): boolean =>
 const sensed = (number: number | undefined): string =>
   Math.abs(number ?? NaN) < 1e-3 ? formatThousandths(number ?? 0) : formatNumber(number);
 
-function presentOfValue(value: ViewValue): Present {
-  const numbers = isFlag(value) ? 1 : value.size; // of flags it is said how many are set
+export function presentOfValue(value: ViewValue): Present {
+  const numbers = isFlag(value) ? 1 : value.size;
   return {
     unit: value.unit,
     width: numbers * (kNumberWidth + kBetween.length) - kBetween.length,

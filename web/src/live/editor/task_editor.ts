@@ -33,6 +33,7 @@ import {
   type Range,
   type TextEdit,
 } from "./language_client.ts";
+import type { KnownNumbers, LetWorth } from "./lets.ts";
 import { markdownToDom } from "./markdown.ts";
 import { taskColors } from "./task_colors.ts";
 import type { TaskPage } from "./task_page.ts";
@@ -120,6 +121,11 @@ export class TaskEditor {
     const edits = (await this.client.format()) ?? [];
     const { doc } = this.view.state;
     this.view.dispatch({ changes: edits.map((edit) => changeOf(doc, edit)) });
+  }
+
+  /** What the lets of the text are worth where the numbers are `known`. */
+  lets(known: KnownNumbers): Promise<LetWorth[] | null> {
+    return this.client.lets(known);
   }
 
   private makeState(text: string, nonce: string): EditorState {

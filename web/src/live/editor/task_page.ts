@@ -6,6 +6,7 @@ import katex from "katex";
 import { element } from "../../page/dom.ts";
 import { row, table } from "../../page/table.ts";
 import { kPayWindow, type Entry } from "../history.ts";
+import { Lets, type KnownNumbers, type LetWorth } from "./lets.ts";
 import { presentOf, rateOf, sumOf, type Present, type PresentTask } from "./present.ts";
 
 export interface Piece {
@@ -18,6 +19,7 @@ export interface FormulaLine {
   right: string;
   term?: string; // the reward term that is paid this
   reads?: string[]; // names in it
+  let?: string; // whose value this is
 }
 type Block =
   | { kind: "heading"; level: number; text: Piece[] }
@@ -68,8 +70,15 @@ export class TaskPageView {
   private page: TaskPage | undefined;
   private task: PresentTask | undefined;
   private readouts: Readout[] = [];
+  private readonly lets: Lets;
 
-  constructor(private readonly host: HTMLElement) {}
+  /** `askLets`: what the lets of the text are worth; null where that cannot be known. */
+  constructor(
+    private readonly host: HTMLElement,
+    askLets: (known: KnownNumbers) => Promise<LetWorth[] | null>,
+  ) {
+    this.lets = new Lets(askLets, () => this.draw());
+  }
 
   show(page: TaskPage): void {
     this.page = page;
@@ -88,6 +97,12 @@ export class TaskPageView {
       const words = present.at(entry);
       if (output.data !== words) output.data = words;
     }
+    if (this.task && this.hasLets) void this.lets.update(entry, this.task);
+  }
+
+  private get hasLets(): boolean {
+    const blocks = this.page?.blocks ?? [];
+    return blocks.some((block) => block.kind === "formulas" && block.lines.some((line) => line.let !== undefined));
   }
 
   /** Scrolled to where it was. */
@@ -131,16 +146,21 @@ export class TaskPageView {
     return element("div", { class: "formulas" }, ...equations);
   }
 
-  /** What is known of a line: what its term pays, and what it reads. */
-  private presentIn({ term, reads = [] }: FormulaLine): HTMLElement[] {
+  /** What is known of a line: what its term pays or its let is worth, and what it reads. */
+  private presentIn({ term, reads = [], let: name }: FormulaLine): HTMLElement[] {
     const { task } = this;
     if (!task) return [];
     const paid: [string, Present | undefined][] =
       term === undefined ? [] : [[`pays, over ${kPayWindow} s`, rateOf(term, task)], ["in the episode", sumOf(term, task)]];
-    const read = reads.map((name): [string, Present | undefined] => [name, presentOf(name, task)]);
+    const read = reads.map((each): [string, Present | undefined] => [
+      each,
+      presentOf(each, task) ?? this.lets.presentOf(each),
+    ]);
+    const worth = name === undefined ? undefined : this.lets.presentOf(name);
     const items = [
       ...paid.map(([words, present]) => this.readout(words, present, { "data-term": term ?? "" })),
-      ...read.map(([name, present]) => this.readout(element("code", {}, name), present, { "data-read": name })),
+      this.readout("is", worth, { "data-let": name ?? "" }),
+      ...read.map(([each, present]) => this.readout(element("code", {}, each), present, { "data-read": each })),
     ].flat();
     return items.length > 0 ? [element("dl", { class: "present" }, ...items)] : [];
   }
