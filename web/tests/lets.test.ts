@@ -4,30 +4,16 @@ import { test } from "node:test";
 import { knownAt, Lets, type KnownNumbers, type LetWorth } from "../src/live/editor/lets.ts";
 import type { PresentTask } from "../src/live/editor/present.ts";
 import type { Entry } from "../src/live/history.ts";
-import { decodeClip, decodeLayout, Frame } from "../src/live/view_frames.ts";
+import { frameOf, layoutOf, value } from "./frames.ts";
 
-const value = (kind: string, name: string, type: string, size = 1): object => ({ kind, name, type, unit: "", doc: "", size });
-const layout = decodeLayout(
-  JSON.stringify({
-    module: "task",
-    task: "crawling",
-    hash: "a1",
-    links: 0,
-    poses: 0,
-    size: 3 + 6,
-    values: [
-      value("term", "forward", "real"),
-      value("sensor", "base.velocity", "vec3", 3),
-      value("goal", "side", "int"),
-      value("memory", "last", "real"),
-    ],
-  }),
-);
-const bytes = new ArrayBuffer(7 * 8 + layout.size * 4);
-new Float64Array(bytes, 0, 7).set([1, 5, 12, 1, 0.1, 1, 0.01]);
-new Float32Array(bytes, 7 * 8).set([0.5, 2.5, 0, 12, 1, -2, 0.25, 1, NaN]);
+const layout = layoutOf([
+  value("term", "forward", "real"),
+  value("sensor", "base.velocity", "vec3", { size: 3 }),
+  value("goal", "side", "int"),
+  value("memory", "last", "real"),
+]);
 const entry: Entry = {
-  frame: new Frame(decodeClip(layout, bytes), 0),
+  frame: frameOf(layout, [0.5, 2.5, 0, 12, 1, -2, 0.25, 1, NaN]),
   startsEpisode: false,
   rates: new Map(),
   ofAction: new Map(),

@@ -3,45 +3,23 @@ import { test } from "node:test";
 
 import { presentOf, rateOf, sumOf, type PresentTask } from "../src/live/editor/present.ts";
 import type { Entry } from "../src/live/history.ts";
-import { decodeClip, decodeLayout, Frame } from "../src/live/view_frames.ts";
+import { frameOf, layoutOf, value } from "./frames.ts";
 
-const value = (kind: string, name: string, type: string, more: object = {}): object => ({
-  kind,
-  name,
-  type,
-  unit: "",
-  doc: "",
-  size: 1,
-  ...more,
-});
 const feet = ["left_foot", "right_foot"];
-const layout = decodeLayout(
-  JSON.stringify({
-    module: "task",
-    task: "crawling",
-    hash: "a1",
-    links: 0,
-    poses: 0,
-    size: 3 + 12,
-    values: [
-      value("term", "forward", "real"),
-      value("sensor", "base.velocity", "vec3", {
-        unit: "m/s",
-        size: 3,
-        elements: ["base.velocity.x", "base.velocity.y", "base.velocity.z"],
-      }),
-      value("sensor", "contact", "bool[link]", { size: 2, elements: feet.map((foot) => `contact[${foot}]`) }),
-      value("sensor", "joint.angle", "real[joint]", { unit: "rad", size: 5 }),
-      value("goal", "side", "int"),
-    ],
+const layout = layoutOf([
+  value("term", "forward", "real"),
+  value("sensor", "base.velocity", "vec3", {
+    unit: "m/s",
+    size: 3,
+    elements: ["base.velocity.x", "base.velocity.y", "base.velocity.z"],
   }),
-);
+  value("sensor", "contact", "bool[link]", { size: 2, elements: feet.map((foot) => `contact[${foot}]`) }),
+  value("sensor", "joint.angle", "real[joint]", { unit: "rad", size: 5 }),
+  value("goal", "side", "int"),
+]);
 const numbers = [0.5, 2.5, 0, 12, 0.1, -0.2, 3e-9, 1, 0, 1, 2, 3, 4, 5, 1];
 
-const bytes = new ArrayBuffer(7 * 8 + numbers.length * 4);
-new Float64Array(bytes, 0, 7).set([1, 5, 12, 1, 0.1, 1, 0.01]);
-new Float32Array(bytes, 7 * 8).set(numbers);
-const frame = new Frame(decodeClip(layout, bytes), 0);
+const frame = frameOf(layout, numbers);
 const [forward] = layout.values;
 const entry: Entry = {
   frame,
