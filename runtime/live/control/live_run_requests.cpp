@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/variant/overloaded.h"
@@ -80,7 +81,8 @@ Json LiveRun::StatusJson() const {
           {"task", graph_.active_task().plugin().name},
           {"robot", run_.record.robot},
           {"state", kNames[static_cast<int>(state_)]},
-          {"episode", position_.episode},
+          // When all are over there is no next one.
+          {"episode", std::min(position_.episode, run_.record.episodes_planned)},
           {"step", position_.step},
           {"time", position_.step == 0 ? 0.0 : graph_.environment().time()},
           {"episodes_done", episodes_done_},

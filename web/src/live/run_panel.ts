@@ -80,8 +80,7 @@ export class RunPanel {
     this.pause.disabled = status.state === "finished";
     this.step.hidden = status.state !== "paused";
     this.stop.disabled = this.stops !== "";
-    // When all are done there is no next one.
-    this.put(figures.episode, formatCount(Math.min(status.episode, planned)), `of ${formatCount(planned)}`);
+    this.put(figures.episode, formatCount(status.episode), `of ${formatCount(planned)}`);
     const mean = `mean ${formatNumber(status.mean_return)}`;
     this.put(figures.return, done > 0 ? formatNumber(status.last_return) : "–", done > 0 ? mean : "");
     this.put(figures.best, formatNumber(status.best_return ?? NaN), this.bestNote(status));

@@ -36,6 +36,7 @@ TEST_F(LiveRunTest, SaysWhenItsStateChanges) {
   EXPECT_EQ(run.Ask("resume")["state"], "running");
   run.WaitFor("finished");
   EXPECT_THAT(run.events.Of("state", "state"), ElementsAre("paused", "running", "finished"));
+  EXPECT_EQ(run.Position(), std::pair(3L, 0L));  // there is no fourth one
 }
 
 TEST_F(LiveRunTest, AStopDuringAPauseEndsTheEpisodeFirst) {
