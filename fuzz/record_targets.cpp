@@ -6,11 +6,11 @@
 
 #include "base/seal/seal.h"
 #include "fuzz/edits.h"
+#include "fuzz/read_or_refuse.h"
 #include "fuzz/runtime_targets.h"
 #include "fuzz/targets.h"
 #include "plugins/host/elf_file.h"
 #include "runtime/analysis/report/report.h"
-#include "runtime/base/user_error.h"
 #include "runtime/training/learning/peng_q_lambda.h"
 #include "runtime/training/run/change_json.h"
 #include "runtime/training/run/checkpoint.h"
@@ -46,17 +46,6 @@ struct SampleFolder {
     intact = Content(file);
   }
 };
-
-template <class Read>
-bool ReadOrRefuse(const Read& read) {
-  try {
-    read();
-    return true;
-  } catch (const runtime::UserError& error) {
-    Require(*error.what() != '\0', "an error says nothing");
-  }
-  return false;
-}
 
 class Learner {
  public:

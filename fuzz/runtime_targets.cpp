@@ -6,10 +6,10 @@
 #include <optional>
 
 #include "fuzz/corpus.h"
+#include "fuzz/read_or_refuse.h"
 #include "fuzz/targets.h"
 #include "plugins/robot/robot_description.h"
 #include "plugins/world/world_description.h"
-#include "runtime/base/user_error.h"
 #include "runtime/core/agent/agent.h"
 #include "runtime/trainer/setup/study_file.h"
 #include "runtime/training/environment/environment_link.h"
@@ -27,20 +27,6 @@ std::filesystem::path FileOf(const std::string& text, const char* name) {
   const std::filesystem::path file = folder.path() / name;
   std::ofstream(file, std::ios::binary | std::ios::trunc) << text;
   return file;
-}
-
-// Each error has a text; any other exception ends the fuzzer.
-template <class Read>
-bool ReadOrRefuse(const Read& read) {
-  try {
-    read();
-    return true;
-  } catch (const runtime::UserError& error) {
-    Require(*error.what() != '\0', "an error says nothing");
-  } catch (const robot::DescriptionError& error) {
-    Require(*error.what() != '\0', "an error says nothing");
-  }
-  return false;
 }
 
 Texts RobotTexts() { return TextsIn({"/plugins", "/tests/plugins/robots"}, "robot.toml"); }
