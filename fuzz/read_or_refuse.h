@@ -6,8 +6,8 @@
 
 namespace fuzz {
 
-// Whether `read` has read it, or has refused it with an error for users. Each such error has a text;
-// any other exception ends the fuzzer.
+// Whether `read` has read it, or has refused it with an error for users. Each such error has a
+// text; any other exception ends the fuzzer.
 template <class Read>
 bool ReadOrRefuse(const Read& read) {
   try {

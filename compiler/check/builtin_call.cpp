@@ -358,14 +358,14 @@ class BuiltinCheck {
       }
       case kRow:
       case kTwoRows:
-        if (HasVectors()) return WithEntries(type(0), ScalarType(Scalar::kReal));
+        if (HasVectors()) return WithEntries(type(0), kRealType);
         break;
       case kRotation:
       case kQuaternion:
       case kMatrix:
         break;
     }
-    return ScalarType(Scalar::kReal);
+    return kRealType;
   }
 
   std::optional<CheckedExpression> Replaced(std::variant<Builtin, Composite> function,

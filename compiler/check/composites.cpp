@@ -21,7 +21,6 @@ constexpr size_t kLargestArgument = 2000;  // nodes
 // would have any length.
 constexpr double kShortestNorm = 1e-150;
 
-const Type kRealResult{};
 const Type kVec3{.shape = Shape::kVector, .rows = 3};
 
 // Writes an equation down. The units of its parts do not matter: that of the whole is known.
@@ -62,7 +61,7 @@ class Expansion {
         return Mean();
       case Composite::kNormalize:
         return Divide(Argument(0),
-                      Call(Builtin::kMax, kRealResult, Norm(Argument(0)), Number(kShortestNorm)));
+                      Call(Builtin::kMax, kRealType, Norm(Argument(0)), Number(kShortestNorm)));
       case Composite::kRotate:
         return arguments_[0].type.shape == Shape::kMatrix ? Transformed() : Rotated();
       case Composite::kInverse:
@@ -76,8 +75,8 @@ class Expansion {
       case Composite::kPitch:
         return Pitch();
       case Composite::kAngleBetween:
-        return Call(Builtin::kAtan2, kRealResult, Norm(Cross(Argument(0), Argument(1))),
-                    Call(Builtin::kDot, kRealResult, Argument(0), Argument(1)));
+        return Call(Builtin::kAtan2, kRealType, Norm(Cross(Argument(0), Argument(1))),
+                    Call(Builtin::kDot, kRealType, Argument(0), Argument(1)));
       case Composite::kWrap:
         return Subtract(
             Argument(0),
@@ -104,7 +103,7 @@ class Expansion {
       std::vector<uint32_t> indices;
       for (uint32_t row = 0; row < type.rows; ++row) indices.push_back(row * type.columns + column);
       columns.arguments.push_back(
-          Owned(Call(function, kRealResult, Picked(Argument(0), std::move(indices), column_type))));
+          Owned(Call(function, kRealType, Picked(Argument(0), std::move(indices), column_type))));
     }
     return Node(EntryOf(type), std::move(columns));
   }
@@ -113,7 +112,7 @@ class Expansion {
     const Type& type = arguments_[0].type;
     if (IsScalar(type)) return Argument(0);
     CheckedExpression sum = HasVectors(type) ? OfEachColumn(Builtin::kSum)
-                                             : Call(Builtin::kSum, kRealResult, Argument(0));
+                                             : Call(Builtin::kSum, kRealType, Argument(0));
     return Divide(std::move(sum), Number(type.size() / type.columns));
   }
 
@@ -137,7 +136,7 @@ class Expansion {
     const Type& type = arguments_[1].type;
     if (HasVectors(type)) return TransformedVectors(type);
     const auto row = [&](uint32_t i) {
-      return Call(Builtin::kDot, kRealResult, Part(0, {3 * i, 3 * i + 1, 3 * i + 2}), Argument(1));
+      return Call(Builtin::kDot, kRealType, Part(0, {3 * i, 3 * i + 1, 3 * i + 2}), Argument(1));
     };
     return Call(Builtin::kVector, kVec3, row(0), row(1), row(2));
   }
@@ -158,7 +157,7 @@ class Expansion {
     CheckedExpression signs =
         Call(Builtin::kVector, type, Number(1), Number(-1), Number(-1), Number(-1));
     return Divide(Multiply(Argument(0), std::move(signs)),
-                  Call(Builtin::kSum, kRealResult, Multiply(Argument(0), Argument(0))));
+                  Call(Builtin::kSum, kRealType, Multiply(Argument(0), Argument(0))));
   }
 
   // q w + i x + j y + k z of the elements of q, each times the elements of p in their places.
@@ -188,14 +187,14 @@ class Expansion {
     CheckedExpression y = Multiply(Number(2), Add(Product(a, b), Product(c, d)));
     CheckedExpression x =
         Subtract(Number(1), Multiply(Number(2), Add(Product(e, e), Product(f, f))));
-    return Call(Builtin::kAtan2, kRealResult, std::move(y), std::move(x));
+    return Call(Builtin::kAtan2, kRealType, std::move(y), std::move(x));
   }
 
   // Rounding must not lead out of what `asin` knows.
   CheckedExpression Pitch() {
     CheckedExpression sine = Multiply(Number(2), Subtract(Product(0, 2), Product(3, 1)));
-    return Call(Builtin::kAsin, kRealResult,
-                Call(Builtin::kClamp, kRealResult, std::move(sine), Number(-1), Number(1)));
+    return Call(Builtin::kAsin, kRealType,
+                Call(Builtin::kClamp, kRealType, std::move(sine), Number(-1), Number(1)));
   }
 
   CheckedExpression Tolerance() {
@@ -212,7 +211,7 @@ class Expansion {
   CheckedExpression Argument(size_t i) const { return CopyOf(arguments_[i]); }
 
   CheckedExpression Part(size_t argument, std::vector<uint32_t> indices) {
-    const Type type = indices.size() == 1 ? kRealResult : kVec3;
+    const Type type = indices.size() == 1 ? kRealType : kVec3;
     return Picked(Argument(argument), std::move(indices), type);
   }
   CheckedExpression Picked(CheckedExpression whole, std::vector<uint32_t> indices,
@@ -221,9 +220,9 @@ class Expansion {
   }
   CheckedExpression Product(uint32_t i, uint32_t j) { return Multiply(Part(0, {i}), Part(0, {j})); }
 
-  CheckedExpression Number(double value) const { return {span_, kRealResult, {}, Constant{value}}; }
+  CheckedExpression Number(double value) const { return {span_, kRealType, {}, Constant{value}}; }
   CheckedExpression Norm(CheckedExpression v) {
-    return Call(Builtin::kNorm, kRealResult, std::move(v));
+    return Call(Builtin::kNorm, kRealType, std::move(v));
   }
 
   CheckedExpression Add(CheckedExpression a, CheckedExpression b) {

@@ -62,7 +62,7 @@ class ExpressionChecker {
     if (!unit) return std::nullopt;
     const double value = unit->ToSi(number.value);
     if (std::isfinite(value))
-      return CheckedExpression{span, ScalarType(Scalar::kReal), unit->unit, Constant{value}};
+      return CheckedExpression{span, kRealType, unit->unit, Constant{value}};
     Report(scope_.diagnostics, code::kNotFinite, span,
            fmt::format("in `{}` this is too large for a `real`", ToString(unit->unit)));
     return std::nullopt;

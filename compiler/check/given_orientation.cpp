@@ -30,7 +30,7 @@ CheckedExpression Literal(const Reals& elements, const Type& type) {
   BuiltinCall call{Builtin::kVector, {}};
   for (const double element : elements)
     call.arguments.push_back(std::make_unique<CheckedExpression>(
-        CheckedExpression{{}, ScalarType(Scalar::kReal), {}, Constant{element}}));
+        CheckedExpression{{}, kRealType, {}, Constant{element}}));
   return {{}, type, {}, std::move(call)};
 }
 

@@ -21,7 +21,6 @@ namespace compiler {
 namespace {
 
 constexpr Unit kSeconds{.second = 1};
-const Type kReal = ScalarType(Scalar::kReal);
 
 // One goal.
 class GoalCheck {
@@ -92,13 +91,13 @@ class GoalCheck {
     Draw draw{Distribution::kUniform, draws_++, {}};
     draw.arguments.push_back(std::make_unique<CheckedExpression>(std::move(*shortest)));
     draw.arguments.push_back(std::make_unique<CheckedExpression>(std::move(*longest)));
-    return CheckedExpression{span, kReal, kSeconds, std::move(draw)};
+    return CheckedExpression{span, kRealType, kSeconds, std::move(draw)};
   }
 
   std::optional<CheckedExpression> CheckLength(const Expression& written) {
     auto length = CheckExpression(written, place_, scope_);
     if (!length) return std::nullopt;
-    length = ConvertTo({std::move(*length), &written}, kReal, kSeconds,
+    length = ConvertTo({std::move(*length), &written}, kRealType, kSeconds,
                        fmt::format("the time for which `{}` stays", goal_.name.text),
                        scope_.diagnostics);
     if (!length || ValueOf(*length).value_or(1) > 0) return length;
@@ -131,8 +130,8 @@ class GoalCheck {
     goal.draws = AddHiddenMemory(name + "#draws", ScalarType(Scalar::kInt), {},
                                  MemoryScope::kPerEpisode, span, task_);
     if (interval) {
-      const uint32_t left =
-          AddHiddenMemory(name + "#left", kReal, kSeconds, MemoryScope::kPerEpisode, span, task_);
+      const uint32_t left = AddHiddenMemory(name + "#left", kRealType, kSeconds,
+                                            MemoryScope::kPerEpisode, span, task_);
       goal.interval = {left, std::move(*interval)};
     }
     task_.goals.push_back(std::move(goal));
@@ -147,7 +146,7 @@ class GoalCheck {
 
 CheckedExpressionPtr Seconds(Span span, decltype(CheckedExpression::node) node) {
   return std::make_unique<CheckedExpression>(
-      CheckedExpression{span, kReal, kSeconds, std::move(node)});
+      CheckedExpression{span, kRealType, kSeconds, std::move(node)});
 }
 
 // `left -= time_step`, and a new draw where less is left than half a step: at the step that ends
@@ -156,11 +155,11 @@ void AddTimer(uint32_t index, const CheckedGoal& goal, CheckedBlock& body) {
   const Span span = goal.span;
   const uint32_t left = goal.interval->left;
   body.push_back(
-      {span,
-       CheckedAssign{left, {}, AssignOperator::kSubtract, {span, kReal, kSeconds, TimeStep{}}}});
+      {span, CheckedAssign{
+                 left, {}, AssignOperator::kSubtract, {span, kRealType, kSeconds, TimeStep{}}}});
   CheckedBinary half{
       BinaryOperator::kMultiply,
-      std::make_unique<CheckedExpression>(CheckedExpression{span, kReal, {}, Constant{0.5}}),
+      std::make_unique<CheckedExpression>(CheckedExpression{span, kRealType, {}, Constant{0.5}}),
       Seconds(span, TimeStep{})};
   CheckedBinary is_over{BinaryOperator::kLess, Seconds(span, MemoryRead{left}),
                         Seconds(span, std::move(half))};

@@ -139,13 +139,14 @@ bool ReportOutsideOfFunction(const std::vector<Identifier>& path, const TaskScop
 
 std::optional<CheckedExpression> ResolveBuiltIn(const Identifier& name, const Place& place,
                                                 const TaskScope& scope) {
-  const Type real = ScalarType(Scalar::kReal);
-  if (name.text == kPi) return CheckedExpression{name.span, real, {}, Constant{std::numbers::pi}};
+  if (name.text == kPi)
+    return CheckedExpression{name.span, kRealType, {}, Constant{std::numbers::pi}};
   if (place.is_constant()) return NotConstant(name.text, name.span, place, scope);
   if (name.text == kReward) {
-    if (place.kind == Place::kEvent) return CheckedExpression{name.span, real, {}, RewardSoFar{}};
+    if (place.kind == Place::kEvent)
+      return CheckedExpression{name.span, kRealType, {}, RewardSoFar{}};
     if (place.kind == Place::kExpect)
-      return CheckedExpression{name.span, real, {}, TestRead{TestRead::kReward}};
+      return CheckedExpression{name.span, kRealType, {}, TestRead{TestRead::kReward}};
     Report(scope.diagnostics, code::kMisplacedReward, name.span,
            "`reward` is known only inside the block of an event",
            {.note = "it is the sum of the terms that this block has paid so far",
@@ -155,7 +156,7 @@ std::optional<CheckedExpression> ResolveBuiltIn(const Identifier& name, const Pl
                                       place.kind == Place::kObservation ? "observe" : "measure")});
     return std::nullopt;
   }
-  if (place.has_time_step()) return CheckedExpression{name.span, real, kSecond, TimeStep{}};
+  if (place.has_time_step()) return CheckedExpression{name.span, kRealType, kSecond, TimeStep{}};
   const bool is_between_events = place.kind == Place::kExpect || place.kind == Place::kPotential ||
                                  place.kind == Place::kStart;
   if (is_between_events) {
@@ -189,7 +190,7 @@ CheckedExpression ConstantOf(const CheckedSensor& sensor, Span span) {
   BuiltinCall list{Builtin::kVector, {}};
   for (const double value : sensor.constant)
     list.arguments.push_back(std::make_unique<CheckedExpression>(
-        CheckedExpression{span, ScalarType(Scalar::kReal), sensor.unit, Constant{value}}));
+        CheckedExpression{span, kRealType, sensor.unit, Constant{value}}));
   return {span, sensor.type, sensor.unit, std::move(list)};
 }
 

@@ -49,8 +49,7 @@ class BinaryCheck {
     const Unit unit = left().unit;
     const bool is_negative = ValueOf(tolerance.expression).value_or(0) < 0;
     const Span span = Cover(left().span, tolerance.expression.span);
-    auto within =
-        ConvertTo(std::move(tolerance), ScalarType(Scalar::kReal), unit, "`within`", diagnostics_);
+    auto within = ConvertTo(std::move(tolerance), kRealType, unit, "`within`", diagnostics_);
     if (!within) return std::nullopt;
     if (is_negative) {
       Report(diagnostics_, code::kBadWithin, within->span, "a difference is never negative");

@@ -22,7 +22,6 @@ namespace compiler {
 namespace {
 
 constexpr Unit kTimeInPhase{.second = 1};
-const Type kRealNumber = ScalarType(Scalar::kReal);
 
 std::vector<const PhaseDeclaration*> PhasesIn(const SyntaxTree& tree) {
   std::vector<const PhaseDeclaration*> phases;
@@ -57,7 +56,7 @@ class LimitCheck {
     if (!IsParam(*time) && !ValueOf(*time))
       return Wrong(time->span, "the time must be a constant or a param");
     time =
-        ConvertTo({std::move(*time), &limit_.time}, kRealNumber, kTimeInPhase,
+        ConvertTo({std::move(*time), &limit_.time}, kRealType, kTimeInPhase,
                   fmt::format("the time for which `{}` may last", phase_.name), scope_.diagnostics);
     if (!time || !IsPossible(*time) || !otherwise) return std::nullopt;
     return CheckedPhase::Limit{std::move(*time), *otherwise,
@@ -97,7 +96,7 @@ class LimitCheck {
 
 CheckedExpressionPtr Time(Span span, decltype(CheckedExpression::node) node) {
   return std::make_unique<CheckedExpression>(
-      CheckedExpression{span, kRealNumber, kTimeInPhase, std::move(node)});
+      CheckedExpression{span, kRealType, kTimeInPhase, std::move(node)});
 }
 
 // `if limit - phase_time < 0.5 * time_step { next OTHER }`: at the step that ends nearest to the
@@ -109,7 +108,7 @@ CheckedStatement EndAtLimit(const CheckedPhase::Limit& limit, const CheckedTask&
                      Time(span, MemoryRead{task.phase_memory.time})};
   CheckedBinary half{
       BinaryOperator::kMultiply,
-      std::make_unique<CheckedExpression>(CheckedExpression{span, kRealNumber, {}, Constant{0.5}}),
+      std::make_unique<CheckedExpression>(CheckedExpression{span, kRealType, {}, Constant{0.5}}),
       Time(span, TimeStep{})};
   CheckedBinary is_over{BinaryOperator::kLess, Time(span, std::move(left)),
                         Time(span, std::move(half))};
@@ -141,7 +140,7 @@ void DeclarePhases(const SyntaxTree& tree, TaskScope& scope, CheckedTask& task) 
   PhaseMemory& memory = task.phase_memory;
   memory.present = AddHiddenMemory("phase#", ScalarType(Scalar::kInt), {}, MemoryScope::kPerEpisode,
                                    first, task);
-  memory.time = AddHiddenMemory(std::string(kPhaseTime), kRealNumber, kTimeInPhase,
+  memory.time = AddHiddenMemory(std::string(kPhaseTime), kRealType, kTimeInPhase,
                                 MemoryScope::kPerEpisode, first, task);
   DeclareRead(kPhase, SymbolKind::kPhase, memory.present, first, scope, task);
   DeclareRead(kPhaseTime, SymbolKind::kPhaseTime, memory.time, first, scope, task);
@@ -170,7 +169,7 @@ void AddPhaseClock(CheckedTask& task) {
   CheckedAssign count{task.phase_memory.time,
                       {},
                       AssignOperator::kAdd,
-                      {first, kRealNumber, kTimeInPhase, TimeStep{}}};
+                      {first, kRealType, kTimeInPhase, TimeStep{}}};
   body.insert(body.begin(), CheckedStatement{first, std::move(count)});
 }
 

@@ -72,7 +72,7 @@ class PotentialChecker {
     CheckedPotential added{.term = static_cast<uint32_t>(task_.terms.size()), .span = span};
     task_.terms.push_back({name, potential.doc, span});
     const Type flag = ScalarType(Scalar::kBool);
-    added.last = AddHiddenMemory(name + "#potential", ScalarType(Scalar::kReal), value.unit,
+    added.last = AddHiddenMemory(name + "#potential", kRealType, value.unit,
                                  MemoryScope::kPerEpisode, span, task_);
     added.known = AddHiddenMemory(name + "#known", flag, {}, MemoryScope::kPerEpisode, span, task_);
     added.paid = AddHiddenMemory(name + "#paid", flag, {}, MemoryScope::kPerAction, span, task_);

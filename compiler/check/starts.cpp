@@ -85,7 +85,7 @@ uint32_t StartTable::MemoryOf(const StartValueDescription& description, Span spa
   std::vector<CheckedStartValue>& values = task_.start.values;
   const auto known = std::ranges::find(values, description.value, &CheckedStartValue::value);
   if (known != values.end()) return known->memory;
-  Type type = ScalarType(Scalar::kReal);
+  Type type = kRealType;
   Unit unit = kRadians;
   if (const auto sensor = sensors_.Find(std::string(description.name))) {
     type = sensors_.list()[*sensor].type;

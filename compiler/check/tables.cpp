@@ -88,7 +88,7 @@ CheckedExpression ListOf(const Reals& elements, CheckedExpression read) {
   BuiltinCall list{Builtin::kVector, {}};
   for (const double element : elements)
     list.arguments.push_back(std::make_unique<CheckedExpression>(
-        CheckedExpression{read.span, ScalarType(Scalar::kReal), read.unit, Constant{element}}));
+        CheckedExpression{read.span, kRealType, read.unit, Constant{element}}));
   read.node = std::move(list);
   return read;
 }
@@ -156,7 +156,7 @@ std::optional<CheckedExpression> CheckTableCall(const CallExpression& call, cons
   const auto repeats = Repeats(call, scope);
   if (!argument || !repeats || !table.is_valid) return std::nullopt;
   const CheckedTable& checked = scope.constants.tables[table.index];
-  argument = ConvertTo({std::move(*argument), call.arguments[0].get()}, ScalarType(Scalar::kReal),
+  argument = ConvertTo({std::move(*argument), call.arguments[0].get()}, kRealType,
                        checked.argument_unit, fmt::format("the argument of `{}`", checked.name),
                        scope.diagnostics, {{table.span, ArgumentText(checked)}});
   if (!argument) return std::nullopt;
@@ -183,8 +183,7 @@ std::optional<CheckedExpression> CheckDuration(const CallExpression& call, Span 
   }
   if (!table->is_valid) return std::nullopt;
   const CheckedTable& checked = scope.constants.tables[table->index];
-  return CheckedExpression{span, ScalarType(Scalar::kReal), checked.argument_unit,
-                           Constant{checked.duration()}};
+  return CheckedExpression{span, kRealType, checked.argument_unit, Constant{checked.duration()}};
 }
 
 }  // namespace compiler

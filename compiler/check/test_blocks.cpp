@@ -89,11 +89,10 @@ class TestChecker {
   Whole ResolveGiven(const Target& target) {
     const std::vector<Identifier> path = PathOf(target);
     const Identifier& root = path.front();
-    const Type real = ScalarType(Scalar::kReal);
     if (root.text == kTimeStep)
-      return ResolvedPath{{root.span, real, Unit{.second = 1}, TimeStep{}}, 1};
+      return ResolvedPath{{root.span, kRealType, Unit{.second = 1}, TimeStep{}}, 1};
     if (root.text == kDiscount && path.size() == 1 && !IsDeclared(root.text))
-      return ResolvedPath{{root.span, real, {}, Constant{}}, 1};
+      return ResolvedPath{{root.span, kRealType, {}, Constant{}}, 1};
     const bool is_value_of_language =
         root.text == kReward || root.text == kPi || root.text == kEnded;
     const Symbol* declared = scope_.symbols.Find(root.text);

@@ -97,7 +97,7 @@ class TestReadCheck {
   CheckedExpression Read(const Identifier& name, ReferenceKind kind, TestRead::Kind read,
                          uint32_t index, Unit unit) const {
     NoteReference(name, kind, scope_);
-    return {span_, ScalarType(Scalar::kReal), unit, TestRead{read, index}};
+    return {span_, kRealType, unit, TestRead{read, index}};
   }
 
   CheckedExpression Observed(const Identifier& name, uint32_t index) const {

@@ -138,7 +138,7 @@ class DurationCheck {
     const bool counts_steps =
         description_.function == TimeFunction::kDelay && duration->type.scalar == Scalar::kInt;
     if (!counts_steps) {
-      duration = ConvertTo({std::move(*duration), &written_}, ScalarType(Scalar::kReal), kTimeUnit,
+      duration = ConvertTo({std::move(*duration), &written_}, kRealType, kTimeUnit,
                            fmt::format("the time of `{}`", description_.name), scope_.diagnostics);
       if (!duration) return std::nullopt;
     }

@@ -18,6 +18,7 @@ std::optional<Type> FindType(std::string_view name);
 std::vector<std::string> TypeNames();
 
 inline Type ScalarType(Scalar scalar) { return {.scalar = scalar}; }
+inline const Type kRealType = ScalarType(Scalar::kReal);
 inline bool IsScalar(const Type& type) { return type.shape == Shape::kScalar; }
 inline bool IsBool(const Type& type) { return type.scalar == Scalar::kBool; }
 inline bool IsNumber(const Type& type) { return !IsBool(type); }
