@@ -19,40 +19,26 @@ bool Fits(Scalar scalar, double number) {
 class Moment {
  public:
   Moment(const CheckedTask& task, const KnownNumbers& known)
-      : frame_(task),
+      : known_(known),
+        frame_(task),
         has_sensor_(task.sensors.size()),
         has_param_(task.params.size()),
         has_memory_(task.memory.size()) {
-    const auto find = [&](const std::string& name, const Type& type) -> const std::vector<double>* {
-      const auto found = known.find(name);
-      if (found == known.end() || found->second.size() != type.size()) return nullptr;
-      const auto fits = [&](double number) { return Fits(type.scalar, number); };
-      return std::ranges::all_of(found->second, fits) ? &found->second : nullptr;
-    };
     for (size_t i = 0; i < task.sensors.size(); ++i) {
-      const Type& type = task.sensors[i].type;
-      const auto* numbers = find(task.sensors[i].name, type);
-      if (numbers == nullptr) continue;
-      frame_.sensors[i] = MakeValue(type.scalar, *numbers);
-      has_sensor_[i] = true;
+      const CheckedSensor& sensor = task.sensors[i];
+      has_sensor_[i] = Take(sensor.name, sensor.type, frame_.sensors[i]);
     }
     for (size_t i = 0; i < task.params.size(); ++i) {
-      const auto* numbers = find(task.params[i].name, task.params[i].type);
-      if (numbers == nullptr) continue;
-      frame_.params[i] = numbers->front();
-      has_param_[i] = true;
+      const auto* numbers = Told(task.params[i].name, task.params[i].type);
+      if (numbers != nullptr) frame_.params[i] = numbers->front();
+      has_param_[i] = numbers != nullptr;
     }
-    const auto remember = [&](uint32_t memory, const std::string& name) {
-      const Type& type = task.memory[memory].type;
-      const auto* numbers = find(name, type);
-      if (numbers == nullptr) return;
-      frame_.memory[memory] = MakeValue(type.scalar, *numbers);
-      has_memory_[memory] = true;
-    };
-    for (uint32_t i = 0; i < task.memory.size(); ++i) {
-      if (task.memory[i].is_declared) remember(i, task.memory[i].name);
+    for (size_t i = 0; i < task.memory.size(); ++i) {
+      const CheckedMemory& memory = task.memory[i];
+      has_memory_[i] = memory.is_declared && Take(memory.name, memory.type, frame_.memory[i]);
     }
-    for (const CheckedGoal& goal : task.goals) remember(goal.memory, goal.name);
+    for (const CheckedGoal& goal : task.goals)
+      has_memory_[goal.memory] = Take(goal.name, goal.type, frame_.memory[goal.memory]);
   }
 
   const Frame& frame() const { return frame_; }
@@ -62,6 +48,20 @@ class Moment {
   bool Has(const MemoryRead& read) const { return has_memory_[read.memory]; }
 
  private:
+  // Null where nothing was told of it, or what it cannot be.
+  const std::vector<double>* Told(const std::string& name, const Type& type) const {
+    const auto found = known_.find(name);
+    if (found == known_.end() || found->second.size() != type.size()) return nullptr;
+    const auto fits = [&](double number) { return Fits(type.scalar, number); };
+    return std::ranges::all_of(found->second, fits) ? &found->second : nullptr;
+  }
+  bool Take(const std::string& name, const Type& type, Value& place) const {
+    const auto* numbers = Told(name, type);
+    if (numbers != nullptr) place = MakeValue(type.scalar, *numbers);
+    return numbers != nullptr;
+  }
+
+  const KnownNumbers& known_;
   Frame frame_;
   std::vector<bool> has_sensor_;
   std::vector<bool> has_param_;
