@@ -5,7 +5,7 @@ import { formatNumber } from "../../data/words.ts";
 import type { Entry } from "../history.ts";
 import { valueInWords } from "../value_words.ts";
 import type { ViewValue } from "../view_frames.ts";
-import { isReadable, presentOfValue, type Present, type PresentTask } from "./present.ts";
+import { isReadable, kRead, presentOfValue, type Present, type PresentTask } from "./present.ts";
 
 /** By the names of sensors, params, memory and goals: their elements. */
 export type KnownNumbers = Record<string, number[]>;
@@ -19,7 +19,6 @@ export interface LetWorth {
 }
 
 const kEvery = 200; // [ms]
-const kTold = ["goal", "memory", "sensor"];
 
 const valueOf = ({ name, type, unit, numbers }: LetWorth): ViewValue => ({
   kind: "memory",
@@ -35,7 +34,7 @@ export function knownAt({ frame }: Entry, { layout, params }: PresentTask): Know
   const known: KnownNumbers = { time: [frame.time] };
   for (const value of layout.values) {
     const numbers = [...frame.valuesOf(value)];
-    if (kTold.includes(value.kind) && numbers.every(Number.isFinite)) known[value.name] = numbers;
+    if (kRead.includes(value.kind) && numbers.every(Number.isFinite)) known[value.name] = numbers;
   }
   for (const { name, value } of params) {
     if (!Array.isArray(value) && typeof value !== "string") known[name] = [Number(value)];

@@ -22,7 +22,8 @@ export interface PresentTask {
 const kNumberWidth = 8;
 const kBetween = "  "; // two numbers
 const kMostNumbers = 4;
-const kRead: ViewValue["kind"][] = ["goal", "memory", "sensor"];
+/** What a task reads, by the same names as its text. */
+export const kRead: ViewValue["kind"][] = ["goal", "memory", "sensor"];
 
 /** What the reward term pays now. */
 export function rateOf(term: string, { layout }: PresentTask): Present | undefined {
