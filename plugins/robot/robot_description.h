@@ -129,8 +129,9 @@ struct Branch {
 };
 
 // Joint-level PD control: torque = clip(stiffness * (target - angle) - damping * rate, max_torque).
-// A motor that turns has less to give, in proportion, and at `max_speed` nothing that would turn it
-// faster: the two numbers of a servo's data sheet, its stall torque and its no-load speed.
+// A motor that turns has less to give, in proportion, and at `max_speed` nothing: the two numbers
+// of a servo's data sheet, its stall torque and its no-load speed. One that is turned faster
+// brakes.
 struct Gains {
   double stiffness = 0;           // N m / rad
   double damping = 0;             // N m s / rad

@@ -46,8 +46,7 @@ void JointController::Update(std::span<const double> targets) {
     rates_[j] = body_.joint(j).Rate();
     const double pull = drive.gains.stiffness * (targets[j] - angles_[j]);
     const double torque = pull - drive.gains.damping * rates_[j];
-    const double most = drive.MostTorque(torque, rates_[j]);
-    torques_[j] = std::clamp(torque, -most, most);
+    torques_[j] = std::clamp(torque, -drive.MostTorque(-rates_[j]), drive.MostTorque(rates_[j]));
     if (!std::isfinite(torques_[j])) throw OdeFailure("the torque of a joint is not a number");
     UpdatePulls(j, pull);
   }
@@ -61,9 +60,8 @@ void JointController::UpdatePulls(int joint, double pull) {
   if (passive.forces.friction > 0) *next = {0, friction_damping_, passive.forces.friction};
 }
 
-double JointController::Drive::MostTorque(double drive, double rate) const {
-  const double speed = drive < 0 ? -rate : rate;  // in the direction of the drive
-  return gains.max_torque * std::clamp(1 - speed / gains.max_speed, 0.0, 1.0);
+double JointController::Drive::MostTorque(double speed) const {
+  return gains.max_torque * std::clamp(1 - speed / gains.max_speed, -1.0, 1.0);
 }
 
 // A controller that pulls toward more than the motor's largest speed meets the motor's own line,
@@ -73,7 +71,7 @@ Motor JointController::Drive::MotorFor(double pull, double rate) const {
   const double speed = pull / implicit_damping;
   const double torque = pull - implicit_damping * rate;
   if (std::abs(speed) <= gains.max_speed)
-    return {speed, implicit_damping, MostTorque(torque, rate)};
+    return {speed, implicit_damping, MostTorque(torque < 0 ? -rate : rate)};
   return {.speed = std::copysign(gains.max_speed, speed),
           .damping = gains.max_torque / gains.max_speed,
           .max_torque = std::min(std::abs(torque), gains.max_torque)};

@@ -29,7 +29,7 @@ class JointController {
   std::span<const double> angles() const { return angles_; }    // [rad]
   std::span<const double> rates() const { return rates_; }      // of the angles [rad/s]
   // [N m]: clip(stiffness * (target - angle) - damping * rate, max_torque), and no more than the
-  // motor has at that speed.
+  // motor has at that speed; where it is turned faster than it can turn by itself, it brakes.
   std::span<const double> torques() const { return torques_; }
   // What pulls the joint during the next step besides that torque, as many as ever: where the
   // profile drives joints by motors, that motor in place of the torque; where the joint has any of
@@ -45,8 +45,9 @@ class JointController {
     robot::Gains gains;
     double implicit_damping;  // damping + h stiffness [N m s / rad]
 
-    // The most that a motor has to give in the direction of `drive` at a speed of `rate` [N m].
-    double MostTorque(double drive, double rate) const;
+    // The most that a motor has to give in the direction of `speed` [rad/s]: less than nothing
+    // where it is turned faster than it can turn by itself [N m].
+    double MostTorque(double speed) const;
     Motor MotorFor(double pull, double rate) const;
   };
   struct Passive {

@@ -67,20 +67,25 @@ TEST_P(JointControllerTest, TheLimitActs) {
   EXPECT_NEAR(dJointGetHingeAngleRate(world.body().joint(0).id()), -0.002 / inertia * 0.1, 1e-6);
 }
 
-// A motor's torque falls with its speed: the wheel's nears the largest speed exponentially.
+// A motor's torque falls with its speed: the wheel's nears the largest speed exponentially, from
+// below and, where it has been turned faster, from above.
 TEST_P(JointControllerTest, ASpeedLimitIsThatOfAMotor) {
   robot::RobotDescription rotor = Rotor();
   rotor.controller = {
       .stiffness = 1, .damping = 0.001, .max_torque = 0.002, .max_speed = 2, .time_step = 0.005};
-  World world(rotor, profile(), rotor.poses[0]);
   const double hub = 0.4 * 1.0 * 0.1 * 0.1;
   const double wheel = 0.4 * 0.5 * 0.08 * 0.08;
   const double time_constant = hub * wheel / (hub + wheel) * 2 / 0.002;
-  for (int i = 1; i <= 10; ++i) {
-    StepFor(world, 0.1, {-3});
-    const double speed = dJointGetHingeAngleRate(world.body().joint(0).id());
-    EXPECT_NEAR(speed, -2 * (1 - std::exp(-0.1 * i / time_constant)), 2e-3) << i;
-    EXPECT_NEAR(world.controller().torques()[0], -0.002 * (1 + speed / 2), 1e-5) << i;
+  for (const double first : {0.0, -4.0}) {
+    robot::StartState start = robot::RestIn(rotor.poses[0]);
+    start.joint_velocities = {first};
+    World world(rotor, profile(), start);
+    for (int i = 1; i <= 10; ++i) {
+      StepFor(world, 0.1, {-5});
+      const double speed = dJointGetHingeAngleRate(world.body().joint(0).id());
+      EXPECT_NEAR(speed, -2 + (first + 2) * std::exp(-0.1 * i / time_constant), 2e-3) << i;
+      EXPECT_NEAR(world.controller().torques()[0], -0.002 * (1 + speed / 2), 1e-5) << i;
+    }
   }
 }
 
