@@ -15,6 +15,7 @@
 #include "runtime/training/run/change_json.h"
 #include "runtime/training/run/checkpoint.h"
 #include "runtime/training/run/run_database.h"
+#include "runtime/training/run/run_files.h"
 #include "runtime/training/run/sealed_state.h"
 #include "tests/runtime/training/run/sample_run.h"
 #include "tests/runtime/training/run/temporary_folder.h"
@@ -30,7 +31,7 @@ std::string Content(const std::filesystem::path& file) {
 // A run with some episodes, in a folder of its own.
 struct SampleFolder {
   runtime::TemporaryFolder folder;
-  std::filesystem::path file = folder.path() / "run" / "run.db";
+  std::filesystem::path file = runtime::RunDatabaseFile(folder.path() / "run");
   std::string intact;
 
   SampleFolder() {

@@ -45,10 +45,7 @@ Words SettingNames(const Words& line) {
   const TaskOptions options = OptionsOf(*task, line);
   const BuiltTask built(options);
   if (!built.plugin()) return {};
-  return RunApart(*task, [&] {
-    return NamesIn(TaskSetup(options, *built.plugin(), 0, ProgramModuleTypes(),
-                             [](const TaskSetup& known) { EnterSandbox(RulesOf(known)); }));
-  });
+  return RunApart(*task, [&] { return NamesIn(SetUpInSandbox(options, *built.plugin(), 0)); });
 }
 
 }  // namespace runtime

@@ -77,6 +77,13 @@ SandboxRules RulesOf(const TaskSetup& known) {
   return rules;
 }
 
+TaskSetup SetUpInSandbox(const TaskOptions& options, const fs::path& plugin, uint64_t seed,
+                         const std::optional<fs::path>& folder) {
+  return TaskSetup(options, plugin, seed, ProgramModuleTypes(), [&](const TaskSetup& known) {
+    EnterSandbox(folder ? RulesOf(known, *folder) : RulesOf(known));
+  });
+}
+
 CommandSandbox::CommandSandbox(SandboxRules rules) {
   WarnWhereSandboxIsWeak();
   rules.files.tidied = {fs::temp_directory_path()};

@@ -1,7 +1,9 @@
 // What a process may reach that trains a task, or only sets it up.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 
 #include "base/command_line/command.h"
 #include "runtime/base/sandbox.h"
@@ -24,6 +26,12 @@ SandboxRules RulesOf(const TaskSetup& known, const std::filesystem::path& folder
 
 // The same of a run, whose `folder` has all that its agent needs.
 SandboxRules RulesOf(const Agent& agent, const std::filesystem::path& folder);
+
+// Sets up the task of a plugin in a sandbox, which this process enters before code of the task or
+// of a module runs. To write, beside the rules' own: `folder`, if there is one.
+TaskSetup SetUpInSandbox(const TaskOptions& options, const std::filesystem::path& plugin,
+                         uint64_t seed,
+                         const std::optional<std::filesystem::path>& folder = std::nullopt);
 
 // For a command that does all its work in one process, in the sandbox: with a temporary folder,
 // which goes with this object.

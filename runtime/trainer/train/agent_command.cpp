@@ -57,9 +57,7 @@ int ShowAgent(const AgentOptions& options) {
   if (!task.plugin()) return kFailed;
   WarnWhereSandboxIsWeak();
   const Words shown = RunApart(options.task.task.string(), [&]() -> Words {
-    const TaskSetup setup(options.task, *task.plugin(), 0, ProgramModuleTypes(),
-                          [](const TaskSetup& known) { EnterSandbox(RulesOf(known)); });
-    return {Show(setup, options)};
+    return {Show(SetUpInSandbox(options.task, *task.plugin(), 0), options)};
   });
   text::Print("{}", shown.front());
   return kSuccess;

@@ -67,9 +67,7 @@ std::filesystem::path FolderOf(const ProbeOptions& options, const TaskRecord& ta
 // then theirs.
 Words PrepareSearches(const ProbeOptions& options, const TaskOptions& kind,
                       const std::vector<uint64_t>& seeds, const std::filesystem::path& plugin) {
-  TaskSetup setup(
-      WithDefaults(kind), plugin, options.seed, ProgramModuleTypes(),
-      [&](const TaskSetup& known) { EnterSandbox(RulesOf(known, OuterFolder(options))); });
+  TaskSetup setup = SetUpInSandbox(WithDefaults(kind), plugin, options.seed, OuterFolder(options));
   const RunRecord run = RecordOf(setup, {.episodes = 1, .seed = options.seed, .record_every = 0});
   setup.graph.Start();
   const std::filesystem::path folder = FolderOf(options, run.tasks.front());

@@ -41,8 +41,7 @@ struct StudyOptions {
 // all. `names`: the experiments' folders taken before.
 Words Prepare(const Experiment& experiment, const std::filesystem::path& plugin,
               const std::filesystem::path& out, const std::set<std::string>& names) {
-  TaskSetup setup(experiment.task, plugin, experiment.seeds.front(), ProgramModuleTypes(),
-                  [&](const TaskSetup& known) { EnterSandbox(RulesOf(known, out)); });
+  TaskSetup setup = SetUpInSandbox(experiment.task, plugin, experiment.seeds.front(), out);
   const RunRecord run = RecordOf(setup, experiment.plan);
   const std::string name = experiment.name.empty() ? NameOfRuns(run) : experiment.name;
   if (names.contains(name)) {

@@ -38,8 +38,7 @@ int TrainOne(const TrainOptions& options) {
 // Returns the folder of their folders.
 Words MakeRuns(const TrainOptions& options, const std::filesystem::path& plugin) {
   const std::filesystem::path outer = options.out.empty() ? kRunsFolder : options.out;
-  TaskSetup setup(options.task, plugin, options.plan.seed, ProgramModuleTypes(),
-                  [&](const TaskSetup& known) { EnterSandbox(RulesOf(known, outer)); });
+  TaskSetup setup = SetUpInSandbox(options.task, plugin, options.plan.seed, outer);
   const RunRecord run = RecordOf(setup, options.plan);
   const std::filesystem::path folder = options.out.empty() ? outer / NameOfRuns(run) : outer;
   setup.graph.Start();
