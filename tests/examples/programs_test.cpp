@@ -56,8 +56,8 @@ INSTANTIATE_TEST_SUITE_P(Examples, Programs,
                          testing::Values("crawling_prone", "drive", "follow", "get_up", "guided",
                                          "hop", "leap", "scuttle", "swing_up", "trot", "march",
                                          "prance", "press_up", "kick", "climb", "push", "reach",
-                                         "stand", "step", "stride", "targets", "track",
-                                         "track_speed", "velocity", "walk"),
+                                         "rise", "rise_lying", "stand", "step", "stride", "targets",
+                                         "track", "track_speed", "velocity", "walk"),
                          [](const auto& test) { return test.param; });
 
 }  // namespace
