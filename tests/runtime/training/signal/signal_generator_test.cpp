@@ -8,6 +8,7 @@
 
 #include "runtime/core/module/connections.h"
 #include "runtime/core/module/module_graph.h"
+#include "tests/runtime/training/run/temporary_folder.h"
 
 namespace runtime {
 namespace {
@@ -145,7 +146,8 @@ TEST_F(SignalGeneratorTest, HoldsASingleSample) {
 }
 
 TEST_F(SignalGeneratorTest, ReadsAFileOnce) {
-  const std::string file = testing::TempDir() + "/signal_generator_test.csv";
+  const TemporaryFolder folder;
+  const std::string file = folder.path() / "signal.csv";
   std::ofstream(file) << "time [s], wish [m/s]\n0, 0\n2, 1\n";
   signal_->Set("file", file);
   signal_->Set("sensor", std::string("wish"));
@@ -158,7 +160,8 @@ TEST_F(SignalGeneratorTest, ReadsAFileOnce) {
 }
 
 TEST_F(SignalGeneratorTest, RefusesAFileOfAnotherForm) {
-  const std::string file = testing::TempDir() + "/signal_generator_test.csv";
+  const TemporaryFolder folder;
+  const std::string file = folder.path() / "signal.csv";
   std::ofstream(file) << "time [s], wish [m]\n0, 0\n2, 1\n";
   signal_->Set("file", file);
   signal_->Set("sensor", std::string("wish"));
