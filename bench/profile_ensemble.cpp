@@ -4,8 +4,8 @@
 //
 //   profile_ensemble [ROBOT [RUNS [PROFILE[@STEP[:DAMPING]]...]]]
 //
-// STEP and DAMPING take the place of the profile's longest step [ms] and damping of contacts [N
-// s/m].
+// STEP [ms] and DAMPING [N s/m] take the place of the profile's longest step and of the damping of
+// its contacts.
 #include <fmt/format.h>
 
 #include <algorithm>
