@@ -27,16 +27,14 @@ def read_table(path):
 
 
 def curves(means):
-    """For each engine its points (step in ms, cost, error in the air, error on the ground)."""
+    """For each engine its points (cost, error in the air, error on the ground), by their cost."""
     reference = next(iter(means.values()))
     points = {engine: [] for engine in ENGINES}
-    default_steps = {"fast-tree": 5 / 3, "mujoco": 2.5}
     for name, row in list(means.items())[1:]:
-        engine, _, step = name.partition("@")
         ground = [row[i] / reference[i] - 1 for i in (2, 3, 4)]
-        points[engine].append((float(step.split(":")[0]) if step else default_steps[engine],
-                               1000 / row[7], math.degrees(row[6]),
-                               100 * math.sqrt(sum(e * e for e in ground) / len(ground))))
+        points[name.partition("@")[0]].append(
+            (1000 / row[7], math.degrees(row[6]),
+             100 * math.sqrt(sum(e * e for e in ground) / len(ground))))
     return {engine: sorted(row) for engine, row in points.items()}
 
 
@@ -64,7 +62,7 @@ def panel(x, y, engines, column, limits, ticks, unit, is_first, is_last):
             lines.append(text(at, y + HEIGHT + 15, f"{tick}"))
     for engine, points in engines.items():
         color = ENGINES[engine][1]
-        spots = [(place(point[1], COST, x, WIDTH), place(point[column], limits, y + HEIGHT, -HEIGHT))
+        spots = [(place(point[0], COST, x, WIDTH), place(point[column], limits, y + HEIGHT, -HEIGHT))
                  for point in points]
         path = " ".join(f"{a:.1f},{b:.1f}" for a, b in spots)
         lines.append(f'<polyline points="{path}" fill="none" stroke="{color}" stroke-width="2"/>')
@@ -87,8 +85,8 @@ def draw(tables):
         below = TOP + HEIGHT + GAP_Y
         engines = curves(means)
         lines.append(text(x, TOP - 10, robot, "start", 13, "#111"))
-        lines += panel(x, TOP, engines, 2, AIR, (0.02, 0.05, 0.1, 0.2, 0.5), "°", i == 0, False)
-        lines += panel(x, below, engines, 3, GROUND, (1, 2, 5, 10, 20, 50), "%", i == 0, True)
+        lines += panel(x, TOP, engines, 1, AIR, (0.02, 0.05, 0.1, 0.2, 0.5), "°", i == 0, False)
+        lines += panel(x, below, engines, 2, GROUND, (1, 2, 5, 10, 20, 50), "%", i == 0, True)
     for y, label in ((TOP, "joint angles, in the air"), (TOP + HEIGHT + GAP_Y, "contacts, on the ground")):
         lines.append(text(14, y + HEIGHT / 2, label, more=f' transform="rotate(-90 14 {y + HEIGHT / 2})"'))
     lines.append(text(LEFT + (width - LEFT - GAP_X) / 2, height - 10,
